@@ -56,7 +56,7 @@ fn summarize(adapters: &[AdapterSummary]) -> Summary {
     }
 }
 
-/// The list for people, what `--backend auto` takes first.
+/// The list as text. The adapter that `--backend auto` prefers comes first.
 fn describe(adapters: &[AdapterSummary]) -> String {
     let mut text = String::new();
     if adapters.is_empty() {
@@ -68,7 +68,7 @@ fn describe(adapters: &[AdapterSummary]) -> String {
             let _ = writeln!(text, "{name:<11} {value}");
         };
         let only_named = if adapter.is_software {
-            ", used only when named"
+            ", used only with --adapter"
         } else {
             ""
         };
@@ -83,7 +83,7 @@ fn describe(adapters: &[AdapterSummary]) -> String {
         line(
             "limits",
             format!(
-                "{} a buffer, {} a binding, {} storage buffers a kernel, {} a workgroup",
+                "{} per buffer, {} per binding, {} storage buffers per kernel, {} per workgroup",
                 bytes(adapter.max_buffer_bytes),
                 bytes(adapter.max_binding_bytes),
                 adapter.max_storage_buffers,

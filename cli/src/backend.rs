@@ -1,22 +1,22 @@
-//! What computes: the CPU or a GPU.
+//! Selection of the backend: the CPU or a GPU.
 
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 
-/// The options that say what computes.
+/// Options that select the backend.
 #[derive(Debug, Args)]
 pub struct BackendArguments {
-    /// What computes
+    /// Backend that builds and traces
     #[arg(long, value_enum, default_value_t = Backend::Auto)]
     backend: Backend,
 
-    /// The GPU with this in its name, also one that computes in software; `slimbvh info --adapters` lists them
+    /// GPU whose name contains NAME, software adapters included; `slimbvh info --adapters` lists them
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 }
 
 impl BackendArguments {
-    /// A GPU, the one with this in its name if there is one.
+    /// Selects the GPU backend, with the adapter whose name contains `adapter` if given.
     #[must_use]
     pub fn gpu(adapter: Option<String>) -> Self {
         Self {
@@ -25,7 +25,7 @@ impl BackendArguments {
         }
     }
 
-    /// As they are written on the command line.
+    /// The options as written on the command line.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
         let backend = self.backend.to_possible_value();
@@ -41,28 +41,28 @@ impl BackendArguments {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Backend {
-    /// A GPU where there is a real one, else the CPU
+    /// A hardware GPU if there is one, else the CPU
     Auto,
-    /// This machine's cores
+    /// The CPU
     Cpu,
     /// A GPU
     Gpu,
 }
 
-/// What was chosen.
+/// The selected backend.
 pub enum Chosen {
-    /// This machine's cores.
+    /// The CPU.
     Cpu,
-    /// A GPU that was asked for.
+    /// A GPU that the arguments ask for.
     #[cfg(feature = "gpu")]
     Gpu(slimbvh::gpu::Gpu),
-    /// A GPU that `auto` found: where it is too small, the CPU takes over.
+    /// A GPU that `auto` found. If the input is too large for it, the CPU takes over.
     #[cfg(feature = "gpu")]
     GpuIfItFits(slimbvh::gpu::Gpu),
 }
 
 impl Chosen {
-    /// Its name in tables.
+    /// The name in tables.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -73,16 +73,16 @@ impl Chosen {
     }
 }
 
-/// Opens what the arguments ask for.
+/// Opens the backend that the arguments ask for.
 ///
 /// # Errors
-/// If there is no such GPU, or the arguments contradict each other.
+/// If no such GPU exists, or if the arguments contradict each other.
 #[cfg(feature = "gpu")]
 pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
     use slimbvh::gpu::{AdapterChoice, Gpu, GpuError};
     match (arguments.backend, &arguments.adapter) {
         (Backend::Cpu, Some(name)) => {
-            bail!("--adapter {name:?} asks for a GPU, but --backend cpu for none; leave one out")
+            bail!("--adapter {name:?} selects a GPU, but --backend cpu excludes it; leave one out")
         }
         (Backend::Cpu, None) => Ok(Chosen::Cpu),
         (_, Some(name)) => Ok(Chosen::Gpu(Gpu::open(&AdapterChoice::Named(name.clone()))?)),
@@ -91,17 +91,17 @@ pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
             Ok(gpu) => Chosen::GpuIfItFits(gpu),
             Err(GpuError::NoAdapter(_)) => Chosen::Cpu,
             Err(error) => {
-                super::output::warn(&format!("{error}; the CPU does it"));
+                super::output::warn(&format!("{error}; using the CPU instead"));
                 Chosen::Cpu
             }
         }),
     }
 }
 
-/// The CPU, as there is nothing else.
+/// Returns the CPU: this build has no GPU backend.
 ///
 /// # Errors
-/// If a GPU is asked for.
+/// If the arguments ask for a GPU.
 #[cfg(not(feature = "gpu"))]
 pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
     if arguments.backend == Backend::Gpu || arguments.adapter.is_some() {
@@ -110,7 +110,7 @@ pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
     Ok(Chosen::Cpu)
 }
 
-/// Whether something is too large for the GPU.
+/// Whether the error says that the input exceeds a limit of the GPU.
 #[must_use]
 pub fn is_too_large(error: &anyhow::Error) -> bool {
     #[cfg(feature = "gpu")]
@@ -125,7 +125,7 @@ pub fn is_too_large(error: &anyhow::Error) -> bool {
     }
 }
 
-/// Whether the CPU may do what the GPU could not.
+/// Whether the GPU caused the error, so that the CPU may succeed. False for an invalid mesh, refit or view.
 #[cfg(feature = "gpu")]
 #[must_use]
 pub fn is_the_gpus_fault(error: &anyhow::Error) -> bool {

@@ -25,7 +25,7 @@ pub struct BuildArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
-    /// Where the scene and its hierarchy go
+    /// File for the scene and its hierarchy
     #[arg(short, long, value_name = "FILE.slim", default_value = "slimbvh.slim")]
     output: PathBuf,
 
@@ -41,12 +41,12 @@ pub struct BuildArguments {
     #[command(flatten)]
     threads: ThreadArguments,
 
-    /// Write what was done as JSON, to standard output for "-"
+    /// Write a report as JSON; "-" is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
-/// What was done.
+/// The report.
 #[derive(Debug, Serialize)]
 struct Summary {
     scene: String,
@@ -93,7 +93,7 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
     let name = arguments.scene.name();
     let (mut scene, kept) = arguments.scene.open()?;
     let (cameras, lights) = (scene.cameras.clone(), scene.lights.clone());
-    // Of the mesh as it came, before its vertices move.
+    // Frame the original mesh: storage moves its vertices below.
     let kept = kept.and_then(|kept| kept.framing);
     let framing = kept.or_else(|| scene.mesh.bounds());
     (arguments.sight).prepare(&mut scene, &name, framing)?;
@@ -103,7 +103,8 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
     };
     let storage = arguments.storage.apply(&mut scene, &settings)?;
 
-    // What nobody asked for is left to each picture, as its size may be another.
+    // Without `--camera`, save the scene's own cameras, and without `--light` its own lights: defaults depend on the size of
+    // each picture.
     if arguments.sight.camera.is_none() {
         scene.cameras = cameras;
         if arguments.sight.light.is_empty() {
@@ -152,7 +153,7 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
     Ok((summary, text))
 }
 
-/// The summary for people.
+/// The report as text.
 fn describe(s: &Summary, stages: &Stages, codecs: &str) -> String {
     let mut text = String::new();
     let mut line = |name: &str, value: String| {
@@ -181,7 +182,7 @@ fn describe(s: &Summary, stages: &Stages, codecs: &str) -> String {
     );
     line(
         "write",
-        format!("{:.2} ms, with all checks of what is written", s.write_ms),
+        format!("{:.2} ms, including validation", s.write_ms),
     );
     let sizes = Sizes {
         triangle_count: s.triangles,

@@ -16,16 +16,16 @@ pub struct InfoArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
-    /// List the GPUs that can be used, with their limits, instead
+    /// List the usable GPUs and their limits instead
     #[cfg(feature = "gpu")]
     #[arg(long, conflicts_with_all = ["scene", "lenient", "all"])]
     adapters: bool,
 
-    /// List all connected components, not the largest only
+    /// List all connected components, not only the largest
     #[arg(long)]
     all: bool,
 
-    /// Write it as JSON, to standard output for "-"
+    /// Write the report as JSON; "-" is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -47,7 +47,7 @@ struct Summary {
     lights: usize,
     extent: Option<Extent>,
     components: Vec<ComponentSummary>,
-    /// Of a file that has one.
+    /// Present only if the file holds a hierarchy.
     #[serde(skip_serializing_if = "Option::is_none")]
     hierarchy: Option<HierarchySummary>,
 }
@@ -90,7 +90,7 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
     }
     let (scene, kept) = arguments.scene.open()?;
     let bvh = kept.map(|kept| kept.bvh);
-    let progress = output::spinner("looking at the mesh".into());
+    let progress = output::spinner("analyzing the mesh".into());
     let analysis = analyze(&scene.mesh);
     drop(progress);
     if !json_on_stdout {
@@ -153,7 +153,7 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) 
     }
 }
 
-/// The analysis for people.
+/// The report as text.
 fn describe(
     name: &str,
     scene: &Scene,
@@ -257,10 +257,10 @@ fn describe_component(component: &Component) -> String {
     )
 }
 
-/// `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
+/// Formats a box: `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
 fn extent(bounds: &Aabb) -> String {
     let [a, b] = [bounds.min, bounds.max];
-    // In f64: the difference of two numbers may be too large for `f32`.
+    // Subtract in f64: the difference of two `f32` may overflow `f32`.
     let size: [f64; 3] = std::array::from_fn(|i| f64::from(b[i]) - f64::from(a[i]));
     let size = size.map(|x| {
         if x < f64::from(f32::MAX) {

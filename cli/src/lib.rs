@@ -1,4 +1,4 @@
-//! The command line of slimbvh, and what other command lines over the library share with it: options, backends, output.
+//! The command line of slimbvh. Other command lines over the library share its options, backends and output.
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "gpu")]
@@ -46,19 +46,19 @@ enum Command {
     Render(render::RenderArguments),
     /// Render a scene that moves, frame by frame, to pictures or a looping GIF
     Animate(animate::AnimateArguments),
-    /// Build the hierarchy of a scene and save both, so that nothing need be built to render it
+    /// Build the hierarchy of a scene and save both, so that `render` skips the build
     Build(build::BuildArguments),
-    /// Tell what is in a scene: counts, extents, which parts are closed
+    /// Describe a scene: counts, extents, closed components
     Info(info::InfoArguments),
 }
 
-/// Where the scene comes from.
+/// The scene to load.
 #[derive(Debug, Args)]
 struct SceneArguments {
-    /// Scene file: gltf, glb, obj, ply, stl, off or slim. Without one, the default scene
+    /// Scene file: gltf, glb, obj, ply, stl, off or slim. Without a file: the built-in default scene
     scene: Option<PathBuf>,
 
-    /// Drop faces with broken numbers or indices, and count them, instead of refusing the file
+    /// Drop and count faces with invalid numbers or indices instead of rejecting the file
     #[arg(long)]
     lenient: bool,
 }
@@ -76,13 +76,13 @@ impl SceneArguments {
         Ok(load(path, &options)?)
     }
 
-    /// Whether it is a file with a hierarchy.
+    /// Whether the scene is a slim file, which holds a hierarchy.
     fn is_saved(&self) -> bool {
         let extension = self.scene.as_deref().and_then(Path::extension);
         extension.is_some_and(|extension| extension.eq_ignore_ascii_case("slim"))
     }
 
-    /// The scene; and what is saved with it, where it is.
+    /// Loads the scene and, from a slim file, its hierarchy and framing.
     fn open(&self) -> Result<(Scene, Option<Kept>)> {
         match &self.scene {
             Some(path) if self.is_saved() => {
@@ -104,34 +104,34 @@ impl SceneArguments {
     }
 }
 
-/// What a file has beside the scene.
+/// The contents of a slim file other than the scene.
 struct Kept {
     bvh: Bvh,
     framing: Option<Aabb>,
 }
 
-/// How many threads work.
+/// The number of threads.
 #[derive(Debug, Args)]
 pub struct ThreadArguments {
-    /// Threads to use; all cores by default. The result is the same for any number
+    /// Number of threads; default: all cores. The result does not depend on it
     #[arg(long, value_name = "N", value_parser = |text: &str| options::whole(text, 1..=1024))]
     threads: Option<u32>,
 }
 
 impl ThreadArguments {
-    /// As they are written on the command line.
+    /// The option as written on the command line.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
         let threads = self.threads.map(|threads| format!("--threads {threads}"));
         threads.into_iter().collect()
     }
 
-    /// Runs work on that many threads.
+    /// Runs `work` on that many threads.
     ///
     /// # Errors
-    /// If there can be no such threads.
+    /// If the threads cannot be started.
     pub fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> Result<R> {
-        // 0 is rayon's own default.
+        // 0 selects rayon's default.
         let threads = self.threads.unwrap_or(0) as usize;
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
@@ -155,20 +155,20 @@ pub fn run(arguments: Arguments) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The exit code of a command: its own, 0 where the reader of its output went away, 2 with one sentence for bad usage or input.
+/// The exit code of a command: its own on success, 0 after a broken pipe, else 2 with one sentence on standard error.
 #[must_use]
 pub fn exit_code(outcome: Result<ExitCode>) -> ExitCode {
     match outcome {
         Ok(code) => code,
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {}", printable(&format!("{error:#}")));
+            eprintln!("error: {}", printable(&output::sentence(&error)));
             ExitCode::from(2)
         }
     }
 }
 
-/// Whether the reader of our output went away: that is success.
+/// Whether the reader of standard output closed the pipe, which counts as success.
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
     error.chain().any(|cause| {
         cause
@@ -177,7 +177,7 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
     })
 }
 
-/// A sentence in one line that no terminal takes for a command, whatever the names in it hold.
+/// The sentence on one line, with control characters escaped so that a terminal does not interpret them.
 fn printable(sentence: &str) -> String {
     let mut line = String::new();
     for c in sentence.chars() {

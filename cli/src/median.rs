@@ -1,7 +1,6 @@
 //! The median.
 
-/// The value in the middle of the sorted values, the mean of the two in the middle where their number is even, NaN where there
-/// are none. Sorts the values.
+/// The middle of the sorted values: the mean of the middle two for an even count, NaN for no values. Sorts `values`.
 #[must_use]
 pub fn median(values: &mut [f64]) -> f64 {
     values.sort_unstable_by(f64::total_cmp);

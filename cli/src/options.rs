@@ -1,4 +1,4 @@
-//! Parsers of option values that have parts. Public, so that fuzzers reach them.
+//! Parsers of structured option values. Public so that fuzz targets can call them.
 
 mod light;
 
@@ -10,10 +10,10 @@ use std::str::FromStr;
 /// Parses `WIDTHxHEIGHT`.
 ///
 /// # Errors
-/// For anything else, and for pictures without pixels or with too many.
+/// For any other text, for a side of 0, and for too many pixels.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     const MOST: u32 = 1 << 16;
-    // Two gigabytes, with what it takes to write it.
+    // A picture of this size takes two gigabytes, including the buffers that write it.
     const MOST_PIXELS: u64 = 1 << 27;
     let parts = text.split_once(['x', 'X']);
     let sides = parts.and_then(|(w, h)| Some([w.trim().parse().ok()?, h.trim().parse().ok()?]));
@@ -33,7 +33,7 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
 /// Parses a whole number within a range.
 ///
 /// # Errors
-/// For anything else, and outside of the range.
+/// For any other text, and for numbers outside the range.
 pub fn whole(text: &str, range: std::ops::RangeInclusive<u32>) -> Result<u32, String> {
     match text.parse() {
         Ok(number) if range.contains(&number) => Ok(number),
@@ -48,7 +48,7 @@ pub fn whole(text: &str, range: std::ops::RangeInclusive<u32>) -> Result<u32, St
 /// Parses a number from 0 to 1.
 ///
 /// # Errors
-/// For anything else.
+/// For any other text or number.
 pub fn share(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(share) if (0.0..=1.0).contains(&share) => Ok(share),
@@ -59,7 +59,7 @@ pub fn share(text: &str) -> Result<f64, String> {
 /// Parses a length above 0, or pixels as in `0.5px`.
 ///
 /// # Errors
-/// For anything else.
+/// For any other text or number.
 pub fn tolerance(text: &str) -> Result<Tolerance, String> {
     let (number, is_pixels) = match text.strip_suffix("px") {
         Some(number) => (number, true),
@@ -75,7 +75,7 @@ pub fn tolerance(text: &str) -> Result<Tolerance, String> {
     }
 }
 
-/// What `--camera` gives; the rest is filled in from the scene's camera or the default one.
+/// The parts that `--camera` gives. The scene's camera or the default one supplies the rest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraOption {
     eye: Option<[f32; 3]>,
@@ -87,10 +87,10 @@ pub struct CameraOption {
 }
 
 impl CameraOption {
-    /// Replaces what is given. A lens without a distance is sharp at the target.
+    /// Replaces the given parts of `camera`. A lens without a focus distance focuses on the target.
     ///
     /// # Errors
-    /// For a lens before parallel rays.
+    /// For a lens on a camera with parallel rays.
     pub fn apply(&self, camera: &mut Camera) -> Result<(), String> {
         camera.eye = self.eye.unwrap_or(camera.eye);
         camera.target = self.target.unwrap_or(camera.target);
@@ -110,14 +110,14 @@ impl CameraOption {
                 Ok(())
             }
             Projection::Orthographic { .. } => Err(
-                "parallel rays have no lens; give the camera fov=DEGREES as well, or leave lens away"
+                "a camera with parallel rays has no lens; add fov=DEGREES, or leave out lens"
                     .into(),
             ),
         }
     }
 }
 
-/// From the eye to the target.
+/// The distance from the eye to the target.
 fn distance(camera: &Camera) -> f32 {
     let squares = (0..3).map(|axis| {
         let way = f64::from(camera.target[axis]) - f64::from(camera.eye[axis]);
@@ -150,23 +150,26 @@ impl FromStr for CameraOption {
                 "focus" => camera.focus = Some(number(value)?),
                 _ => {
                     return Err(format!(
-                        "a camera has no {key:?}; it has eye, target, up, fov or height, lens, and focus"
+                        "unknown camera part {key:?}; the parts are eye, target, up, fov or height, lens, and focus"
                     ));
                 }
             }
         }
         let is_parallel = matches!(camera.projection, Some(Projection::Orthographic { .. }));
         if camera.lens.is_some() && is_parallel {
-            return Err("parallel rays have no lens; give fov=DEGREES instead of height".into());
+            return Err(
+                "a camera with parallel rays has no lens; give fov=DEGREES instead of height"
+                    .into(),
+            );
         }
         if camera.focus.is_some() && camera.lens.is_none() {
-            return Err("a focus needs a lens=RADIUS".into());
+            return Err("focus needs lens=RADIUS as well".into());
         }
         Ok(camera)
     }
 }
 
-/// Splits `key=value key=value …`; semicolons serve as well as spaces.
+/// Splits `key=value key=value …` at spaces and semicolons.
 fn pairs(text: &str) -> Result<Vec<(&str, &str)>, String> {
     text.split(|c: char| c.is_whitespace() || c == ';')
         .filter(|pair| !pair.is_empty())
@@ -255,7 +258,7 @@ mod tests {
         let mut camera = parallel;
         let option: CameraOption = "lens=0.25 fov=50".parse().unwrap();
         assert_eq!(option.apply(&mut camera), Ok(()));
-        // The target is 5 away.
+        // The distance to the target is 5.
         let expected = |radius, focus_distance| Projection::ThinLens {
             vertical_fov: 50.0,
             radius,

@@ -1,4 +1,4 @@
-//! What the commands write: text, JSON, pictures, progress.
+//! Output of the commands: text, JSON, pictures and progress.
 
 use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -20,22 +20,22 @@ pub fn print(text: &str) -> Result<()> {
     written.context("cannot write to standard output")
 }
 
-/// Tells of something that went otherwise than it might have.
+/// Prints a note to standard error.
 #[cfg(feature = "gpu")]
 pub fn warn(text: &str) {
     eprintln!("note: {text}");
 }
 
-/// Whether a report goes to standard output.
+/// Whether the report goes to standard output.
 #[must_use]
 pub fn is_stdout(path: Option<&Path>) -> bool {
     path == Some(Path::new("-"))
 }
 
-/// Tells before the work, not after it, that a file has no place to go. `taken` are files that it must not replace.
+/// Checks before the work starts that a file can be written. `taken` lists the files that it must not replace.
 ///
 /// # Errors
-/// Names the folder that is not there, or the file that cannot be written or has another use.
+/// Names the missing folder, or the file that cannot be written or has another use.
 pub fn check_place(path: &Path, taken: &[&Path]) -> Result<()> {
     let shown = path.display().to_string();
     let folder = match path.parent() {
@@ -54,7 +54,7 @@ pub fn check_place(path: &Path, taken: &[&Path]) -> Result<()> {
     if is_special(path) {
         return Ok(());
     }
-    // Try it, as only that tells.
+    // Only an attempt shows whether the file can be written.
     let part = part(path);
     std::fs::write(&part, [])
         .and_then(|()| std::fs::remove_file(&part))
@@ -65,7 +65,7 @@ fn is_same(a: &Path, b: &Path) -> bool {
     resolved(a) == resolved(b)
 }
 
-/// A path without links and detours, also of a file that is not there yet.
+/// The canonical path, also of a file that does not exist yet.
 fn resolved(path: &Path) -> PathBuf {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -76,12 +76,12 @@ fn resolved(path: &Path) -> PathBuf {
     whole.or_else(beside).unwrap_or_else(|| path.into())
 }
 
-/// Whether a path names a device or a pipe, which is written to and never replaced.
+/// Whether a path names a device or a pipe, which is written in place and never replaced.
 fn is_special(path: &Path) -> bool {
     std::fs::metadata(path).is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// Where a file is written before it is moved to its place.
+/// The temporary path beside `path`, which a file is written to before it is renamed.
 fn part(path: &Path) -> PathBuf {
     path.with_file_name(format!(".slimbvh-{}.part", std::process::id()))
 }
@@ -109,10 +109,10 @@ pub fn write_png(path: &Path, picture: &Picture) -> Result<()> {
     write_whole(path, &png_bytes(size, &picture.to_srgb())?)
 }
 
-/// An 8-bit sRGB PNG of so many pixels, three bytes each.
+/// Encodes `width` × `height` pixels of three bytes each as an 8-bit sRGB PNG.
 ///
 /// # Errors
-/// If there are not as many pixels.
+/// If the number of pixels does not match the size.
 pub fn png_bytes([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width, height);
@@ -125,7 +125,7 @@ pub fn png_bytes([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Writes a file so that it is there whole or not at all.
+/// Writes a file atomically: the path holds the whole new file, or what it held before.
 ///
 /// # Errors
 /// If the file cannot be written.
@@ -133,10 +133,10 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
     write_with(path, |file| Ok(file.write_all(bytes)?))
 }
 
-/// [`write_whole`] for what is not in memory at once: beside its place first, then moved.
+/// [`write_whole`] for streamed content: writes a temporary file beside the path, then renames it.
 ///
 /// # Errors
-/// If the file cannot be written, or where `write` fails.
+/// If the file cannot be written, or if `write` fails.
 pub fn write_with<T>(path: &Path, write: impl FnOnce(&mut File) -> Result<T>) -> Result<T> {
     let create = |path: &Path| write(&mut File::create(path)?);
     let written = if is_special(path) {
@@ -152,7 +152,7 @@ pub fn write_with<T>(path: &Path, write: impl FnOnce(&mut File) -> Result<T>) ->
     written.with_context(|| format!("cannot write {:?}", path.display().to_string()))
 }
 
-/// [`check_place`] for a file and the report on it, neither of which may replace the scene.
+/// [`check_place`] for an output file and its JSON report. Neither may replace the scene, nor the report the output file.
 ///
 /// # Errors
 /// Those of [`check_place`].
@@ -167,7 +167,7 @@ pub fn check_places(file: &Path, scene: Option<&Path>, json: Option<&Path>) -> R
     }
 }
 
-/// Something that shows on a terminal, from one second on, until it is dropped.
+/// A progress display on the terminal, shown from one second after its creation until it is dropped.
 pub struct Progress {
     bar: ProgressBar,
     _waits: Sender<()>,
@@ -211,7 +211,7 @@ impl Progress {
         Self { bar, _waits: waits }
     }
 
-    /// Moves on to a share from 0 to 1.
+    /// Sets the progress, from 0 to 1.
     pub fn set(&self, share: f64) {
         self.bar.set_position((share * 1000.0) as u64);
     }
@@ -223,7 +223,19 @@ impl Drop for Progress {
     }
 }
 
-/// A count with thousands set apart: 871,414.
+/// An error and its causes, each once: some errors include the sentence of their cause.
+#[must_use]
+pub fn sentence(error: &anyhow::Error) -> String {
+    let mut sentence = error.to_string();
+    for cause in error.chain().skip(1).map(ToString::to_string) {
+        if !sentence.contains(&cause) {
+            sentence = format!("{sentence}: {cause}");
+        }
+    }
+    sentence
+}
+
+/// A count with thousands separators: 871,414.
 pub fn count(n: impl TryInto<u64>) -> String {
     let digits = n.try_into().unwrap_or(u64::MAX).to_string();
     let mut grouped = String::new();
@@ -236,7 +248,7 @@ pub fn count(n: impl TryInto<u64>) -> String {
     grouped
 }
 
-/// A count of things: 1 camera, 1,200 cameras.
+/// A count with its noun in singular or plural: 1 camera, 1,200 cameras.
 pub fn things(n: impl TryInto<u64>, thing: &str) -> String {
     let n = n.try_into().unwrap_or(u64::MAX);
     let plural = if n == 1 { "" } else { "s" };
@@ -260,5 +272,14 @@ mod tests {
         assert_eq!(count(871_414u32), "871,414");
         assert_eq!(things(1u32, "camera"), "1 camera");
         assert_eq!(things(1200u32, "camera"), "1,200 cameras");
+    }
+
+    #[test]
+    fn causes_are_said_once() {
+        let cause = || std::io::Error::other("disk full");
+        let included = anyhow::anyhow!(cause()).context("cannot write: disk full");
+        assert_eq!(sentence(&included), "cannot write: disk full");
+        let added = anyhow::anyhow!(cause()).context("cannot write");
+        assert_eq!(sentence(&added), "cannot write: disk full");
     }
 }

@@ -1,38 +1,38 @@
-//! What a picture is to be like, and the scene made ready for it.
+//! Options of a picture, and preparation of the scene for it.
 
 use crate::options::{self, CameraOption};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, TreeKind, View};
 
-/// How large a picture is, from where it is seen, and in what light.
+/// Size, camera and lights of a picture.
 #[derive(Debug, Args)]
 pub struct SightArguments {
     /// Size of the picture in pixels
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = options::size)]
     pub size: [u32; 2],
 
-    /// Camera, parts as needed: "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or height=H for
-    /// parallel rays. A lens without a focus is sharp at the target
+    /// Camera, any of the parts "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or height=H in
+    /// place of fov for parallel rays. A lens without focus is sharp at the target
     #[arg(long, value_name = "PARTS")]
     pub camera: Option<CameraOption>,
 
-    /// Light instead of the scene's, may be repeated: "sun=X,Y,Z color=R,G,B", where the light goes, or
-    /// "point=X,Y,Z color=R,G,B range=D", or with soft shadows "disc=X,Y,Z normal=X,Y,Z radius=R" or
-    /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", half the sides, which shines to edge1 x edge2
+    /// Light that replaces the scene's lights; may be repeated. One of "sun=X,Y,Z color=R,G,B" with the direction of its
+    /// light, "point=X,Y,Z color=R,G,B range=D", or for soft shadows "disc=X,Y,Z normal=X,Y,Z radius=R" or
+    /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", whose edges are half its sides and which shines along edge1 x edge2
     #[arg(long, value_name = "PARTS", value_parser = options::light)]
     pub light: Vec<Light>,
 }
 
-/// In what order triangles are, and how a tree is found over them.
+/// Width of the Morton codes, and how the tree is built over them.
 #[derive(Debug, Args)]
 pub struct CodesArguments {
-    /// Bits of the codes that order triangles: 30, or 63 for scenes with small details. Without it, 30
+    /// Bits of the Morton codes that sort the triangles: 30, or 63 for scenes with small details; default: 30
     #[arg(long, value_enum)]
     codes: Option<Codes>,
 
-    /// How the tree is found: by common prefixes of codes, or by merging neighbours that suit each other best, which takes
-    /// longer to build and fewer nodes a ray. The picture stays the same. Without it, radix
+    /// Tree construction: from common prefixes of the codes, or by merging the best matching neighbours, which takes longer
+    /// to build and visits fewer nodes per ray. The picture stays the same; default: radix
     #[arg(long, value_enum)]
     tree: Option<Tree>,
 }
@@ -45,13 +45,13 @@ enum Tree {
     Clustered,
 }
 
-/// How pictures are made.
+/// Options of a rendered picture.
 #[derive(Debug, Args)]
 pub struct PictureArguments {
     #[command(flatten)]
     pub sight: SightArguments,
 
-    /// Samples a pixel: 1, 4, 16 … form a grid, any number works
+    /// Samples per pixel: 1, 4, 16 … form a grid, any number works
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=65536))]
     pub spp: u32,
 
@@ -59,12 +59,12 @@ pub struct PictureArguments {
     #[arg(long, value_enum, default_value_t = View::Color)]
     pub view: View,
 
-    /// How many mirrors and surfaces of glass a ray may meet
+    /// Maximum number of mirrors and glass surfaces along a ray
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = |text: &str| options::whole(text, 0..=64))]
     mirror_depth: u32,
 
-    /// Trace shadow rays where there is no light, too: from surfaces that face away, beyond a light's range, to black lights.
-    /// The picture stays the same
+    /// Also trace shadow rays that cannot change the picture: from surfaces that face away from a light, beyond a light's
+    /// range, and to black lights
     #[arg(long)]
     dark_rays: bool,
 
@@ -81,7 +81,7 @@ enum Codes {
 }
 
 impl PictureArguments {
-    /// How to render.
+    /// The settings of the renderer.
     pub fn settings(&self) -> RenderSettings {
         RenderSettings {
             size: self.sight.size,
@@ -92,19 +92,19 @@ impl PictureArguments {
         }
     }
 
-    /// Whether the scene gets the light that stands beside the camera, as neither it nor the arguments have any.
+    /// Whether the scene gets the default light beside the camera: neither the scene nor the arguments have a light.
     pub fn needs_light(&self, scene: &Scene) -> bool {
         self.sight.light.is_empty() && scene.lights.is_empty()
     }
 
-    /// [`SightArguments::prepare`], for the scene's own bounds.
+    /// [`SightArguments::prepare`] with the scene's own bounds.
     pub fn prepare(&self, scene: &mut Scene, name: &str) -> Result<()> {
         self.sight.prepare(scene, name, None)
     }
 }
 
 impl CodesArguments {
-    /// What is asked for.
+    /// The name of the first of these options that was given.
     pub fn asked_for(&self) -> Option<&'static str> {
         match (self.codes, self.tree) {
             (Some(_), _) => Some("--codes"),
@@ -113,7 +113,7 @@ impl CodesArguments {
         }
     }
 
-    /// How trees are found.
+    /// How the tree is built.
     pub fn tree(&self) -> TreeKind {
         match self.tree {
             None | Some(Tree::Radix) => TreeKind::Radix,
@@ -121,7 +121,7 @@ impl CodesArguments {
         }
     }
 
-    /// Those asked for, or the short ones.
+    /// The requested width of the codes, or 30 bits.
     pub fn bits(&self) -> CodeBits {
         match self.codes {
             None | Some(Codes::Bits30) => CodeBits::Bits30,
@@ -131,8 +131,8 @@ impl CodesArguments {
 }
 
 impl SightArguments {
-    /// Checks a scene and gives it the camera and the lights that are asked for, and what is missing. A camera that is missing
-    /// sees this box, or the scene's.
+    /// Validates a scene, applies `--light` and `--camera` to it, and adds a default camera and light where it has none. A
+    /// default camera frames `framing`, or else the scene's bounds.
     pub fn prepare(&self, scene: &mut Scene, name: &str, framing: Option<Aabb>) -> Result<()> {
         if !self.light.is_empty() {
             scene.lights.clone_from(&self.light);

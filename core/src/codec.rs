@@ -1,9 +1,10 @@
-//! Stage `encode`: nodes and triangles in fewer bytes, boxes never smaller than what they hold.
+//! Stage `encode`: nodes and triangles in fewer bytes. A decoded box always contains the box that was encoded.
 //!
-//! Two codecs. The **lattice** codec knows integers only: all planes lie on one lattice of the scene, a child's planes are
-//! counted from its decoded parent's, and what cannot be counted exactly is rounded outward. The **paper10** codec (after
-//! the paper on compressed hierarchies that README cites) places planes by floats between those of the decoded parent; it is
-//! there to be measured against.
+//! There are two codecs. The **lattice** codec uses integers only: all planes lie on one lattice of the scene, a child's planes
+//! are counted from its decoded parent's, and what cannot be counted exactly is rounded outward ([`encode_node`]). The
+//! **paper10** codec places planes in 10 bits between those of the decoded parent, by floats. It is NODE and NODE+MESH of the
+//! paper on the compression of hierarchy and mesh after Karras (measured on a GTX 970; its authors are not known to us), and
+//! serves as the baseline that the lattice codec is measured against.
 #![allow(
     clippy::needless_range_loop,
     reason = "iterator chains do not compile to SPIR-V"

@@ -1,4 +1,4 @@
-//! How the threads of a GPU are counted: what its entry points and those who dispatch them must agree on.
+//! How GPU threads are counted: the constants and index functions that entry points and their callers share.
 
 /// Threads in a workgroup.
 pub const LANES: usize = 64;

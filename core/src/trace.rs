@@ -1,4 +1,4 @@
-//! Stage `trace`: one traversal for every tree, every codec and every question.
+//! Stage `trace`: one traversal for all trees, codecs and queries.
 
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::{Hit, PreparedRay, Ray};
@@ -49,11 +49,11 @@ pub trait NodeSource {
 /// What a cursor stands for.
 #[derive(Clone, Copy, Debug)]
 pub struct LeafRun<B> {
-    /// Whether it is a leaf at all.
+    /// Whether it is a leaf.
     pub is_leaf: bool,
     /// Where its triangles begin.
     pub first: u32,
-    /// How many.
+    /// The number of its triangles.
     pub count: u32,
     /// The leaf's decoded box, which codecs decode triangles relative to.
     pub bounds: B,
@@ -123,8 +123,8 @@ pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, 
 
 /// Walks the tree from the root, near child first, and lets the query test every triangle on the way.
 ///
-/// A node is passed over only if all rays miss its box or enter it beyond their collectors' limits. Ends after as many steps as a
-/// sound tree takes at most.
+/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. It ends after at most as
+/// many steps as a sound tree takes. The tree is binary: [`Children`], [`Query`] and the links of nodes hold two children.
 #[inline(always)]
 fn walk<N: NodeSource, T: TriangleSource<N::Bounds>, Q: Query<N, T>>(
     stack: &mut Stack<N::Cursor, Q::Enter>,

@@ -12,7 +12,7 @@ use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use spirv_std::spirv;
 
-/// One thread per node. Reads the number of nodes, a zero and the plain nodes. Stores the node in the paper10 codec, with links
+/// One thread per node. Reads the number of nodes, `opaque_zero` and the plain nodes. Stores the node in the paper10 codec, with links
 /// to triangles that are stored in full, and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn encode_paper10_f32(
@@ -99,8 +99,9 @@ pub fn encode_q21_f32(
     store_lattice_node::<21, 7>(thread_index(id), total, plain, nodes, root);
 }
 
-/// One thread per node. Reads the number of nodes, the scene's exponent, that of a lattice's step and whether it is in the caller's unit, and the plain nodes on that lattice. Stores the node in 10 bits, yet without links, the corners of the leaves
-/// below it and the words of a triangle, both for each of their triangles, and the root's box.
+/// One thread per node. Reads the number of nodes, the scene's exponent, the exponent of the lattice's step with a flag that is
+/// 1 where that is in the caller's unit, and the plain nodes on that lattice. Stores the node in 10 bits without links, for each
+/// triangle of the leaves below it the leaf's corner and the number of words, and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn encode_q10_sizes(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -209,7 +210,7 @@ pub(crate) fn lattice_step(exponent: &UVec4, step: &UVec4) -> i32 {
     }
 }
 
-/// What is known of a coded tree beforehand, from a uniform.
+/// The root of a coded tree, from a uniform.
 #[inline(always)]
 pub(crate) fn root_words(root: &[UVec4; 2]) -> RootWords {
     RootWords {

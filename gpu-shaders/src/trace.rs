@@ -1,4 +1,7 @@
 //! Stage `trace`. Rays are in the caller's magnitude, paths and shadow rays in the scene's.
+//!
+//! The kernels are a matrix: its columns are the kernels of `trace_kernels`, and each codec is a row, a call of that macro. Only
+//! trees in full have kernels for paths and shadow rays without a filter as well: the filter takes 14 % more instructions there.
 
 use crate::thread_index;
 use glam::{UVec3, UVec4, Vec4};
@@ -12,69 +15,20 @@ use slimbvh_core::trace::{ClosestOrAny, LeafTriangles, PlainNodes, Skip, travers
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 use spirv_std::spirv;
 
+#[macro_use]
+mod kernels;
 pub mod coded;
 mod store;
 
-/// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores the closest hit.
-#[spirv(compute(threads(64)))]
-pub fn trace_closest(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] hits: &mut [Hit],
-) {
-    let (i, exponent) = (thread_index(id), exponent.x as i32);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    store::closest(i, exponent, nodes, triangles, rays, hits);
-}
-
-/// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores 1 where it meets anything, else 0.
-#[spirv(compute(threads(64)))]
-pub fn trace_any(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] found: &mut [u32],
-) {
-    let (i, exponent) = (thread_index(id), exponent.x as i32);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    store::any(i, exponent, nodes, triangles, rays, found);
-}
-
-/// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores the nearest hits in order, misses at the
-/// end.
-#[spirv(compute(threads(64)))]
-pub fn trace_nearest(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] hits: &mut [[Hit; NEAREST_COUNT]],
-) {
-    let (i, exponent) = (thread_index(id), exponent.x as i32);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    store::nearest(i, exponent, nodes, triangles, rays, hits);
-}
-
-/// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores how many nodes and triangles the search
-/// for the closest hit touches.
-#[spirv(compute(threads(64)))]
-pub fn trace_counted(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counts: &mut [[u32; 2]],
-) {
-    let (i, exponent) = (thread_index(id), exponent.x as i32);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    store::counted(i, exponent, nodes, triangles, rays, counts);
+trace_kernels! {
+    [() 0 1 2 3 4 5 6 7 8]
+    |nodes: Node, triangles: LeafTriangle| PlainNodes(nodes), LeafTriangles(triangles);
+    pub fn trace_rays;
+    pub fn trace_nearest;
+    pub fn trace_counted;
+    pub fn trace_paths_facing;
+    pub fn trace_paths_counted;
+    pub fn trace_shadows_facing;
 }
 
 /// One thread per path. Reads the tree and the path. Stores the closest hit, a miss for paths that have ended. Counts
@@ -90,25 +44,8 @@ pub fn trace_paths(
 ) {
     let i = thread_index(id);
     let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = Skip(store::path_skip(i, paths));
-    store::paths(i, nodes, triangles, &rule, paths, hits, counters);
-}
-
-/// One thread per path. Reads the tree and the path. Stores the closest hit, and how many nodes the search for it opens.
-/// Counts the paths that go on, the hits and the nodes.
-#[spirv(compute(threads(64)))]
-pub fn trace_paths_counted(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] paths: &[Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] hits: &mut [Hit],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counts: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] counters: &mut [u32],
-) {
-    let i = thread_index(id);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    store::paths_counted(i, nodes, triangles, paths, hits, counts, counters);
+    let filter = Skip(store::path_skip(i, paths));
+    store::paths(i, nodes, triangles, &filter, paths, hits, counters);
 }
 
 /// One thread per path. Reads the tree and what `shade_light` stored. Stores the path with the light, where nothing is
@@ -124,58 +61,8 @@ pub fn trace_shadows(
 ) {
     let i = thread_index(id);
     let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = Skip(store::shadow_skip(i, shadows));
-    store::shadows(i, nodes, triangles, &rule, shadows, paths, counters);
-}
-
-/// As [`trace_paths`], through a whole tree where only triangles count that face the paths' origin: reads the scene's
-/// exponent, that target, the components of the primitives and their outer sides, too.
-#[spirv(compute(threads(64)))]
-pub fn trace_paths_facing(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] components: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] sides: &[i32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] paths: &[Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] hits: &mut [Hit],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counters: &mut [u32],
-) {
-    let i = thread_index(id);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = FacingFilter {
-        skip: store::path_skip(i, paths),
-        sides: Sides { components, sides },
-        target: scaled_target(target, exponent.x),
-    };
-    store::paths(i, nodes, triangles, &rule, paths, hits, counters);
-}
-
-/// As [`trace_shadows`], through a whole tree where only triangles count that face the light: reads the scene's exponent,
-/// that target, the components of the primitives and their outer sides, too.
-#[spirv(compute(threads(64)))]
-pub fn trace_shadows_facing(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] target: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] components: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] sides: &[i32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] shadows: &[Shadow],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] paths: &mut [Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] counters: &mut [u32],
-) {
-    let i = thread_index(id);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
-    let rule = FacingFilter {
-        skip: store::shadow_skip(i, shadows),
-        sides: Sides { components, sides },
-        target: scaled_target(target, exponent.x),
-    };
-    store::shadows(i, nodes, triangles, &rule, shadows, paths, counters);
+    let filter = Skip(store::shadow_skip(i, shadows));
+    store::shadows(i, nodes, triangles, &filter, shadows, paths, counters);
 }
 
 /// A target from its words, in the scene's magnitude.

@@ -4,6 +4,7 @@
 pub mod analysis;
 pub mod animate;
 pub mod backend;
+mod config;
 mod cpu;
 mod dvec3;
 mod frame;
@@ -22,13 +23,15 @@ mod stages;
 mod text;
 mod tolerance;
 pub mod topology;
+#[cfg_attr(
+    not(any(feature = "gpu", feature = "scenes")),
+    allow(dead_code, reason = "lists of trees are read from files and GPUs")
+)]
 mod tree;
 
 pub use backend::{Backend, Change, Output};
-pub use cpu::{
-    BuildConfig, Builder, CodeBits, Cpu, CpuError, Decisions, Division, RefitError, Renderer,
-    Subset, Tree, TreeKind, Trees,
-};
+pub use config::{BuildConfig, CodeBits, TreeKind};
+pub use cpu::{Builder, Cpu, CpuError, Decisions, Division, Renderer, Subset, Tree, Trees};
 pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
@@ -37,7 +40,8 @@ pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
 pub use tree::{
-    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, RefitError, TreeError, check_codecs,
+    sah_cost,
 };
 
 /// The examples of the repository's README.

@@ -49,20 +49,21 @@ pub struct BenchArguments {
     )]
     scenes: Vec<String>,
 
-    /// Half a minute for the default scene on two cores: small pictures, few repeats
+    /// Small pictures and few repeats: half a minute for the default scene on two cores
     #[arg(long)]
     quick: bool,
 
-    /// Measure how costs grow on a generated terrain with triangles (1,000 to 10 million), rays (to 100 million), lights (to
-    /// 64) and threads: two minutes on two cores, some seconds with --quick, which ends earlier; scenes only if they are named
+    /// Measure how costs grow with triangles (1,000 to 10 million), rays (to 100 million), lights (to 64) and threads on a
+    /// generated terrain: two minutes on two cores, some seconds and smaller amounts with --quick. Scenes are measured
+    /// only if named
     #[arg(long)]
     scaling: bool,
 
-    /// Write a page with plots (index.html), bench.csv and bench.json into this folder, which is made if it is not there
+    /// Folder for a page with plots (index.html), bench.csv and bench.json; created if missing
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
 
-    /// What computes, separated by commas: each is measured by itself
+    /// Backends to measure, separated by commas
     #[arg(
         long,
         value_enum,
@@ -70,9 +71,9 @@ pub struct BenchArguments {
         value_name = "BACKEND",
         default_value = "cpu"
     )]
-    backend: Vec<Place>,
+    backend: Vec<Backend>,
 
-    /// The GPU with this in its name, also one that computes in software; `slimbvh info --adapters` lists them
+    /// GPU whose name contains NAME, software adapters included; `slimbvh info --adapters` lists them
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 
@@ -80,10 +81,10 @@ pub struct BenchArguments {
     threads: ThreadArguments,
 }
 
-/// What computes.
+/// A backend to measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Place {
-    /// This machine's cores
+enum Backend {
+    /// The CPU
     Cpu,
     /// A GPU
     Gpu,
@@ -94,8 +95,8 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
         true => Protocol::QUICK,
         false => Protocol::FULL,
     };
-    let places = arguments.places()?;
-    // All are read before the first is measured, so that what is wrong with one is told at once.
+    let backends = arguments.backends()?;
+    // Read all scenes before the first measurement, so that a bad scene is reported at once.
     let subjects = arguments.scenes.iter();
     let subjects = subjects.map(|name| Subject::new(name, protocol.size));
     let subjects: Vec<Subject> = subjects.collect::<Result<_>>()?;
@@ -106,15 +107,15 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
         let threads = rayon::current_num_threads();
         let pairs = subjects
             .iter()
-            .flat_map(|subject| places.iter().map(move |place| (subject, place)));
-        let records = pairs.map(|(subject, place)| measure(subject, place, &protocol, threads));
+            .flat_map(|subject| backends.iter().map(move |backend| (subject, backend)));
+        let records = pairs.map(|(subject, backend)| measure(subject, backend, &protocol, threads));
         let records = records.collect::<Result<_>>()?;
         let mut scaling = Vec::new();
-        for place in places.iter().filter(|_| arguments.scaling) {
-            scaling.extend(scaling::measure(place, &protocol, threads)?);
+        for backend in backends.iter().filter(|_| arguments.scaling) {
+            scaling.extend(scaling::measure(backend, &protocol, threads)?);
         }
         let measured = Measured { records, scaling };
-        let machines = places.iter().map(describe);
+        let machines = backends.iter().map(describe);
         let (command, machines) = (arguments.command(), machines.collect());
         Ok(Report::new(command, machines, protocol, threads, measured))
     };
@@ -127,21 +128,21 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
 }
 
 impl BenchArguments {
-    /// Opens all that is asked for, each once.
-    fn places(&self) -> Result<Vec<Chosen>> {
-        if let (Some(name), false) = (&self.adapter, self.backend.contains(&Place::Gpu)) {
-            bail!("--adapter {name:?} asks for a GPU, but --backend for none; add gpu to it");
+    /// Opens every requested backend once.
+    fn backends(&self) -> Result<Vec<Chosen>> {
+        if let (Some(name), false) = (&self.adapter, self.backend.contains(&Backend::Gpu)) {
+            bail!("--adapter {name:?} needs a GPU, but --backend names none; add gpu to --backend");
         }
-        let mut places = self.backend.clone();
-        places.dedup();
-        let open = |place: &Place| match place {
-            Place::Cpu => Ok(Chosen::Cpu),
-            Place::Gpu => choose(&BackendArguments::gpu(self.adapter.clone())),
+        let mut backends = self.backend.clone();
+        backends.dedup();
+        let open = |backend: &Backend| match backend {
+            Backend::Cpu => Ok(Chosen::Cpu),
+            Backend::Gpu => choose(&BackendArguments::gpu(self.adapter.clone())),
         };
-        places.iter().map(open).collect()
+        backends.iter().map(open).collect()
     }
 
-    /// The command that makes the same report again, without the names of folders.
+    /// The command that reproduces the report, without the folders of scene files.
     fn command(&self) -> String {
         let mut words = vec!["slimbvh-lab bench".to_owned()];
         let name = |scene: &String| {
@@ -153,7 +154,7 @@ impl BenchArguments {
         for (flag, is_there) in [("--quick", self.quick), ("--scaling", self.scaling)] {
             words.extend(is_there.then(|| flag.to_owned()));
         }
-        if self.backend != [Place::Cpu] {
+        if self.backend != [Backend::Cpu] {
             let names = self.backend.iter().filter_map(ValueEnum::to_possible_value);
             let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();
             words.push(format!("--backend {}", names.join(",")));

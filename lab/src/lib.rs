@@ -1,7 +1,7 @@
-//! The laboratory of slimbvh: what measures and judges it, and the command line of that.
+//! The laboratory of slimbvh: measurements, exact answers, and a command line for both.
 //!
-//! [`oracle`] answers exactly, [`stress`] judges tracers by it. `bench` measures every setting on scenes of the user's, `reproduce`
-//! measures the papers' tables again; both measure in rounds ([`measure`]).
+//! [`oracle`] gives exact answers, and [`stress`] judges tracers by them. `bench` measures every setting on the user's
+//! scenes, and `reproduce` measures the papers' tables again. Both measure in rounds ([`measure`]).
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "report")]
@@ -9,13 +9,14 @@ mod bench;
 pub mod measure;
 pub mod oracle;
 mod reproduce;
+pub mod scenes;
 pub mod stress;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Measure slimbvh, and judge its answers.
+/// Measure slimbvh, and check its answers.
 #[derive(Debug, Parser)]
 #[command(
     name = "slimbvh-lab",
@@ -30,16 +31,16 @@ pub struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Measure every setting on scenes of yours, one at a time and the best crossed: times, bytes, errors, Pareto fronts
+    /// Measure every setting on your scenes, alone and in promising combinations: times, bytes, errors, Pareto fronts
     #[cfg(feature = "report")]
     Bench(bench::BenchArguments),
-    /// Measure what a paper's tables show, and print ours beside the printed figures
+    /// Measure the tables of a paper again, and print the results beside the paper's figures
     Reproduce(reproduce::ReproduceArguments),
-    /// Trace scenes and rays that break tracers, and judge every answer by exact ones
+    /// Trace scenes and rays that are hard for tracers, and judge every answer by an exact one
     Stress(stress::StressArguments),
 }
 
-/// Runs the command. Returns 1 where a check failed.
+/// Runs the command. Returns 1 if a check failed.
 ///
 /// # Errors
 /// For bad input, and for files that cannot be written.

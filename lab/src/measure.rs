@@ -1,4 +1,4 @@
-//! What all that measures shares: rounds, machines by name, counted traversal, tables.
+//! Tools that the measurements share: rounds, names of machines, counted traversal, tables.
 
 pub(crate) mod counts;
 pub mod exponent;

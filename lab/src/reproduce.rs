@@ -36,11 +36,11 @@ pub struct ReproduceArguments {
 
 #[derive(Debug, Subcommand)]
 enum Paper {
-    /// Reduced trees: tables I to VI of Wong, Cheng and Lii, "Reduced BVHs for GPU Ray Tracing" (2012), ours beside the
-    /// printed ones
+    /// Reduced trees: tables I to VI of Wong, Cheng and Lii, "Reduced BVHs for GPU Ray Tracing" (2012), measured again and
+    /// printed beside the paper's figures
     Reduced(ReducedArguments),
-    /// Compressed trees: box tests, triangle tests, bytes and times of a paper on compressed hierarchies (after Karras 2012),
-    /// ours beside the printed ones
+    /// Compressed trees: box tests, triangle tests, bytes and times of a paper on compressed hierarchies (after Karras
+    /// 2012), measured again and printed beside the paper's figures
     Compressed(compressed::CompressedArguments),
 }
 
@@ -57,7 +57,7 @@ pub struct ReducedArguments {
     options: Options<SceneName>,
 }
 
-/// The scenes of the paper, or what comes near them, and one more.
+/// The scenes of the paper or their stand-ins, and one more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum SceneName {
     Doll,
@@ -79,7 +79,7 @@ fn reduced(ReducedArguments { options }: &ReducedArguments) -> Result<()> {
     options.run(|chosen| make(options, chosen), Report::sheet)
 }
 
-/// Measures on what was chosen.
+/// Measures on the chosen backend.
 fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
     let protocol = if options.quick {
         Protocol::quick()

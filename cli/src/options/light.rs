@@ -1,12 +1,12 @@
-//! The value of `--light`.
+//! The parser of `--light`.
 
 use super::{number, pairs, vector};
 use slimbvh::{AreaShape, Light};
 
-const KINDS: &str = "give one of sun=X,Y,Z, where its light goes, or point=X,Y,Z, disc=X,Y,Z, rectangle=X,Y,Z, where \
-    it is";
+const KINDS: &str = "give one of sun=X,Y,Z, the direction of its light, or point=X,Y,Z, disc=X,Y,Z, rectangle=X,Y,Z, \
+    the position of the light";
 
-/// What may be given.
+/// The given parts of a light.
 #[derive(Debug, Default)]
 struct Parts {
     sun: Option<[f32; 3]>,
@@ -24,7 +24,7 @@ struct Parts {
 /// Parses a light.
 ///
 /// # Errors
-/// For parts that are unknown, missing, or do not go together.
+/// For unknown, missing or incompatible parts.
 pub fn light(text: &str) -> Result<Light, String> {
     let parts = Parts::parse(text)?;
     let (
@@ -65,8 +65,8 @@ impl Parts {
                 }
                 _ => {
                     return Err(format!(
-                        "a light has no {key:?}; it has sun, point, disc with normal and radius, or rectangle with edge1 \
-                         and edge2, and color and range"
+                        "unknown light part {key:?}; the parts are sun, point, disc with normal and radius, or rectangle with edge1 \
+                         and edge2, and also color and range"
                     ));
                 }
             };
@@ -100,7 +100,9 @@ impl Parts {
     fn disc(&self, center: [f32; 3]) -> Result<Light, String> {
         self.has_no_edges("a disc")?;
         let (Some(normal), Some(radius)) = (self.normal, self.radius) else {
-            return Err("a disc needs normal=X,Y,Z, where it shines to, and radius=R".into());
+            return Err(
+                "a disc needs normal=X,Y,Z, the direction in which it shines, and radius=R".into(),
+            );
         };
         if radius <= 0.0 {
             return Err("the radius of a disc must be above 0".into());
@@ -116,7 +118,7 @@ impl Parts {
         self.has_no_disc("a rectangle")?;
         let (Some(edge1), Some(edge2)) = (self.edge1, self.edge2) else {
             return Err(
-                "a rectangle needs edge1=X,Y,Z and edge2=X,Y,Z, from its middle to the middles of two sides"
+                "a rectangle needs edge1=X,Y,Z and edge2=X,Y,Z, the vectors from its center to the middles of two sides"
                     .into(),
             );
         };
@@ -140,14 +142,16 @@ impl Parts {
     fn has_no_disc(&self, what: &str) -> Result<(), String> {
         match (self.normal, self.radius) {
             (None, None) => Ok(()),
-            _ => Err(format!("{what} has neither normal nor radius; a disc has")),
+            _ => Err(format!(
+                "{what} has no normal and no radius; only a disc does"
+            )),
         }
     }
 
     fn has_no_edges(&self, what: &str) -> Result<(), String> {
         match (self.edge1, self.edge2) {
             (None, None) => Ok(()),
-            _ => Err(format!("{what} has no edges; a rectangle has")),
+            _ => Err(format!("{what} has no edges; only a rectangle does")),
         }
     }
 }

@@ -65,7 +65,7 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match saved.on_gpu(gpu, &mut picture) {
             Err(error) if crate::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{error:#}; the CPU does it"));
+                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
                 saved.on_cpu(&mut picture)?
             }
             outcome => outcome?,
@@ -157,9 +157,11 @@ impl Saved<'_> {
 #[cfg(feature = "gpu")]
 fn advise(error: anyhow::Error, name: &str) -> anyhow::Error {
     match error.downcast_ref() {
-        Some(slimbvh::gpu::GpuError::Codec { .. }) => error.context(format!(
-            "use --backend cpu for \"{name}\", or build it again with other --nodes"
-        )),
+        Some(slimbvh::gpu::GpuError::Codec { .. } | slimbvh::gpu::GpuError::LabKernel { .. }) => {
+            error.context(format!(
+                "use --backend cpu for \"{name}\", or build it again with other --nodes"
+            ))
+        }
         _ => error,
     }
 }

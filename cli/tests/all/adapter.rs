@@ -1,8 +1,8 @@
-//! The GPU that the tests ask for.
+//! The GPU adapter that the tests use.
 
 use std::sync::OnceLock;
 
-/// The name of an adapter, the preferred one. Without any, the tests are skipped, loudly, unless `REQUIRE_GPU` forbids it.
+/// The name of the preferred adapter. Without an adapter the tests are skipped with a notice, or fail under `REQUIRE_GPU`.
 pub fn adapter() -> Option<&'static str> {
     static ADAPTER: OnceLock<Option<String>> = OnceLock::new();
     let found = ADAPTER.get_or_init(|| {

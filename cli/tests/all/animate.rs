@@ -7,7 +7,7 @@ mod refusals;
 use crate::process::Folder;
 use serde_json::Value;
 
-/// An animation of small pictures, and what else is asked for.
+/// Arguments of an animation of small pictures.
 const SMALL: [&str; 3] = ["animate", "--size", "64x36"];
 
 /// Runs an animation and parses its report.
@@ -16,7 +16,7 @@ fn report(folder: &Folder, options: &[&str]) -> Value {
     serde_json::from_str(&text).expect("it is JSON")
 }
 
-/// A folder for pictures.
+/// A temporary folder with these subfolders.
 fn folder(names: &[&str]) -> Folder {
     let folder = Folder::new();
     for name in names {
@@ -25,7 +25,7 @@ fn folder(names: &[&str]) -> Folder {
     folder
 }
 
-/// The frames in a folder, in order, and nothing beside.
+/// The PNG frames of a folder, in order. Fails if the folder holds anything else.
 fn frames(folder: &Folder, name: &str, count: usize) -> Vec<Vec<u8>> {
     let entries = std::fs::read_dir(folder.path().join(name)).expect("the folder is ours");
     let mut names: Vec<String> = entries
@@ -70,7 +70,7 @@ fn the_answer_does_not_depend_on_the_tree() {
         });
         assert_eq!(pictures[0], pictures[1], "{deform}");
         assert_eq!(pictures[0], pictures[2], "{deform}");
-        // And the comparison tells frames apart.
+        // Negative control: the frames differ from each other.
         for (i, picture) in pictures[0].iter().enumerate() {
             assert!(!pictures[0][..i].contains(picture), "{deform}: {i}");
         }
@@ -90,10 +90,10 @@ fn a_static_scene_is_built_once() {
     }
     let report = report(&folder, &["--frames=2", "--update=rebuild"]);
     assert_eq!(actions(&report), ["rebuilt", "rebuilt"]);
-    assert!(folder.contents().is_empty(), "nothing was asked for");
+    assert!(folder.contents().is_empty(), "no output was requested");
 }
 
-/// The first frame is what `render` shows, and each round passes through the places of a round with half as many frames.
+/// The first frame equals the picture of `render`, and a round of four frames contains the frames of a round of two.
 #[test]
 fn rounds_begin_alike_and_pass_through_the_same_places() {
     let folder = folder(&["two", "four"]);
@@ -112,7 +112,7 @@ fn rounds_begin_alike_and_pass_through_the_same_places() {
     }
 }
 
-/// A model's own light stays; the one that it is given stands by the camera and goes with it.
+/// A light from `--light` stays in place. The default light stands beside the camera and moves with it.
 #[test]
 fn the_given_light_goes_with_the_camera() {
     let folder = folder(&["both", "orbit", "fixed"]);
@@ -153,7 +153,7 @@ fn a_gif_has_every_frame_and_loops() {
     assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
     assert_eq!(pictures.len(), 6);
 
-    // Colors are near to those of the picture.
+    // The colors of the GIF are close to those of the PNG frames.
     let frames_folder = self::folder(&["frames"]);
     frames_folder.succeed([&SMALL[..], &options[..2], &["--out=frames"]].concat());
     let frames = frames(&frames_folder, "frames", 6);
@@ -174,7 +174,7 @@ fn decode(png: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The shutter's times are pictures of their own: with none of it open they are one, and what they took is summed.
+/// A closed shutter gives the sharp picture at any number of times. An open shutter blurs, and the report sums its times.
 #[test]
 fn an_open_shutter_blurs_and_sums_up() {
     let folder = folder(&["sharp", "closed", "open", "once"]);
@@ -263,7 +263,7 @@ fn reports_have_every_frame() {
         assert_eq!(report[key], expected, "{key}");
     }
 
-    // People see each frame, or the median and the worst of many.
+    // The text lists every frame of up to 24, and only the median and the worst frame of more.
     let rows = |frames: &str| {
         let text = folder.succeed(["animate", "--size=8x4", "--frames", frames]);
         assert!(text.contains("frames a second"), "{text}");

@@ -1,6 +1,6 @@
-//! Small scene files, sound and broken.
+//! Small scene files, valid and broken.
 
-/// A box of 1 x 2 x 3, closed, with its front sides out.
+/// A closed box of 1 x 2 x 3 whose faces point outward.
 pub fn box_obj() -> String {
     let mut text = String::new();
     for corner in 0..8 {
@@ -13,7 +13,7 @@ pub fn box_obj() -> String {
     text
 }
 
-/// Corners are counted from 1, as OBJ does: x goes with bit 0, y with bit 1, z with bit 2.
+/// Corner numbers, which start at 1 as in OBJ. In the number minus 1, bit 0 selects x, bit 1 y and bit 2 z.
 const BOX_SIDES: [[u32; 4]; 6] = [
     [1, 5, 7, 3],
     [2, 4, 8, 6],
@@ -23,7 +23,7 @@ const BOX_SIDES: [[u32; 4]; 6] = [
     [5, 6, 8, 7],
 ];
 
-/// Two triangles, with four vertices of the given coordinates.
+/// Two triangles over four vertices.
 #[derive(Clone, Copy)]
 pub struct TwoTriangles {
     pub vertices: [[f32; 3]; 4],
@@ -41,14 +41,14 @@ impl TwoTriangles {
         faces: [[0, 1, 2], [1, 3, 2]],
     };
 
-    /// The second triangle has a corner at such a coordinate.
+    /// The second triangle has a corner whose y is this coordinate.
     pub fn with_coordinate(x: f32) -> Self {
         let mut mesh = Self::SOUND;
         mesh.vertices[3][1] = x;
         mesh
     }
 
-    /// The second triangle names a vertex that is not there.
+    /// The second triangle has this vertex index.
     pub fn with_index(index: i32) -> Self {
         let mut mesh = Self::SOUND;
         mesh.faces[1][1] = index;
@@ -117,7 +117,7 @@ impl TwoTriangles {
         bytes
     }
 
-    /// glTF in one file.
+    /// A binary glTF file.
     pub fn glb(&self) -> Vec<u8> {
         let mut blob: Vec<u8> = self
             .vertices
@@ -155,7 +155,7 @@ pub fn ply_header(encoding: &str, vertex_count: u64, face_count: u64) -> String 
     )
 }
 
-/// The JSON of a glTF scene with two triangles. `uri` is a member of the buffer, with a comma behind it, or empty.
+/// The JSON of a glTF scene with two triangles. `uri` is a member of the buffer followed by a comma, or empty.
 pub fn gltf_json(uri: &str, vertex_count: u64) -> String {
     format!(
         r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
@@ -168,7 +168,7 @@ pub fn gltf_json(uri: &str, vertex_count: u64) -> String {
     )
 }
 
-/// Bytes without order, the same each time.
+/// Pseudorandom bytes, the same on every call.
 pub fn noise(count: usize) -> Vec<u8> {
     let mut state = 0x853c_49e6_748f_ea9b_u64;
     let mut next = || {

@@ -1,4 +1,4 @@
-//! Pictures that have been looked at, kept in `tests/golden`. `UPDATE_GOLDEN=1` writes them anew.
+//! Golden pictures, checked by eye and kept in `tests/golden`. `UPDATE_GOLDEN=1` rewrites them.
 
 use crate::shading_is_right::render;
 use slimbvh::generate::default_scene;
@@ -9,10 +9,10 @@ use std::fs::File;
 use std::io::{BufReader, BufWriter};
 use std::path::{Path, PathBuf};
 
-/// A channel may differ by this much: trigonometry differs between platforms in the last bit.
+/// Largest difference allowed in a channel: trigonometry differs between platforms in the last bit.
 const TOLERANCE: u8 = 2;
 
-/// One pixel in so many may differ by more: an edge may fall on its other side.
+/// One pixel in this many may differ by more, because an edge may fall on its other side.
 const PIXELS_FOR_ONE_OUTLIER: usize = 1000;
 
 fn folder() -> PathBuf {
@@ -49,7 +49,7 @@ impl Bytes {
         Ok(Self { size, rgb })
     }
 
-    /// As small as it gets: gray pictures with one channel.
+    /// Writes the picture as a PNG file, with one channel if it is gray.
     fn write(&self, path: &Path) {
         let file = File::create(path).expect("the golden pictures are ours to write");
         let mut encoder = png::Encoder::new(BufWriter::new(file), self.size[0], self.size[1]);
@@ -91,13 +91,13 @@ fn compare(found: &Bytes, golden: &Bytes) -> Result<(), String> {
     let most = found.rgb.len() / 3 / PIXELS_FOR_ONE_OUTLIER;
     if outliers > most {
         return Err(format!(
-            "{outliers} pixels differ by more than {TOLERANCE}; {most} may"
+            "{outliers} pixels differ by more than {TOLERANCE}; at most {most} may"
         ));
     }
     Ok(())
 }
 
-/// Compares with the golden picture of this name. What differs is left in the temporary folder.
+/// Compares with the golden picture of this name, and leaves a differing picture in the temporary folder.
 #[track_caller]
 fn check(name: &str, picture: &Picture) {
     let path = folder().join(name).with_extension("png");
@@ -195,7 +195,7 @@ fn an_obj_scene() {
     );
 }
 
-/// The negative control: an object moved a little or a light dimmed a little is seen.
+/// Negative control: the comparison detects a slightly moved object and a slightly dimmed light.
 #[test]
 fn small_changes_are_seen() {
     let scene = default_scene();
@@ -227,7 +227,7 @@ fn small_changes_are_seen() {
     println!("dimmed: {fault:?}");
     assert!(fault.is_err());
 
-    // And the bounds of the comparison itself.
+    // The tolerances of the comparison are exact.
     let with = |count: usize, by: u8| {
         let mut other = golden.clone();
         for pixel in other.rgb.chunks_mut(3).take(count) {

@@ -1,4 +1,4 @@
-//! The binary with a GPU, be it one that computes in software.
+//! The binary on a GPU, which may be a software adapter.
 
 mod saved;
 
@@ -19,7 +19,7 @@ fn sentence(outcome: &Outcome) -> &str {
     sentence
 }
 
-/// Bytes that differ, and by how much at most.
+/// The number of bytes that differ, and the largest difference.
 fn difference(a: &[u8], b: &[u8]) -> (usize, u8) {
     assert_eq!(a.len(), b.len());
     let differences = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b));
@@ -55,10 +55,10 @@ fn the_same_command_gives_the_same_picture_on_both_backends() {
             "{view}: {differ} of {} bytes differ, by {most} at most",
             cpu.len()
         );
-        // Rounding may move a byte by one; a ray that grazes an edge may see what is behind.
+        // Rounding may change a byte by one. A ray that grazes an edge may hit what lies behind it.
         let steps = cpu.iter().zip(&gpu).filter(|(a, b)| a.abs_diff(**b) > 1);
         assert!(steps.count() <= cpu.len() / 10_000, "{view}: {differ}");
-        // And the comparison tells pictures apart.
+        // Negative control: another field of view changes the picture.
         let other = run(
             "other.png",
             &["--backend=gpu", "--adapter", adapter, "--camera=fov=40"],
@@ -115,7 +115,7 @@ fn the_list_of_adapters_names_limits_and_features() {
     let Some(adapter) = adapter() else { return };
     let folder = Folder::new();
     let text = folder.run_with_gpu(["info", "--adapters"]).stdout;
-    for part in [adapter, "a binding", "a workgroup", "subgroups of"] {
+    for part in [adapter, "per binding", "per workgroup", "subgroups of"] {
         assert!(text.contains(part), "{part:?} is not in {text}");
     }
     let json = folder
@@ -125,12 +125,12 @@ fn the_list_of_adapters_names_limits_and_features() {
     assert_eq!(report["adapters"][0]["name"], adapter);
 }
 
-/// A picture that no binding of this adapter holds: refused before anything is allocated, or made.
+/// A picture that exceeds this adapter's binding limit is refused before any allocation.
 #[test]
 fn pictures_larger_than_the_gpu_takes_are_refused() {
     let Some(adapter) = adapter() else { return };
     let limit = slimbvh::gpu::adapters()[0].max_binding_bytes;
-    // The depth view keeps 8 bytes a sample.
+    // The depth view stores 8 bytes per sample.
     let spp = (limit / 8 / (64 * 64) + 1).to_string();
     if spp.parse().is_ok_and(|spp: u64| spp > 65536) {
         return;

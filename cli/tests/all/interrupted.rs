@@ -1,4 +1,4 @@
-//! Ctrl-C: what is at its place is whole, or as it was.
+//! Ctrl-C: every output file is whole, or as it was before.
 
 use crate::process::Folder;
 use std::io::Cursor;
@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 const SIGINT: i32 = 2;
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Starts the binary. A shell in the background may have told it to ignore the signal.
+/// Starts the binary with the default action for SIGINT, as a background shell may have made it ignore the signal.
 fn start(folder: &Folder, arguments: &str) -> Child {
     let mut command = Command::new("env");
     command.args(["--default-signal=INT", env!("CARGO_BIN_EXE_slimbvh")]);
@@ -23,7 +23,7 @@ fn start(folder: &Folder, arguments: &str) -> Child {
     spawned.expect("the binary was built")
 }
 
-/// Sends the signal, and waits. Returns the signal that ended it.
+/// Sends SIGINT and waits for the end. Returns the signal that ended the binary.
 fn interrupt(mut child: Child) -> Option<i32> {
     let id = child.id().to_string();
     let sent = Command::new("kill").args(["-INT", &id]).status();
@@ -36,10 +36,10 @@ fn interrupt(mut child: Child) -> Option<i32> {
         std::thread::sleep(Duration::from_millis(5));
     }
     let _ = child.kill();
-    panic!("it is not done {PATIENCE:?} after the signal");
+    panic!("the binary still runs {PATIENCE:?} after the signal");
 }
 
-/// The pictures in a folder, and all else.
+/// The PNG files in a folder, and all other entries.
 fn entries(folder: &Folder) -> (Vec<PathBuf>, Vec<PathBuf>) {
     let entries = std::fs::read_dir(folder.path()).expect("the folder is ours");
     let paths = entries.map(|entry| entry.expect("an entry").path());
@@ -65,7 +65,7 @@ fn a_picture_that_is_not_finished_leaves_the_old_one() {
         &folder,
         "render --backend cpu --size 4096x4096 --spp 64 -o picture.png",
     );
-    // Long enough to be at work, and far from done.
+    // After one second the render has begun and is far from done.
     std::thread::sleep(Duration::from_secs(1));
     assert_eq!(interrupt(child), Some(SIGINT));
     assert_eq!(folder.contents(), before);
@@ -88,7 +88,7 @@ fn frames_before_the_signal_are_whole() {
         let (pictures, others) = entries(&folder);
         assert!(pictures.len() >= enough);
         pictures.iter().for_each(assert_whole);
-        // What was being written has not come to its place.
+        // An unfinished frame has not been renamed to its final name.
         assert!(others.len() <= 1);
         assert!(
             others.iter().all(|path| path.ends_with(&part)),

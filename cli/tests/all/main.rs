@@ -19,5 +19,5 @@ mod shading_is_right;
 mod storage;
 mod wide;
 
-/// What is tested.
+/// The binary under test.
 const BINARY: &str = env!("CARGO_BIN_EXE_slimbvh");

@@ -1,8 +1,8 @@
-//! What was written, read again.
+//! Parsers of the binary's output.
 
 use serde_json::Value;
 
-/// An 8-bit RGB picture's sides and bytes.
+/// The size and the bytes of an 8-bit RGB PNG.
 pub fn decode(bytes: &[u8]) -> ([u32; 2], Vec<u8>) {
     let decoder = png::Decoder::new(std::io::Cursor::new(bytes));
     let mut reader = decoder.read_info().expect("it is a PNG");
@@ -14,13 +14,13 @@ pub fn decode(bytes: &[u8]) -> ([u32; 2], Vec<u8>) {
     ([frame.width, frame.height], pixels)
 }
 
-/// JSON and nothing beside.
+/// Parses a text that is one JSON object and nothing else.
 pub fn parse(text: &str) -> Value {
     assert!(text.starts_with('{') && text.ends_with("}\n"), "{text}");
     serde_json::from_str(text).expect("it is JSON")
 }
 
-/// The names in an object, in order.
+/// The keys of an object, in order.
 pub fn keys(value: &Value) -> Vec<&str> {
     value
         .as_object()
@@ -37,7 +37,7 @@ pub fn number(report: &Value, key: &str) -> f64 {
         .unwrap_or_else(|| panic!("{key} is {}", report[key]))
 }
 
-/// The options that a help text has, `-x` left out where there is a long name.
+/// The options that a help text lists, by their long names.
 pub fn options_in(help: &str) -> Vec<&str> {
     let mut options: Vec<&str> = help
         .lines()

@@ -1,4 +1,4 @@
-//! Runs the binary in a folder of its own and looks at all that it leaves behind.
+//! Runs the binary in a temporary folder and reads everything that it leaves there.
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -8,16 +8,16 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// No run may take longer. A GPU that is none compiles its kernels first.
+/// Time limit of a run. A software GPU compiles its kernels first.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// A folder that the binary runs in.
+/// A temporary folder that the binary runs in.
 pub struct Folder(TempDir);
 
-/// What a run said and how it ended.
+/// The exit code and the output of a run.
 #[derive(Debug)]
 pub struct Outcome {
-    /// None where a signal ended it.
+    /// None if a signal ended the run.
     pub code: Option<i32>,
     pub stdout: String,
     pub stderr: String,
@@ -41,7 +41,7 @@ impl Folder {
         std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
     }
 
-    /// All files below, by path, with their bytes. Folders have none.
+    /// All files and folders below this one, by path, with the bytes of the files.
     pub fn contents(&self) -> BTreeMap<String, Vec<u8>> {
         let mut contents = BTreeMap::new();
         let mut folders = vec![self.path().to_owned()];
@@ -60,16 +60,16 @@ impl Folder {
         contents
     }
 
-    /// Runs the binary in this folder to its end.
+    /// Runs the binary in this folder and waits for its end.
     pub fn run<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Outcome {
         self.run_command(command(), arguments)
     }
 
-    /// Runs it with what drivers of GPUs there are, and all the memory that they want.
+    /// Runs the binary with this machine's GPU drivers and without a limit on its memory.
     #[cfg(feature = "gpu")]
     pub fn run_with_gpu<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> Outcome {
         let mut command = Command::new(crate::BINARY);
-        // Mesa's layer that sorts devices complains where there is no desktop.
+        // Mesa's device selection layer prints complaints on machines without a desktop.
         command.env("NODEVICE_SELECT", "1");
         self.run_command(command, arguments)
     }
@@ -79,7 +79,7 @@ impl Folder {
         mut command: Command,
         arguments: impl IntoIterator<Item = S>,
     ) -> Outcome {
-        // Into files: pipes could fill up while nobody reads them. Not into this folder, whose contents are compared.
+        // Redirect into files: a full pipe would block the binary. The files lie outside this folder, which is compared.
         let said = tempfile::tempdir().expect("the system has a place for temporary files");
         let (out, err) = (said.path().join("out"), said.path().join("err"));
         let file = |path| File::create(path).expect("the folder is ours");
@@ -111,7 +111,7 @@ impl Folder {
         }
     }
 
-    /// Runs the binary, which must succeed without a complaint. Returns its standard output.
+    /// Runs the binary, which must succeed and print nothing to standard error. Returns its standard output.
     pub fn succeed<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> String {
         let outcome = self.run(arguments);
         assert_eq!((outcome.code, outcome.stderr.as_str()), (Some(0), ""));
@@ -119,7 +119,7 @@ impl Folder {
     }
 }
 
-/// The binary, on Linux with 8 GiB of address space: so a demand for more fails here and not on the whole machine.
+/// The binary. On Linux its address space is limited to 8 GiB: larger allocations fail without exhausting the machine.
 pub fn command() -> Command {
     let binary = crate::BINARY;
     let mut command;
@@ -131,9 +131,9 @@ pub fn command() -> Command {
     }
     // Every thread takes address space, and some machines have hundreds.
     command.env("RAYON_NUM_THREADS", "2");
-    // The same on machines with a GPU, whose drivers want far more address space.
+    // Hide GPUs, for equal results on every machine and because their drivers need far more address space.
     command.env("VK_DRIVER_FILES", "none");
-    // The same on machines with scene files.
+    // Hide scene files, for equal results on every machine.
     command.env_remove("SLIMBVH_SCENES");
     command
 }

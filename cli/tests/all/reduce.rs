@@ -3,7 +3,7 @@
 use crate::process::{Folder, Outcome};
 use serde_json::Value;
 
-/// Combinations of switches that make sense, and whether the surfaces are surveyed for them.
+/// Valid combinations of switches, and whether each of them surveys the surfaces.
 const COMBINATIONS: [(&[&str], bool); 10] = [
     (&[], false),
     (&["--reduce=auto"], false),
@@ -24,7 +24,7 @@ fn report(outcome: &Outcome) -> Value {
     serde_json::from_str(&outcome.stdout).expect("it is JSON")
 }
 
-/// Renders with all combinations: pictures by whether there was a survey are the same, byte for byte.
+/// Renders with all combinations. All pictures with a survey are identical, and so are all pictures without one.
 fn check(backend: &[&str], run: impl Fn(&Folder, Vec<&str>) -> Outcome) {
     let folder = Folder::new();
     let mut pictures: [Vec<Vec<u8>>; 2] = Default::default();
@@ -86,7 +86,7 @@ fn every_combination_renders_on_a_gpu() {
     });
 }
 
-/// One line a decision after the summary.
+/// `--explain` prints one line per decision after the summary.
 #[test]
 fn plans_are_explained() {
     let folder = Folder::new();
@@ -114,7 +114,7 @@ fn plans_are_explained() {
         "{text}"
     );
     assert!(text.contains("took       no survey"), "{text}");
-    // Only when asked.
+    // Without `--explain` there is no plan in the text.
     let text = folder.succeed(["render", "--size=80x45", "--reduce=on"]);
     assert!(!text.contains("whole tree"), "{text}");
 }

@@ -1,12 +1,12 @@
-//! Refusals: exit code 2 and one sentence that names what is wrong. Nothing else is written.
+//! Refusals: the binary exits with code 2 and one sentence that names the fault, and writes no file.
 
 use crate::files::TwoTriangles;
 use crate::process::Folder;
 
-/// Longest sentence.
+/// Maximum length of a sentence.
 const LONGEST: usize = 300;
 
-/// A folder with a sound scene and a picture that must stay as it is.
+/// A folder with a valid scene and a picture that must not change.
 pub fn folder() -> Folder {
     let folder = Folder::new();
     folder.write("sound.obj", TwoTriangles::SOUND.obj());
@@ -14,8 +14,8 @@ pub fn folder() -> Folder {
     folder
 }
 
-/// Runs the binary, which must refuse with one sentence that has all of these in it, and leave the folder as it was.
-/// With `--nocapture` the sentences are shown.
+/// Runs the binary, which must refuse with one sentence that contains every expected part, and leave the folder unchanged.
+/// `--nocapture` shows the sentences.
 #[track_caller]
 pub fn refuses(folder: &Folder, arguments: &[&str], expected: &[&str]) {
     let stderr = refusal(folder, arguments);
@@ -41,7 +41,7 @@ pub fn refuses(folder: &Folder, arguments: &[&str], expected: &[&str]) {
     }
 }
 
-/// The same for what the parser of the command line refuses, which adds where help is.
+/// [`refuses`] for errors of the command line parser, which add a pointer to the help.
 #[track_caller]
 pub fn refuses_usage(folder: &Folder, arguments: &[&str], expected: &[&str]) {
     let stderr = refusal(folder, arguments);
@@ -62,7 +62,7 @@ pub fn refuses_usage(folder: &Folder, arguments: &[&str], expected: &[&str]) {
     }
 }
 
-/// What the binary says as it refuses. Checks all but that.
+/// Runs the binary, which must exit with code 2 and change no file. Returns what it wrote to standard error.
 #[track_caller]
 pub fn refusal(folder: &Folder, arguments: &[&str]) -> String {
     let before = folder.contents();

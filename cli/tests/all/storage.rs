@@ -12,7 +12,7 @@ const SMALL: [&str; 6] = [
     "--light=sun=-1,-2,-1",
 ];
 
-/// Bytes of a node.
+/// Bytes per node.
 const NODES: [(&str, u64); 9] = [
     ("f32", 64),
     ("paper10", 24),
@@ -25,7 +25,7 @@ const NODES: [(&str, u64); 9] = [
     ("q21", 28),
 ];
 
-/// A picture, and what was said about it.
+/// The picture and its JSON report.
 fn render(folder: &Folder, options: &[&str]) -> (Vec<u8>, Value) {
     let outcome = folder.run([&SMALL[..], options].concat());
     assert_eq!((outcome.code, outcome.stderr.as_str()), (Some(0), ""));
@@ -53,7 +53,7 @@ fn nodes_of_any_size_make_the_same_picture() {
     assert!(picture == expected);
 }
 
-/// The snapped mesh makes one picture, whatever the nodes and whatever is left out; fewer bytes, the more it may move.
+/// A mesh on the lattice makes one picture with any nodes and any reduction. A larger tolerance takes fewer bytes.
 #[test]
 fn a_mesh_on_the_lattice_makes_one_picture_for_each_tolerance() {
     let folder = Folder::new();
@@ -91,7 +91,7 @@ fn paper10_leaves_render() {
     assert_eq!(report["plan"]["surveyed"], false);
 }
 
-/// What bends is moved onto the lattice in every frame, and refitted there.
+/// A deforming mesh is moved onto the lattice in every frame, and its tree is refitted there.
 #[test]
 fn frames_on_a_lattice() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! Vectors in f64: closed forms are worked out without what the library computes with.
+//! Vectors in f64, so that closed forms share no arithmetic with the library.
 
 use std::ops::{Add, Mul, Neg, Sub};
 

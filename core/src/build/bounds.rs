@@ -23,7 +23,7 @@ pub fn run_bounds(first: u32, count: u32, triangles: &IndexedTriangles) -> Aabb 
     }
 }
 
-/// Without −0, so that the order of unions does not tell.
+/// Replaces −0 by 0, so that the order of unions does not matter.
 #[inline]
 pub(crate) fn positive_zeros(v: Vec3) -> Vec3 {
     let positive = |x: f32| if magnitude_bits(x) == 0 { 0.0 } else { x };

@@ -171,7 +171,7 @@ impl Round {
         self.index < DEEPENING_ROUNDS
     }
 
-    /// The number of this round's first merge, over so many triangles.
+    /// The number of this round's first merge, for a mesh of `triangle_count` triangles.
     #[inline(always)]
     #[must_use]
     pub const fn first_merge(self, triangle_count: u32) -> u32 {

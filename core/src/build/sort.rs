@@ -3,7 +3,7 @@
 //! A workgroup owns a tile of items, each of its lanes a run of them. Phase 1: every lane counts the digits of its run
 //! ([`count_digit`]). Phase 2: the tile's totals ([`digit_total`]) are stored digit by digit, tile by tile
 //! ([`total_place`]), and scanned over all tiles ([`crate::build::scan`]); for each digit the lanes' counts are scanned too, and
-//! both sums tell where each lane begins ([`lane_begin`]). Phase 3: every lane walks its run again in order and stores
+//! each lane begins at the sum of both ([`lane_begin`]). Phase 3: every lane walks its run again in order and stores
 //! each item where [`place`] says. Lanes, tiles and digits in order make the sort stable.
 //!
 //! A GPU runs many lanes and small digits, a CPU one lane and large ones: the permutation is the same, as the stable

@@ -77,12 +77,12 @@ const fn is_below_left(target: u32, left: NodeRef) -> bool {
     !left.is_leaf() && target <= left.index()
 }
 
-/// The lattice codec with so many bits and words a node.
+/// The lattice codec with `BITS` bits a plane and `WORDS` words a node.
 #[derive(Clone, Copy, Debug)]
 pub struct LatticeCodec<const BITS: u32, const WORDS: usize>;
 
 impl<const BITS: u32, const WORDS: usize> LatticeCodec<BITS, WORDS> {
-    /// One thread per node. Reads the plain node and its box, decoded. Returns it in the codec, yet without links.
+    /// One thread per node. Reads the plain node and its box, decoded. Returns the encoded node; its links are not filled in yet.
     #[inline]
     #[must_use]
     pub fn encode(&self, bounds: &LatticeBox, node: &RoundedNode) -> EncodedNode<WORDS> {

@@ -27,20 +27,20 @@ pub const fn scaled_step(step_exponent: i32, scene_exponent: i32) -> i32 {
     }
 }
 
-/// What the triangles of a leaf are coded with. 16 bytes.
+/// The origin and the width that the triangles of a leaf are encoded with. 16 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct LeafCorner {
     /// Bytes 0–11: the smallest coordinates of the leaf's box, decoded.
     pub min: [i32; 3],
-    /// Bytes 12–15: words of a triangle, as [`LeafWidth::words`] tells.
+    /// Bytes 12–15: words of a triangle ([`LeafWidth::words`]).
     pub words: u32,
 }
 
 const _: () = assert!(size_of::<LeafCorner>() == 16);
 
 impl LeafCorner {
-    /// Of a leaf with this box.
+    /// The corner of a leaf with this box.
     #[inline(always)]
     #[must_use]
     pub fn of(bounds: &LatticeBox) -> Self {
@@ -85,7 +85,7 @@ const fn low_bits(x: f32) -> u32 {
 }
 
 /// One thread per triangle. Reads it, its leaf's corner, and the lattice's step, a power of two; its vertices are on the lattice,
-/// in the leaf's box. Returns its words, of which the corner tells how many count.
+/// in the leaf's box. Returns its words; the first [`LeafCorner::words`] of them are used.
 #[inline(always)]
 #[must_use]
 pub fn encode_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 10] {

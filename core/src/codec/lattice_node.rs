@@ -67,7 +67,7 @@ pub struct EncodedNode<const WORDS: usize> {
 }
 
 /// One thread per node. Reads its box, decoded, and the node on the lattice, whose children's boxes lie in it. Returns it coded,
-/// yet without links. `WORDS` must be [`node_words`] of `BITS`.
+/// without links. `WORDS` must be [`node_words`] of `BITS`.
 #[inline]
 #[must_use]
 pub fn encode_node<const BITS: u32, const WORDS: usize>(

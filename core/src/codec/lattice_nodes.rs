@@ -66,7 +66,7 @@ fn child_frames<const BITS: u32>(
     frame: &LatticeBounds,
     step: f32,
 ) -> [LatticeBounds; 2] {
-    // The power of two in the extent tells how many bits it has.
+    // The number of bits of the extent is the exponent of its power of two.
     let power = each((frame.max - frame.min).to_array(), |x| {
         f32::from_bits(x.to_bits() & 0x7f80_0000)
     });

@@ -15,7 +15,7 @@ pub struct LatticeBounds {
 }
 
 impl LatticeBounds {
-    /// Nothing but the origin; all bits zero.
+    /// The box of the origin alone; all bits zero.
     pub const ZERO: Self = Self {
         min: Vec4::ZERO,
         max: Vec4::ZERO,
@@ -54,7 +54,7 @@ pub enum LeafWidth {
 }
 
 impl LeafWidth {
-    /// Of the triangles in a box.
+    /// The width of the triangles in a leaf with this box.
     #[inline(always)]
     #[must_use]
     pub fn of(bounds: &LatticeBox) -> Self {

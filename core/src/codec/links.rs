@@ -123,7 +123,7 @@ mod tests {
             prop_assert_eq!(links.0[1] >> 30, 0);
             prop_assert_eq!(links.children(1), [left, right]);
 
-            // Each triangle takes so many places.
+            // How many places each triangle takes.
             let has_leaf = left.is_leaf() || right.is_leaf();
             prop_assert_eq!(triangle, if has_leaf { first } else { 0 });
             let links = Links::new(left, right, 5);

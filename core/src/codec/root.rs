@@ -22,7 +22,7 @@ pub struct RootWords {
 const _: () = assert!(size_of::<RootWords>() == 32);
 
 impl RootWords {
-    /// Of a tree of the lattice codec.
+    /// The root of a tree of the lattice codec.
     #[inline(always)]
     #[must_use]
     pub const fn of_lattice(bounds: &LatticeBox, step_exponent: i32) -> Self {
@@ -33,7 +33,7 @@ impl RootWords {
         }
     }
 
-    /// Of a tree of the paper10 codec.
+    /// The root of a tree of the paper10 codec.
     #[inline(always)]
     #[must_use]
     pub const fn of_paper10(bounds: &Paper10Box) -> Self {

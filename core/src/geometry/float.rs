@@ -65,7 +65,7 @@ pub const fn exponent(x: f32) -> i32 {
     if bits >= 0x0080_0000 {
         (bits >> 23) as i32 - 127
     } else {
-        // Denormal: the highest set bit tells. Zero has 32 leading zeros.
+        // Denormal: the exponent follows from the highest set bit. Zero has 32 leading zeros.
         -118 - bits.leading_zeros() as i32
     }
 }

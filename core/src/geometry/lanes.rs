@@ -115,7 +115,7 @@ pub trait Wide<const LANES: usize>: Lanes {
     /// The number of each lane.
     fn to_array(self) -> [f32; LANES];
 
-    /// Of a row of numbers for each lane: what stands first in all rows, and so on.
+    /// Transposes: takes a row of numbers for each lane, returns the first numbers of all rows, then the second, and so on.
     #[inline(always)]
     #[must_use]
     fn columns(rows: [[f32; 8]; LANES]) -> [Self; 8] {

@@ -76,9 +76,9 @@ impl Planes for PlanePair {
 /// A box's planes on one axis, or what is computed with them, for several rays.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxSpan<W> {
-    /// Of the plane at the smaller coordinate.
+    /// The number of the plane at the smaller coordinate.
     pub low: W,
-    /// Of the plane at the larger coordinate.
+    /// The number of the plane at the larger coordinate.
     pub high: W,
 }
 

@@ -37,7 +37,7 @@ impl Ray {
         }
     }
 
-    /// A ray that hits nothing: its range is empty.
+    /// The ray with an empty range, which has no hit.
     pub const EMPTY: Self = Self {
         origin: [0.0; 3],
         t_min: 1.0,
@@ -138,7 +138,7 @@ impl PreparedRay {
     #[inline(always)]
     #[must_use]
     pub fn new(ray: &Ray, scene_exponent: i32) -> Self {
-        // Magnitudes compare like their bits. The largest of all tells whether any is infinite or NaN.
+        // Magnitudes compare like their bits. The largest of them is infinite or NaN if any is.
         let [dx, dy, dz] = [
             magnitude_bits(ray.direction[0]),
             magnitude_bits(ray.direction[1]),

@@ -98,8 +98,8 @@ const BITS: [u32; TOGETHER] = {
     bits
 };
 
-/// [`is_in_set`] of 32 triangles from a multiple of 32 on, a bit each: the same arithmetic, which a compiler finds easy to do
-/// several at a time. Nothing is set beyond the mesh's end.
+/// [`is_in_set`] of the 32 triangles of a word, a bit each: the same arithmetic in rows, which compilers vectorize. Bits beyond
+/// the mesh's end are 0.
 #[inline]
 #[must_use]
 pub fn word_of_set(
@@ -132,7 +132,7 @@ pub fn word_of_set(
             *side = crate::load(set.sides.sides, component, 0);
         }
     }
-    // Whether zeros are negative tells nobody who only compares, and one factor is one product less.
+    // Comparisons ignore the sign of zeros, so one factor does, which saves a product.
     let bits = match scale.single() {
         Some(factor) => bits_of_set(&corners, &sides, set, |x| x * factor),
         None => bits_of_set(&corners, &sides, set, |x| scale.times(x)),

@@ -1,4 +1,4 @@
-//! What a traversal is asked for.
+//! Collectors: what a traversal looks for.
 
 use crate::geometry::ray::Hit;
 
@@ -58,7 +58,7 @@ impl Collector for ClosestHit {
     }
 }
 
-/// The closest hit, or the first that is found where any will do: for callers that choose as they run.
+/// The closest hit or any hit, chosen at run time.
 #[derive(Clone, Copy, Debug)]
 pub struct ClosestOrAny {
     /// The best so far.

@@ -20,7 +20,7 @@ const SMALLEST: f32 = power_of_two(-100);
 pub struct PreparedRays<W: Lanes, const LANES: usize> {
     /// The order of axes of those that may walk together.
     pub(super) axes: [u32; 3],
-    /// Of those that may walk together.
+    /// The rays that may walk together.
     pub(super) lanes: RayLanes<BoxSpan<W>>,
     /// A bit for each ray that is to walk along with the others.
     pub(super) members: u32,

@@ -1,4 +1,4 @@
-//! Who walks a tree: one ray, or several together.
+//! The walkers of a tree: one ray, or a packet of rays.
 
 use super::{Collector, HitFilter, LeafSlot, NodeSource, TriangleSource};
 use crate::geometry::planes::PlanePair;

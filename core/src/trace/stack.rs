@@ -127,7 +127,7 @@ impl Enter for f32 {
     const ZERO: Self = 0.0;
 }
 
-/// Nodes that wait, and where the rays enter each. Memory of a caller who asks more than once: it need not be cleared in between.
+/// The traversal stack: nodes not yet visited, and where the rays enter each. Callers reuse it without clearing it.
 #[derive(Clone, Copy, Debug)]
 pub struct Stack<C: Cursor, E: Enter = f32> {
     cursors: C::Columns,

@@ -78,7 +78,7 @@ fn name_functions(module: &mut Module) -> Result<()> {
     Ok(())
 }
 
-/// Letters tell them apart: a name that ends in a digit would be changed.
+/// Names end in letters, as naga changes names that end in a digit.
 fn name_structs(module: &mut Module) -> Result<()> {
     let structs: Vec<_> = module
         .types

@@ -1,10 +1,11 @@
-//! Builds the modules under `host/shaders` from `gpu-shaders`, and those of an example; `--check` only says whether they
-//! are up to date.
+//! Builds the modules under `host/shaders` and the list of kernels there from `gpu-shaders`, and the module of an example;
+//! `--check` only says whether they are up to date.
 //!
 //! `RUST_GPU_TOOLCHAIN` names the toolchain. `RUSTC_CODEGEN_SPIRV` is the path of a ready backend, for a build with
 //! `--no-default-features`.
 
 mod callable;
+mod kernels;
 mod module;
 mod source_hash;
 
@@ -25,141 +26,25 @@ struct ShaderCrate {
     output: &'static str,
     /// The endings of the files made there; others are left alone.
     made: &'static [&'static str],
-    /// All of them: releases of rust-gpu have lost some in silence.
-    entry_points: &'static [&'static str],
 }
 
 const CRATES: [ShaderCrate; 2] = [
     ShaderCrate {
         folder: "gpu-shaders",
         output: "host/shaders",
-        made: &["spv", "wgsl", "json"],
-        entry_points: &ENTRY_POINTS,
+        made: &["spv", "wgsl", "json", "rs"],
     },
     ShaderCrate {
         folder: "host/examples/own_shader/shader",
         output: "host/examples/own_shader",
         made: &["spv"],
-        entry_points: &["thickness"],
     },
 ];
 
 const MANIFEST: &str = "host/shaders/manifest.json";
 
-/// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 111] = [
-    "bounds",
-    "call_trace",
-    "camera_encode",
-    "camera_rays",
-    "camera_resolve",
-    "classify",
-    "classify_compact_30",
-    "classify_compact_63",
-    "classify_order_30",
-    "classify_order_63",
-    "compact",
-    "compact_counts",
-    "decide_components",
-    "decide_counts",
-    "decide_sides",
-    "decide_smaller",
-    "decide_spans",
-    "decide_turn",
-    "encode_paper10_f32",
-    "encode_paper10_leaf10",
-    "encode_q10_f32",
-    "encode_q10_links",
-    "encode_q10_sizes",
-    "encode_q21_f32",
-    "encode_q21_links",
-    "encode_q21_sizes",
-    "encode_triangles",
-    "bounds_grid",
-    "morton_30",
-    "morton_63",
-    "refit_groups",
-    "refit_nodes",
-    "refit_rounded",
-    "refit_parents",
-    "refit_splits",
-    "scan_apply",
-    "scan_blocks",
-    "scan_sums",
-    "shade_light",
-    "shade_reached",
-    "shade_scatter",
-    "snap_30",
-    "snap_63",
-    "snap_again",
-    "sort_count_30",
-    "sort_count_63",
-    "sort_scatter_30",
-    "sort_scatter_63",
-    "topology_kept_30",
-    "topology_kept_63",
-    "topology_nodes_30",
-    "topology_nodes_63",
-    "trace_any",
-    "trace_any_paper10_f32",
-    "trace_any_paper10_leaf10",
-    "trace_any_q10_f32",
-    "trace_any_q10_lattice",
-    "trace_any_q21_f32",
-    "trace_any_q21_lattice",
-    "trace_closest",
-    "trace_closest_paper10_f32",
-    "trace_closest_paper10_leaf10",
-    "trace_closest_q10_f32",
-    "trace_closest_q10_lattice",
-    "trace_closest_q21_f32",
-    "trace_closest_q21_lattice",
-    "trace_counted",
-    "trace_counted_paper10_f32",
-    "trace_counted_paper10_leaf10",
-    "trace_counted_q10_f32",
-    "trace_counted_q10_lattice",
-    "trace_counted_q21_f32",
-    "trace_counted_q21_lattice",
-    "trace_nearest",
-    "trace_nearest_paper10_f32",
-    "trace_nearest_paper10_leaf10",
-    "trace_nearest_q10_f32",
-    "trace_nearest_q10_lattice",
-    "trace_nearest_q21_f32",
-    "trace_nearest_q21_lattice",
-    "trace_paths",
-    "trace_paths_counted",
-    "trace_paths_counted_paper10_f32",
-    "trace_paths_counted_paper10_leaf10",
-    "trace_paths_counted_q10_f32",
-    "trace_paths_counted_q10_lattice",
-    "trace_paths_counted_q21_f32",
-    "trace_paths_counted_q21_lattice",
-    "trace_paths_facing",
-    "trace_paths_paper10_f32",
-    "trace_paths_paper10_leaf10",
-    "trace_paths_q10_f32",
-    "trace_paths_q10_lattice",
-    "trace_paths_q21_f32",
-    "trace_paths_q21_lattice",
-    "trace_shadows",
-    "trace_shadows_facing",
-    "trace_shadows_paper10_f32",
-    "trace_shadows_paper10_leaf10",
-    "trace_shadows_q10_f32",
-    "trace_shadows_q10_lattice",
-    "trace_shadows_q21_f32",
-    "trace_shadows_q21_lattice",
-    "view_depth",
-    "view_depth_range",
-    "view_depth_values",
-    "view_heat",
-    "view_heat_range",
-    "view_items",
-    "view_normals",
-    "view_primitives",
-];
+/// The list of kernels that the library includes.
+const KERNELS: &str = "host/shaders/kernels.rs";
 
 /// The toolchain that spirv-builder 0.10.0 belongs to.
 const TOOLCHAIN: &str = "nightly-2026-07-03";
@@ -207,6 +92,7 @@ fn run(is_check: bool) -> Result<()> {
 fn build(root: &Path) -> Result<Files> {
     let mut files = Files::new();
     let mut manifest = Vec::new();
+    let mut kernels = BTreeSet::new();
     for shader_crate in &CRATES {
         let ShaderCrate { output, made, .. } = shader_crate;
         for (name, path) in compile(root, shader_crate)? {
@@ -221,6 +107,7 @@ fn build(root: &Path) -> Result<Files> {
             files.insert(format!("{output}/{name}.spv"), module.spirv);
             if made.contains(&"json") {
                 manifest.push(module.manifest);
+                kernels.insert(name);
             }
         }
     }
@@ -233,6 +120,7 @@ fn build(root: &Path) -> Result<Files> {
     });
     let text = serde_json::to_string_pretty(&manifest)? + "\n";
     files.insert(MANIFEST.to_owned(), text.into_bytes());
+    files.insert(KERNELS.to_owned(), kernels::table(&kernels)?.into_bytes());
     Ok(files)
 }
 
@@ -255,14 +143,15 @@ fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, P
         .build()
         .with_context(|| format!("{folder} does not compile"))?;
 
+    // Releases of rust-gpu have lost entry points without an error.
     let names: Vec<&str> = result.entry_points.iter().map(|e| short(e)).collect();
-    let found: BTreeSet<&str> = names.iter().copied().collect();
-    let expected: BTreeSet<&str> = shader_crate.entry_points.iter().copied().collect();
-    if found != expected || names.len() != expected.len() {
-        let missing: Vec<_> = expected.difference(&found).collect();
-        let unknown: Vec<_> = found.difference(&expected).collect();
+    let found: BTreeSet<String> = names.iter().map(|&name| name.to_owned()).collect();
+    let declared = kernels::declared(&root.join(folder))?;
+    if found != declared || names.len() != declared.len() {
+        let missing: Vec<_> = declared.difference(&found).collect();
+        let unknown: Vec<_> = found.difference(&declared).collect();
         bail!(
-            "entry points of {folder}: missing {missing:?}, not expected {unknown:?}, {} in all",
+            "entry points of {folder}: declared but not compiled {missing:?}, compiled but not declared {unknown:?}, {} in all",
             names.len()
         );
     }
@@ -280,7 +169,7 @@ fn short(entry: &str) -> &str {
     entry.rsplit("::").next().unwrap_or(entry)
 }
 
-/// What is committed must not tell where it was made, and be the same everywhere.
+/// Fails if a module holds a path of this machine: committed modules must be the same everywhere.
 fn check_paths(spirv: &[u8], root: &Path) -> Result<()> {
     let root = root.to_string_lossy();
     for text in [root.as_ref(), ".rs", "slimbvh_core"] {

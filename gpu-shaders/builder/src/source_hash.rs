@@ -31,10 +31,14 @@ pub fn source_hash(root: &Path, shader_crates: &[&str]) -> Result<String> {
     let mut hash = Fnv(0xcbf2_9ce4_8422_2325);
     for folder in ["core"].iter().chain(shader_crates) {
         let source = root.join(folder).join("src");
-        hash_module(&source, "lib", &source, &mut hash)?;
+        each_file(&source, "lib", &source, &mut |file| {
+            hash.tokens(file.to_token_stream());
+        })?;
     }
     let builder = root.join(BUILDER);
-    hash_module(&builder, "main", &builder, &mut hash)?;
+    each_file(&builder, "main", &builder, &mut |file| {
+        hash.tokens(file.to_token_stream());
+    })?;
     // Line by line, so that their ends do not count.
     for line in read(&builder.join(TEMPLATE))?.lines() {
         hash.text(line);
@@ -66,8 +70,17 @@ pub fn pinned_versions(root: &Path) -> Result<Vec<(String, String)>> {
     Ok(versions)
 }
 
-/// Hashes a file, then the files of its modules. `children` is the folder where these lie.
-fn hash_module(folder: &Path, name: &str, children: &Path, hash: &mut Fnv) -> Result<()> {
+/// Calls `visit` with a file, then with the files of its modules: code without docs and tests. `children` is the folder where
+/// the modules' files are.
+///
+/// # Errors
+/// Where a file cannot be read or is no Rust.
+pub fn each_file(
+    folder: &Path,
+    name: &str,
+    children: &Path,
+    visit: &mut impl FnMut(&File),
+) -> Result<()> {
     let flat = folder.join(format!("{name}.rs"));
     let path = if flat.exists() {
         flat
@@ -77,13 +90,13 @@ fn hash_module(folder: &Path, name: &str, children: &Path, hash: &mut Fnv) -> Re
     let text = read(&path)?;
     let mut file = syn::parse_file(&text).with_context(|| path.display().to_string())?;
     OnlyCode.visit_file_mut(&mut file);
-    hash.tokens(file.to_token_stream());
+    visit(&file);
     for item in &file.items {
         if let Item::Mod(module) = item
             && module.content.is_none()
         {
             let name = module.ident.to_string();
-            hash_module(children, &name, &children.join(&name), hash)?;
+            each_file(children, &name, &children.join(&name), visit)?;
         }
     }
     Ok(())

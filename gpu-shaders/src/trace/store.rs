@@ -6,38 +6,41 @@ use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    ClosestHit, Counted, HitFilter, NodeSource, Skip, TriangleSource, any_hit, closest_hit,
-    nearest_hits, traverse,
+    ClosestHit, ClosestOrAny, Counted, HitFilter, NodeSource, Skip, TriangleSource, any_hit,
+    closest_hit, nearest_hits, traverse,
 };
 use slimbvh_core::{Hit, Ray};
 
+/// The question is the scene's exponent, and whether any hit will do: 1, or else 0.
 #[inline(always)]
-pub fn closest<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn rays<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
-    exponent: i32,
+    [exponent, any_will_do]: [u32; 2],
     nodes: &N,
     triangles: &T,
     rays: &[Ray],
-    hits: &mut [Hit],
+    answers: &mut [u32],
 ) {
     let i = i as usize;
-    if i < rays.len() && i < hits.len() {
-        hits[i] = closest_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE);
-    }
-}
-
-#[inline(always)]
-pub fn any<N: NodeSource, T: TriangleSource<N::Bounds>>(
-    i: u32,
-    exponent: i32,
-    nodes: &N,
-    triangles: &T,
-    rays: &[Ray],
-    found: &mut [u32],
-) {
-    let i = i as usize;
-    if i < rays.len() && i < found.len() {
-        found[i] = any_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE) as u32;
+    let is_any = any_will_do == 1;
+    let last = if is_any { i } else { 4 * i + 3 };
+    if i < rays.len() && last < answers.len() {
+        let ray = PreparedRay::new(&rays[i], exponent as i32);
+        let mut collector = if is_any {
+            ClosestOrAny::any(ray.t_max)
+        } else {
+            ClosestOrAny::closest(ray.t_max)
+        };
+        traverse(nodes, triangles, &ray, &Skip::NONE, &mut collector);
+        let hit = ray.restore(collector.closest.hit);
+        if is_any {
+            answers[last] = hit.is_hit() as u32;
+        } else {
+            answers[last - 3] = hit.t.to_bits();
+            answers[last - 2] = hit.u.to_bits();
+            answers[last - 1] = hit.v.to_bits();
+            answers[last] = hit.primitive;
+        }
     }
 }
 
@@ -96,18 +99,18 @@ pub fn shadow_skip(i: u32, shadows: &[Shadow]) -> u32 {
 
 /// The range of an ended path's ray is empty: it meets nothing.
 #[inline(always)]
-pub fn paths<N: NodeSource, T: TriangleSource<N::Bounds>, R: HitFilter>(
+pub fn paths<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
     i: u32,
     nodes: &N,
     triangles: &T,
-    rule: &R,
+    filter: &F,
     paths: &[Path],
     hits: &mut [Hit],
     counters: &mut [u32],
 ) {
     let i = i as usize;
     if i < paths.len() && i < hits.len() {
-        let hit = closest_hit(nodes, triangles, &paths[i].ray, 0, rule);
+        let hit = closest_hit(nodes, triangles, &paths[i].ray, 0, filter);
         hits[i] = hit;
         count(counters, 0, paths[i].is_alive() as u32);
         count(counters, 1, hit.is_hit() as u32);
@@ -128,8 +131,8 @@ pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
     if i < paths.len() && i < hits.len() && i < counts.len() {
         let ray = PreparedRay::new(&paths[i].ray, 0);
         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-        let rule = Skip(paths[i].skip);
-        traverse(nodes, triangles, &ray, &rule, &mut collector);
+        let filter = Skip(paths[i].skip);
+        traverse(nodes, triangles, &ray, &filter, &mut collector);
         let hit = ray.restore(collector.inner.hit);
         hits[i] = hit;
         counts[i] = collector.node_count;
@@ -140,11 +143,11 @@ pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
 }
 
 #[inline(always)]
-pub fn shadows<N: NodeSource, T: TriangleSource<N::Bounds>, R: HitFilter>(
+pub fn shadows<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
     i: u32,
     nodes: &N,
     triangles: &T,
-    rule: &R,
+    filter: &F,
     shadows: &[Shadow],
     paths: &mut [Path],
     counters: &mut [u32],
@@ -152,7 +155,7 @@ pub fn shadows<N: NodeSource, T: TriangleSource<N::Bounds>, R: HitFilter>(
     let i = i as usize;
     if i < shadows.len() && i < paths.len() && shadows[i].is_possible() {
         count(counters, 0, 1);
-        if !any_hit(nodes, triangles, &shadows[i].ray, 0, rule) {
+        if !any_hit(nodes, triangles, &shadows[i].ray, 0, filter) {
             paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
         }
     }

@@ -1,8 +1,8 @@
-//! Which codecs the GPU has, and their kernels.
+//! Which codecs the GPU has, and how many bytes they take there.
 
 use super::{GpuError, Kernel};
 use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind};
-use slimbvh_core::encode::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
+use slimbvh_core::codec::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
 
 /// How nodes and triangles are stored, where that is not in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,10 +19,15 @@ impl Coding {
     /// What a configuration asks for; none where everything is stored in full.
     ///
     /// # Errors
-    /// For codecs and trees that only the CPU has.
+    /// For codecs and trees that only the CPU has, and for paper10 without the feature `lab`.
     pub fn of(config: &BuildConfig) -> Result<Option<Self>, GpuError> {
         if config.tree == TreeKind::Clustered {
             return Err(GpuError::Tree);
+        }
+        if config.nodes == NodeCodec::Paper10 && !cfg!(feature = "lab") {
+            return Err(GpuError::LabKernel {
+                what: "nodes of the paper10 codec",
+            });
         }
         let is_f32 = config.mesh == MeshCodec::F32;
         Ok(match config.nodes {
@@ -116,86 +121,21 @@ pub fn node_names() -> String {
     }
 }
 
-/// The kernels that trace one kind of hierarchies.
-#[derive(Clone, Copy, Debug)]
-pub struct Traces {
-    pub closest: Kernel,
-    pub any: Kernel,
-    pub nearest: Kernel,
-    pub counted: Kernel,
-    pub paths: Kernel,
-    pub paths_counted: Kernel,
-    pub shadows: Kernel,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// Those of hierarchies in full, in which all triangles count.
-const PLAIN: Traces = Traces {
-    closest: Kernel::trace_closest,
-    any: Kernel::trace_any,
-    nearest: Kernel::trace_nearest,
-    counted: Kernel::trace_counted,
-    paths: Kernel::trace_paths,
-    paths_counted: Kernel::trace_paths_counted,
-    shadows: Kernel::trace_shadows,
-};
-
-/// The kernels of a coding, or of hierarchies in full.
-pub const fn traces(coding: Option<Coding>) -> Traces {
-    let Some(coding) = coding else { return PLAIN };
-    match coding {
-        Coding::Paper10F32 => Traces {
-            closest: Kernel::trace_closest_paper10_f32,
-            any: Kernel::trace_any_paper10_f32,
-            nearest: Kernel::trace_nearest_paper10_f32,
-            counted: Kernel::trace_counted_paper10_f32,
-            paths: Kernel::trace_paths_paper10_f32,
-            paths_counted: Kernel::trace_paths_counted_paper10_f32,
-            shadows: Kernel::trace_shadows_paper10_f32,
-        },
-        Coding::Paper10Leaf10 => Traces {
-            closest: Kernel::trace_closest_paper10_leaf10,
-            any: Kernel::trace_any_paper10_leaf10,
-            nearest: Kernel::trace_nearest_paper10_leaf10,
-            counted: Kernel::trace_counted_paper10_leaf10,
-            paths: Kernel::trace_paths_paper10_leaf10,
-            paths_counted: Kernel::trace_paths_counted_paper10_leaf10,
-            shadows: Kernel::trace_shadows_paper10_leaf10,
-        },
-        Coding::Q10F32 => Traces {
-            closest: Kernel::trace_closest_q10_f32,
-            any: Kernel::trace_any_q10_f32,
-            nearest: Kernel::trace_nearest_q10_f32,
-            counted: Kernel::trace_counted_q10_f32,
-            paths: Kernel::trace_paths_q10_f32,
-            paths_counted: Kernel::trace_paths_counted_q10_f32,
-            shadows: Kernel::trace_shadows_q10_f32,
-        },
-        Coding::Q10Lattice => Traces {
-            closest: Kernel::trace_closest_q10_lattice,
-            any: Kernel::trace_any_q10_lattice,
-            nearest: Kernel::trace_nearest_q10_lattice,
-            counted: Kernel::trace_counted_q10_lattice,
-            paths: Kernel::trace_paths_q10_lattice,
-            paths_counted: Kernel::trace_paths_counted_q10_lattice,
-            shadows: Kernel::trace_shadows_q10_lattice,
-        },
-        Coding::Q21F32 => Traces {
-            closest: Kernel::trace_closest_q21_f32,
-            any: Kernel::trace_any_q21_f32,
-            nearest: Kernel::trace_nearest_q21_f32,
-            counted: Kernel::trace_counted_q21_f32,
-            paths: Kernel::trace_paths_q21_f32,
-            paths_counted: Kernel::trace_paths_counted_q21_f32,
-            shadows: Kernel::trace_shadows_q21_f32,
-        },
-        Coding::Q21Lattice => Traces {
-            closest: Kernel::trace_closest_q21_lattice,
-            any: Kernel::trace_any_q21_lattice,
-            nearest: Kernel::trace_nearest_q21_lattice,
-            counted: Kernel::trace_counted_q21_lattice,
-            paths: Kernel::trace_paths_q21_lattice,
-            paths_counted: Kernel::trace_paths_counted_q21_lattice,
-            shadows: Kernel::trace_shadows_q21_lattice,
-        },
+    /// The error names the feature.
+    #[test]
+    fn the_paper10_codec_needs_the_kernels_of_the_laboratory() {
+        let config = BuildConfig {
+            nodes: NodeCodec::Paper10,
+            ..BuildConfig::default()
+        };
+        match (Coding::of(&config), cfg!(feature = "lab")) {
+            (Ok(coding), true) => assert_eq!(coding, Some(Coding::Paper10F32)),
+            (Err(error), false) => assert!(error.to_string().contains("`lab`"), "{error}"),
+            other => panic!("{other:?}"),
+        }
     }
 }

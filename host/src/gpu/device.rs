@@ -144,13 +144,13 @@ impl Gpu {
     /// A compiled kernel, for own dispatches; see [`Kernel`].
     ///
     /// # Errors
-    /// Those of the driver's compiler.
+    /// Those of the driver's compiler, and where the kernel is not compiled in ([`Kernel`]).
     pub fn pipeline(&self, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
         if let Some(pipeline) = self.pipelines.compiled(kernel) {
             return Ok(pipeline);
         }
         // Kept only if nothing was found fault with.
-        let pipeline = self.checked(|| Ok(compile(&self.device, kernel)))?;
+        let pipeline = self.checked(|| compile(&self.device, kernel))?;
         self.pipelines.keep(kernel, &pipeline);
         Ok(pipeline)
     }

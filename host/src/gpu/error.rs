@@ -6,10 +6,11 @@ use thiserror::Error;
 
 /// Why a GPU did not do what it was asked for.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum GpuError {
     /// There is no GPU, or none of that name.
-    #[error("{0}")]
-    NoAdapter(AdapterError),
+    #[error(transparent)]
+    NoAdapter(#[from] AdapterError),
     /// The driver refused to open the adapter.
     #[error("cannot open the GPU {adapter:?}: {reason}")]
     Refused {
@@ -87,6 +88,12 @@ pub enum GpuError {
         /// How many.
         bits: u32,
     },
+    /// Only the laboratory asks for this, so that it is not compiled in.
+    #[error("{what} are traced on the CPU only, unless slimbvh is built with the feature `lab`")]
+    LabKernel {
+        /// What was asked for: a kernel, or a codec.
+        what: &'static str,
+    },
     /// The GPU has no kernels for trees that are clustered.
     #[error("clustered trees are built on the CPU only; the GPU builds radix trees")]
     Tree,
@@ -103,6 +110,7 @@ pub enum GpuError {
 
 /// Why no adapter was chosen.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum AdapterError {
     /// None at all.
     #[error(
@@ -123,10 +131,4 @@ pub enum AdapterError {
         /// What there is.
         names: String,
     },
-}
-
-impl From<AdapterError> for GpuError {
-    fn from(error: AdapterError) -> Self {
-        Self::NoAdapter(error)
-    }
 }

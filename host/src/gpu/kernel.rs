@@ -1,70 +1,97 @@
 //! The compiled entry points of `gpu-shaders`.
 
+use super::GpuError;
+use super::coding::Coding;
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+/// A module of `host/shaders`.
+macro_rules! module {
+    ($name:ident) => {
+        include_bytes!(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/shaders/",
+            stringify!($name),
+            ".spv"
+        ))
+    };
+}
+
 macro_rules! kernels {
-    ($($name:ident),* $(,)?) => {
-        /// An entry point of `gpu-shaders`, under its name there. Its documentation there tells what it reads and stores: all
+    (shipped { $($name:ident,)* } lab { $($lab:ident,)* }) => {
+        /// An entry point of `gpu-shaders`, under its name there. Its documentation there says what it reads and stores: all
         /// bindings are in group 0, in the order of the arguments, and the length of a bound range is the number of its
         /// elements.
+        ///
+        /// Kernels that only the laboratory asks for are compiled in with the feature `lab`: those of the paper10 codec,
+        /// and the nearest hits and visits of rays in codecs.
         #[allow(non_camel_case_types, missing_docs, reason = "named as in gpu-shaders")]
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-        pub enum Kernel { $($name),* }
+        pub enum Kernel { $($name,)* $($lab,)* }
 
         impl Kernel {
-            /// All kernels, in the order of a frame.
-            pub const ALL: &'static [Self] = &[$(Self::$name),*];
+            /// All kernels that are compiled in.
+            pub const ALL: &'static [Self] = &[
+                $(Self::$name,)*
+                $(#[cfg(feature = "lab")] Self::$lab,)*
+            ];
 
             /// The entry point's name.
             #[must_use]
             pub const fn name(self) -> &'static str {
-                match self { $(Self::$name => stringify!($name)),* }
+                match self {
+                    $(Self::$name => stringify!($name),)*
+                    $(Self::$lab => stringify!($lab),)*
+                }
             }
 
-            /// The SPIR-V module, which holds this entry point alone.
+            /// The SPIR-V module, which holds this entry point alone; empty where the kernel is not compiled in.
             #[must_use]
             pub const fn spirv(self) -> &'static [u8] {
                 match self {
-                    $(Self::$name => include_bytes!(concat!("../../shaders/", stringify!($name), ".spv"))),*
+                    $(Self::$name => module!($name),)*
+                    $(
+                        #[cfg(feature = "lab")]
+                        Self::$lab => module!($lab),
+                        #[cfg(not(feature = "lab"))]
+                        Self::$lab => &[],
+                    )*
                 }
             }
         }
     };
 }
 
-kernels! {
-    bounds, bounds_grid,
-    morton_30, morton_63,
-    sort_count_30, sort_count_63, sort_scatter_30, sort_scatter_63,
-    scan_sums, scan_blocks, scan_apply,
-    decide_spans, decide_components, decide_sides, decide_counts, decide_smaller, decide_turn,
-    classify, classify_order_30, classify_order_63, classify_compact_30, classify_compact_63,
-    compact_counts, compact,
-    snap_30, snap_63, snap_again,
-    topology_kept_30, topology_kept_63, topology_nodes_30, topology_nodes_63,
-    refit_groups, refit_parents, refit_nodes, refit_rounded, refit_splits,
-    encode_paper10_f32, encode_paper10_leaf10, encode_q10_f32, encode_q21_f32,
-    encode_q10_sizes, encode_q10_links, encode_q21_sizes, encode_q21_links, encode_triangles,
-    camera_rays, camera_resolve, camera_encode,
-    trace_closest, trace_any, trace_nearest, trace_counted,
-    trace_paths, trace_paths_counted, trace_paths_facing, trace_shadows, trace_shadows_facing,
-    trace_closest_paper10_f32, trace_any_paper10_f32, trace_nearest_paper10_f32, trace_counted_paper10_f32,
-    trace_paths_paper10_f32, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32,
-    trace_closest_paper10_leaf10, trace_any_paper10_leaf10, trace_nearest_paper10_leaf10, trace_counted_paper10_leaf10,
-    trace_paths_paper10_leaf10, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10,
-    trace_closest_q10_f32, trace_any_q10_f32, trace_nearest_q10_f32, trace_counted_q10_f32,
-    trace_paths_q10_f32, trace_paths_counted_q10_f32, trace_shadows_q10_f32,
-    trace_closest_q10_lattice, trace_any_q10_lattice, trace_nearest_q10_lattice, trace_counted_q10_lattice,
-    trace_paths_q10_lattice, trace_paths_counted_q10_lattice, trace_shadows_q10_lattice,
-    trace_closest_q21_f32, trace_any_q21_f32, trace_nearest_q21_f32, trace_counted_q21_f32,
-    trace_paths_q21_f32, trace_paths_counted_q21_f32, trace_shadows_q21_f32,
-    trace_closest_q21_lattice, trace_any_q21_lattice, trace_nearest_q21_lattice, trace_counted_q21_lattice,
-    trace_paths_q21_lattice, trace_paths_counted_q21_lattice, trace_shadows_q21_lattice,
-    shade_light, shade_reached, shade_scatter,
-    view_normals, view_primitives,
-    view_depth_values, view_items, view_depth_range, view_heat_range, view_depth, view_heat,
+/// The kernels that trace one kind of tree.
+#[derive(Clone, Copy, Debug)]
+pub struct Traces {
+    pub rays: Kernel,
+    pub nearest: Kernel,
+    pub counted: Kernel,
+    pub paths: Kernel,
+    pub paths_counted: Kernel,
+    pub shadows: Kernel,
 }
+
+macro_rules! traces {
+    ($($coding:pat => $rays:ident, $nearest:ident, $counted:ident, $paths:ident, $paths_counted:ident, $shadows:ident;)*) => {
+        /// The kernels for a codec, or for trees in full.
+        pub const fn traces(coding: Option<Coding>) -> Traces {
+            match coding {
+                $($coding => Traces {
+                    rays: Kernel::$rays,
+                    nearest: Kernel::$nearest,
+                    counted: Kernel::$counted,
+                    paths: Kernel::$paths,
+                    paths_counted: Kernel::$paths_counted,
+                    shadows: Kernel::$shadows,
+                },)*
+            }
+        }
+    };
+}
+
+include!("../../shaders/kernels.rs");
 
 /// Pipelines, compiled when first used.
 #[derive(Debug, Default)]
@@ -87,22 +114,32 @@ impl Pipelines {
 }
 
 /// Compiles a kernel for a device.
-pub fn compile(device: &wgpu::Device, kernel: Kernel) -> wgpu::ComputePipeline {
+///
+/// # Errors
+/// Where the kernel is not compiled in.
+pub fn compile(device: &wgpu::Device, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
+    if kernel.spirv().is_empty() {
+        return Err(GpuError::LabKernel {
+            what: kernel.name(),
+        });
+    }
     let label = Some(kernel.name());
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label,
         source: wgpu::util::make_spirv(kernel.spirv()),
     });
-    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label,
-        layout: None,
-        module: &module,
-        entry_point: Some(kernel.name()),
-        compilation_options: wgpu::PipelineCompilationOptions {
-            // Every kernel writes its workgroup memory before it reads it.
-            zero_initialize_workgroup_memory: false,
-            ..wgpu::PipelineCompilationOptions::default()
-        },
-        cache: None,
-    })
+    Ok(
+        device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label,
+            layout: None,
+            module: &module,
+            entry_point: Some(kernel.name()),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                // Every kernel writes its workgroup memory before it reads it.
+                zero_initialize_workgroup_memory: false,
+                ..wgpu::PipelineCompilationOptions::default()
+            },
+            cache: None,
+        }),
+    )
 }

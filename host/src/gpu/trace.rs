@@ -3,7 +3,7 @@
 mod paths;
 
 use super::buffer::{ALIGNMENT, Range};
-use super::coding::{Traces, traces};
+use super::kernel::{Traces, traces};
 use super::mesh::check_parts;
 use super::program::{Recorder, Uniform, threads};
 use super::{Bvh, Frame, GpuError, Kernel};
@@ -37,8 +37,7 @@ impl Query {
 
     const fn kernel(self, traces: &Traces) -> Kernel {
         match self {
-            Self::Closest => traces.closest,
-            Self::Any => traces.any,
+            Self::Closest | Self::Any => traces.rays,
             Self::Nearest => traces.nearest,
             Self::Counted => traces.counted,
         }
@@ -85,13 +84,14 @@ impl Bvh {
             recorder.stage("trace");
             let kernel = query.kernel(&traces(built.coding()));
             let [nodes, triangles] = built.stored();
-            let mut uniforms = vec![Uniform::Stored(&built.exponent)];
-            uniforms.extend(
-                built
-                    .coded
-                    .as_ref()
-                    .map(|coded| Uniform::Stored(&coded.root)),
-            );
+            let root = built.coded.as_ref().map(|coded| &coded.root);
+            let mut uniforms: Vec<Uniform> = root.map(Uniform::Stored).into_iter().collect();
+            uniforms.push(Uniform::Stored(&built.exponent));
+            match query {
+                Query::Closest => uniforms.push(Uniform::Params([0; 4])),
+                Query::Any => uniforms.push(Uniform::Params([1, 0, 0, 0])),
+                Query::Nearest | Query::Counted => {}
+            }
             let mut first = 0;
             while first < ray_count {
                 let count = most.min(ray_count - first);

@@ -1,7 +1,7 @@
 //! Plans frame by frame, with one survey for all.
 
 use super::{Plan, PlanRequest, Reduce, Saving, Seams, Survey, Switches, survey};
-use crate::{BuildConfig, Mesh, MeshCodec, MeshError, RenderSettings, Scene, ViewError};
+use crate::{BuildConfig, Mesh, MeshError, RenderSettings, Scene, ViewError};
 
 /// What stays as it is from frame to frame, so that trees can be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,7 +134,7 @@ impl Planner {
             still,
         } = self.config;
         // Triangles that the codec moves are not those that a set would be decided for.
-        if self.build.mesh == MeshCodec::Leaf10 {
+        if self.build.mesh.moves_vertices() {
             switches.reduce = Reduce::Off;
         }
         // What is kept for the next frame needs a place of its own, and an order of all triangles.

@@ -21,8 +21,14 @@ mod visitor;
 
 pub use bvh::Bvh;
 pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, check_codecs};
-pub(crate) use codec::{by_bits, most_triangles, tagged, tags};
+pub(crate) use codec::{by_bits, most_triangles};
+#[cfg(feature = "scenes")]
+pub(crate) use codec::{tagged, tags};
 pub use cost::sah_cost;
-pub use error::TreeError;
+pub use error::{RefitError, TreeError};
 pub(crate) use packets::{PacketQuery, Question};
-pub(crate) use stored::{List, ListReader, StoredTree};
+#[cfg(feature = "scenes")]
+pub(crate) use stored::List;
+#[cfg(any(feature = "gpu", feature = "scenes"))]
+pub(crate) use stored::ListReader;
+pub(crate) use stored::StoredTree;

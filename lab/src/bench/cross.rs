@@ -1,15 +1,15 @@
-//! Which setups with several knobs moved are worth a try.
+//! Which setups with several changed knobs to measure.
 
 use super::measure::SetupRecord;
 use super::pareto::{dominates, front};
 use super::setup::{Setup, Triangles};
 use slimbvh::{CodeBits, NodeCodec};
 
-/// What setups are compared by: milliseconds a picture, bytes of trees, and how far the picture is off. Less is better.
+/// The objectives of a setup: milliseconds per picture, bytes of the trees, error of the picture. Less is better.
 pub type Objectives = [f64; 3];
 
-/// Crosses the values of knobs that are on the front by themselves, and keeps what nothing measured or foretold is better than:
-/// each knob is taken to multiply times and bytes by as much as it does alone, and errors to be as large as the largest.
+/// Combines the knob values on the Pareto front. Keeps at most `most` combinations that no measured or predicted setup
+/// dominates. A prediction multiplies time and bytes by each knob's own factor, and takes the largest of the knobs' errors.
 pub fn candidates(records: &[SetupRecord], most: usize) -> Vec<Setup> {
     let Some(usual) = records.first().map(|record| record.setup) else {
         return Vec::new();
@@ -38,14 +38,14 @@ pub fn candidates(records: &[SetupRecord], most: usize) -> Vec<Setup> {
                     let is_new = comparable.iter().all(|record| record.setup != setup)
                         && found.iter().all(|(other, _)| *other != setup);
                     if is_new && setup.is_possible() {
-                        found.extend(foretell(&comparable, &usual, setup).map(|it| (setup, it)));
+                        found.extend(predict(&comparable, &usual, setup).map(|it| (setup, it)));
                     }
                 }
             }
         }
     }
-    let foretold: Vec<Objectives> = found.iter().map(|(_, objectives)| *objectives).collect();
-    let is_best = front(&foretold);
+    let predicted: Vec<Objectives> = found.iter().map(|(_, objectives)| *objectives).collect();
+    let is_best = front(&predicted);
     let mut best: Vec<_> = found.into_iter().zip(is_best).collect();
     best.retain(|((_, own), is_best)| *is_best && !measured.iter().any(|it| dominates(it, own)));
     best.sort_by(|((_, a), _), ((_, b), _)| a[0].total_cmp(&b[0]));
@@ -53,8 +53,8 @@ pub fn candidates(records: &[SetupRecord], most: usize) -> Vec<Setup> {
     setups.take(most).collect()
 }
 
-/// None where a knob was not measured by itself.
-fn foretell(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Objectives> {
+/// Predicts a setup's objectives; `None` if one of its knobs was not measured alone.
+fn predict(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Objectives> {
     let of = |setup: Setup| {
         let record = records.iter().find(|record| record.setup == setup);
         record.map(|record| record.objectives())
@@ -62,7 +62,7 @@ fn foretell(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Obj
     let with_nodes = |nodes: NodeCodec| of(Setup { nodes, ..*usual });
     let with_codes = |codes: CodeBits| of(Setup { codes, ..*usual });
     let base = of(*usual)?;
-    // A mesh in a codec was measured with the nodes that go with it.
+    // A coded mesh was measured together with the nodes that it needs.
     let (mesh, its_nodes) = match setup.mesh {
         Triangles::Full => (base, base),
         mesh => {
@@ -81,12 +81,12 @@ fn foretell(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Obj
         (mesh, its_nodes),
         (with_codes(setup.codes)?, base),
     ];
-    let mut foretold = base;
+    let mut predicted = base;
     for (own, other) in pairs {
         for which in [0, 1] {
-            foretold[which] *= own[which] / other[which].max(f64::MIN_POSITIVE);
+            predicted[which] *= own[which] / other[which].max(f64::MIN_POSITIVE);
         }
-        foretold[2] = foretold[2].max(own[2]);
+        predicted[2] = predicted[2].max(own[2]);
     }
-    Some(foretold)
+    Some(predicted)
 }

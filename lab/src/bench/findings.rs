@@ -1,4 +1,4 @@
-//! What the figures say, in sentences.
+//! Findings: sentences about the measurements.
 
 mod words;
 
@@ -11,19 +11,19 @@ use crate::measure::step::Step;
 use serde::Serialize;
 use slimbvh::reduce::Reduce;
 use slimbvh::{CodeBits, LatticeBits, NodeCodec};
-use words::{NOTHING, Told, compared, in_words, is_clear, quotient, time, win_if};
+use words::{MIN_DIFFERENCE, Sentence, compared, in_words, is_clear, quotient, time, win_if};
 
-/// What a sentence says of slimbvh.
+/// The verdict of a sentence on slimbvh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// It wins something.
+    /// It gains something.
     Wins,
-    /// It costs something, or gains nothing.
+    /// It loses something, or gains nothing.
     Loses,
-    /// It is as it should be.
+    /// An expected property holds.
     Holds,
-    /// It is not.
+    /// An expected property fails.
     Fails,
 }
 
@@ -38,57 +38,57 @@ pub struct Finding {
 
 /// All sentences about a scene.
 pub fn findings(scene: &SceneRecord) -> Vec<Finding> {
-    let told = tell(scene).into_iter().map(|(verdict, text)| Finding {
+    let sentences = sentences(scene).into_iter().map(|(verdict, text)| Finding {
         scene: scene.name.clone(),
         backend: scene.backend,
         verdict,
         text,
     });
-    told.collect()
+    sentences.collect()
 }
 
-fn tell(scene: &SceneRecord) -> Vec<Told> {
+fn sentences(scene: &SceneRecord) -> Vec<Sentence> {
     let Some(usual) = scene.setups.first() else {
         return Vec::new();
     };
     let find = |is: &dyn Fn(&SetupRecord) -> bool| scene.setups.iter().find(|record| is(record));
-    let mut told = Vec::new();
+    let mut sentences = Vec::new();
     let coded = find(&|record| {
         record.knob == Knob::Nodes && record.setup.nodes == NodeCodec::Lattice(LatticeBits::Q10)
     });
-    told.extend(
+    sentences.extend(
         coded
             .into_iter()
             .flat_map(|record| nodes(record, usual, scene)),
     );
-    told.extend(widths(scene, usual));
+    sentences.extend(widths(scene, usual));
     let of_mesh =
         |mesh: Triangles| find(&|record| record.knob == Knob::Mesh && record.setup.mesh == mesh);
     let coarse = of_mesh(Triangles::Lattice(Step::Pixels(0.5)));
     let its = coarse.into_iter();
-    told.extend(its.flat_map(|record| triangles(record, usual, scene)));
+    sentences.extend(its.flat_map(|record| triangles(record, usual, scene)));
     let printed = of_mesh(Triangles::Leaf10);
     let both = coarse.zip(printed);
-    told.extend(both.map(|(coarse, printed)| beside_printed(coarse, printed)));
+    sentences.extend(both.map(|(coarse, printed)| beside_printed(coarse, printed)));
     let reduced = find(&|record| record.knob == Knob::Reduce && record.setup.reduce == Reduce::On);
-    told.extend(reduced.map(|record| reduction(record, scene)));
+    sentences.extend(reduced.map(|record| reduction(record, scene)));
     let apart = find(&|record| record.knob == Knob::Lights);
-    told.extend(
+    sentences.extend(
         apart
             .zip(reduced)
             .map(|(apart, reduced)| lights(apart, reduced)),
     );
     let long = find(&|record| record.knob == Knob::Codes && record.setup.codes == CodeBits::Bits63);
-    told.extend(long.map(codes));
-    told.extend(find(&|record| record.knob == Knob::Update).map(refit));
+    sentences.extend(long.map(codes));
+    sentences.extend(find(&|record| record.knob == Knob::Update).map(refit));
     let alone = find(&|record| record.knob == Knob::Threads && record.setup.threads == 1);
-    told.extend(alone.map(|record| threads(record, usual)));
-    told.push(best(scene, usual));
-    told.push(same(scene));
-    told
+    sentences.extend(alone.map(|record| threads(record, usual)));
+    sentences.push(best(scene, usual));
+    sentences.push(same(scene));
+    sentences
 }
 
-fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Told> {
+fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Sentence> {
     let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
     let of_nodes = |record: &SetupRecord| record.facts.node_bytes as f64;
     let share = quotient(read(own), read(usual));
@@ -97,24 +97,24 @@ fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Tol
         (
             win_if(share < 1.0),
             format!(
-                "Nodes in 10 bits take {} of the bytes of nodes in full, and rays read {} of the bytes.",
+                "Nodes of 10 bits take {} of the bytes of full-precision nodes, and rays read {} of the bytes.",
                 percent(stored),
                 percent(share)
             ),
         ),
-        time(own, Times::trace, "Tracing nodes in 10 bits", scene.backend),
+        time(own, Times::trace, "Tracing nodes of 10 bits", scene.backend),
     ]
 }
 
-/// The fewest bits that trace about as well as the most.
-fn widths(scene: &SceneRecord, usual: &SetupRecord) -> Option<Told> {
+/// The nodes of which rays read the fewest bytes.
+fn widths(scene: &SceneRecord, usual: &SetupRecord) -> Option<Sentence> {
     let all = scene.setups.iter().filter(|it| it.knob == Knob::Nodes);
     let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
     let least = all.min_by(|a, b| read(a).total_cmp(&read(b)))?;
     Some((
         win_if(read(least) < read(usual)),
         format!(
-            "Of all nodes those of {} let rays read the fewest bytes: {:.0} a ray instead of {:.0}.",
+            "Rays read the fewest bytes with nodes of {}: {:.0} a ray instead of {:.0}.",
             least.setup.nodes_name(),
             read(least),
             read(usual)
@@ -122,10 +122,10 @@ fn widths(scene: &SceneRecord, usual: &SetupRecord) -> Option<Told> {
     ))
 }
 
-fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Told> {
+fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Sentence> {
     let (name, likeness, moves) = (own.setup.mesh_name(), &own.likeness, &own.facts.moves);
     let size = format!(
-        "With triangles of {name} and nodes that go with them, a tree takes {:.1} bytes a triangle, {} of the default's.",
+        "With triangles of {name} and matching nodes, a tree takes {:.1} bytes a triangle, {} of the default's.",
         own.facts.bytes_a_triangle(),
         percent(quotient(
             own.facts.bytes_a_triangle(),
@@ -133,8 +133,8 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
         ))
     );
     let error = format!(
-        "No vertex moves by more than {:.2e}, which is {} of the scene's diagonal, {} of pixels see another triangle, and the picture is \
-         off by {:.3} of 255 (SSIM {:.5}).",
+        "Vertices move by at most {:.2e}, which is {} of the scene's diagonal; {} of pixels see another triangle; the picture's \
+         RMSE is {:.3} of 255 (SSIM {:.5}).",
         moves.most,
         share(moves.most / f64::from(scene.diagonal.max(f32::MIN_POSITIVE))),
         share(likeness.changed_primitives),
@@ -157,32 +157,33 @@ fn triangles(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec
     ]
 }
 
-/// The lattice beside the codec of the literature.
-fn beside_printed(own: &SetupRecord, printed: &SetupRecord) -> Told {
+/// Compares the lattice with the codec of the literature.
+fn beside_printed(own: &SetupRecord, printed: &SetupRecord) -> Sentence {
     let bytes = |record: &SetupRecord| record.facts.bytes_a_triangle();
     let [own_bytes, printed_bytes] = [own, printed].map(bytes);
     let [own_error, printed_error] = [own, printed].map(|record| record.likeness.image_rmse);
     let text = format!(
-        "Beside the codec of the literature (\"{}\") that is {own_bytes:.1} bytes a triangle instead of {printed_bytes:.1}, and a picture \
-         that is off by {own_error:.3} instead of {printed_error:.3}.",
+        "Compared with the codec of the literature (\"{}\"), it takes {own_bytes:.1} bytes a triangle instead of {printed_bytes:.1}, \
+         and the picture's RMSE is {own_error:.3} instead of {printed_error:.3}.",
         printed.name
     );
     let wins = own_bytes <= printed_bytes && own_error <= printed_error;
     (win_if(wins), text)
 }
 
-fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Told {
+fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Sentence {
     let (whole, planned) = (own.ratio(Times::frame), own.ratio(Times::planned));
     let plan = own.rounds.median(|round| round.own.plan);
     let kept = own.facts.tree_triangles as f64 / scene.triangles.max(1) as f64;
     if own.facts.trees == 1 && own.facts.tree_triangles == scene.triangles {
-        let text = "Nothing may be left out of this scene's tree, even where that is asked for.";
+        let text =
+            "Reduction leaves no triangle out of this scene's tree, even where it is requested.";
         return (Verdict::Loses, text.into());
     }
     let trees = slimbvh_cli::output::things(own.facts.trees, "tree");
     let text = format!(
-        "Trees without what their rays cannot hit ({trees} with {} of the triangles in all) make a picture {}; finding out what may be left out \
-         takes {plan:.1} ms more, once for a mesh, so that a single picture is made {}.",
+        "Trees reduced to what their rays can hit ({trees} with {} of the triangles in all) make a picture {}; planning the reduction \
+         takes {plan:.1} ms more, once per mesh, so that a single picture is made {}.",
         percent(kept),
         compared(own, Times::planned),
         in_words(whole)
@@ -190,7 +191,7 @@ fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Told {
     (win_if(is_clear(own, Times::planned) && planned < 1.0), text)
 }
 
-fn lights(apart: &SetupRecord, grouped: &SetupRecord) -> Told {
+fn lights(apart: &SetupRecord, grouped: &SetupRecord) -> Sentence {
     let time = |record: &SetupRecord| record.ratio(Times::planned);
     if grouped.facts.trees == apart.facts.trees {
         let text =
@@ -199,15 +200,15 @@ fn lights(apart: &SetupRecord, grouped: &SetupRecord) -> Told {
     }
     let times = time(grouped) / time(apart);
     let text = format!(
-        "Where lights share a tree, a picture is made {}.",
+        "With trees shared by lights, a picture is made {}.",
         in_words(times)
     );
-    (win_if(times < 1.0 - NOTHING), text)
+    (win_if(times < 1.0 - MIN_DIFFERENCE), text)
 }
 
-fn codes(own: &SetupRecord) -> Told {
+fn codes(own: &SetupRecord) -> Sentence {
     let text = format!(
-        "63-bit codes instead of 30: rays are traced {}, and the tree is built {}.",
+        "With 63-bit codes instead of 30-bit codes, rays are traced {}, and the tree is built {}.",
         compared(own, Times::trace),
         compared(own, |times| times.build)
     );
@@ -215,30 +216,32 @@ fn codes(own: &SetupRecord) -> Told {
     (win_if(wins), text)
 }
 
-fn refit(own: &SetupRecord) -> Told {
+fn refit(own: &SetupRecord) -> Sentence {
     let build = own.ratio(|times| times.build);
     let text = format!(
-        "Refitting a tree after the scene was twisted by a 64th of its round takes {} of the time of a new one; its rays are traced {}.",
+        "Refitting a tree after a 64th of the twist's period takes {} of the time of a rebuild; rays are traced {}.",
         percent(build),
         compared(own, Times::trace)
     );
     (win_if(build < 1.0), text)
 }
 
-fn threads(one: &SetupRecord, usual: &SetupRecord) -> Told {
+fn threads(one: &SetupRecord, usual: &SetupRecord) -> Sentence {
     let (times, count) = (one.ratio(Times::frame), usual.setup.threads);
     let is_faster = times > 1.0 && is_clear(one, Times::frame);
     let text = match is_faster {
         true => format!("{count} threads make a picture {times:.2} times as fast as one."),
         false => {
-            format!("{count} threads gain nothing clear over one here ({times:.2} times as fast).")
+            format!(
+                "{count} threads are not clearly faster than one here ({times:.2} times as fast)."
+            )
         }
     };
     (win_if(is_faster), text)
 }
 
-/// The fastest and the smallest of those that lose nothing.
-fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
+/// The fastest and the smallest of the setups that change no pixel.
+fn best(scene: &SceneRecord, usual: &SetupRecord) -> Sentence {
     let same = |record: &&SetupRecord| {
         record.likeness.changed_pixels == 0.0 && record.setup.is_comparable(&usual.setup)
     };
@@ -259,11 +262,11 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
             fastest.name,
             compared(fastest, Times::frame)
         ),
-        false => "nothing is clearly faster than the default".into(),
+        false => "no setup is clearly faster than the default".into(),
     };
     let bytes = |record: &SetupRecord| record.facts.resident_bytes() as f64;
     let text = format!(
-        "Of all that change no pixel, \"{}\" is the smallest, {:.1} bytes a triangle of the mesh, {} of the default's; {fast}.",
+        "Of the setups that change no pixel, \"{}\" is the smallest with {:.1} bytes a triangle of the mesh, {} of the default's; {fast}.",
         smallest.name,
         bytes(smallest) / scene.triangles.max(1) as f64,
         percent(quotient(bytes(smallest), bytes(usual))),
@@ -271,14 +274,14 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Told {
     (win_if(is_faster || bytes(smallest) < bytes(usual)), text)
 }
 
-/// Whether all that should lose nothing do so.
-fn same(scene: &SceneRecord) -> Told {
+/// Whether all lossless setups make the plain tree's picture.
+fn same(scene: &SceneRecord) -> Sentence {
     let lossless = scene.setups.iter().filter(|it| it.setup.is_lossless());
     let (same, other): (Vec<_>, Vec<_>) =
         lossless.partition(|record| record.likeness.changed_pixels == 0.0);
     if other.is_empty() {
         let text = format!(
-            "All {} setups with triangles in full make the plain tree's picture, byte for byte.",
+            "All {} setups with full-precision triangles make the plain tree's picture, byte for byte.",
             same.len()
         );
         return (Verdict::Holds, text);
@@ -294,7 +297,7 @@ fn same(scene: &SceneRecord) -> Told {
         })
         .collect();
     let text = format!(
-        "These have triangles in full, and change pixels all the same: {}.",
+        "These setups have full-precision triangles and yet change pixels: {}.",
         names.join(", ")
     );
     (Verdict::Fails, text)

@@ -1,36 +1,36 @@
-//! How like two pictures are, and what rays saw in them.
+//! Differences between two pictures, and between the hits of their rays.
 
 use crate::measure::paths::Seen;
 use anyhow::{Context, Result, ensure};
 use image_compare::Algorithm;
 use slimbvh::Picture;
 
-/// Beside the plain tree's picture.
+/// The differences from the plain tree's picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Likeness {
-    /// The root of the mean square difference of 8-bit sRGB channels, 0 to 255.
+    /// The root mean square difference of 8-bit sRGB channels, 0 to 255.
     pub image_rmse: f64,
-    /// Structural similarity of the luma, the mean over windows of 8×8 pixels, 1 for equal ones (Wang, Bovik, Sheikh and Simoncelli,
-    /// "Image quality assessment: from error visibility to structural similarity", 2004).
+    /// Structural similarity of the luma: the mean over windows of 8×8 pixels, 1 for equal pictures (Wang, Bovik, Sheikh and
+    /// Simoncelli, "Image quality assessment: from error visibility to structural similarity", 2004).
     pub ssim: f64,
-    /// The share of pixels of which any byte differs.
+    /// The share of pixels with a differing byte.
     pub changed_pixels: f64,
-    /// The share of samples that see another triangle, or nothing, or something where there was nothing.
+    /// The share of samples that hit another triangle, or that hit in only one of the pictures.
     pub changed_primitives: f64,
-    /// How much farther or nearer samples see something that saw something before, in the scene's unit.
+    /// The largest difference of hit distances where both samples hit, in the scene's unit.
     pub distance_most: f64,
-    /// The root of the mean square of that.
+    /// The root mean square of these differences.
     pub distance_rms: f64,
 }
 
 impl Likeness {
     /// # Errors
-    /// If there are not as many pixels or samples.
+    /// If the pictures differ in size, or the samples in number.
     pub fn new(picture: &Picture, plain: &Picture, seen: [&[Seen]; 2]) -> Result<Self> {
         ensure!(
             (picture.width, picture.height) == (plain.width, plain.height)
                 && seen[0].len() == seen[1].len(),
-            "pictures have other sizes"
+            "the pictures differ in size"
         );
         let (own, reference) = (picture.to_srgb(), plain.to_srgb());
         let pixel_count = picture.pixels.len().max(1) as f64;
@@ -50,7 +50,7 @@ impl Likeness {
     }
 }
 
-/// The largest difference and the root of the mean square, where both see anything.
+/// The largest and the root mean square difference of distances where both samples hit.
 fn distances([own, plain]: [&[Seen]; 2]) -> [f64; 2] {
     let (mut most, mut squares, mut count) = (0.0f64, 0.0, 0u32);
     for (own, plain) in own.iter().zip(plain) {
@@ -73,7 +73,7 @@ fn rmse(a: &[u8], b: &[u8]) -> f64 {
 }
 
 fn ssim([width, height]: [u32; 2], a: &[u8], b: &[u8]) -> Result<f64> {
-    // Rec. 709.
+    // The luma of Rec. 709.
     let luma = |rgb: &[u8]| {
         let [r, g, b] = [rgb[0], rgb[1], rgb[2]].map(f32::from);
         (0.2126 * r + 0.7152 * g + 0.0722 * b).round() as u8
@@ -161,7 +161,7 @@ mod tests {
         let likeness = Likeness::new(&ramp(), &ramp(), [&own, &plain]).unwrap();
         assert_eq!(likeness.changed_primitives, 3.0 / 5.0);
         assert_eq!(likeness.distance_most, 1.0);
-        // 0.5, 1 and 0.
+        // The differences are 0.5, 1 and 0.
         assert!((likeness.distance_rms - (1.25f64 / 3.0).sqrt()).abs() < 1e-12);
     }
 }

@@ -1,4 +1,4 @@
-//! Everything that is measured of a scene.
+//! Measurements of a scene.
 
 use super::cross::{Objectives, candidates};
 use super::facts::Facts;
@@ -17,39 +17,39 @@ use slimbvh::{Backend, Cpu, Frames, Picture, RenderSettings};
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::output;
 
-/// What was measured of one scene on one machine.
+/// The measurements of one scene on one machine.
 pub struct SceneRecord {
     pub name: String,
     pub backend: &'static str,
     pub triangles: usize,
     pub vertices: usize,
     pub lights: usize,
-    /// Of the scene's box.
+    /// The diagonal of the scene's bounding box.
     pub diagonal: f32,
-    /// The default first.
+    /// The default comes first.
     pub setups: Vec<SetupRecord>,
-    /// The plain tree's.
+    /// The picture of the plain tree.
     pub picture: Picture,
 }
 
-/// What was measured with one setup.
+/// The measurements of one setup.
 pub struct SetupRecord {
     pub knob: Knob,
     pub setup: Setup,
     pub name: String,
     pub rounds: Rounds<Round>,
-    /// The median of all that was timed of the default, in milliseconds.
+    /// The median time of the default in all its rounds, in milliseconds.
     pub usual_ms: f64,
     pub facts: Facts,
     pub peak_bytes: usize,
     pub likeness: Likeness,
-    /// Whether nothing that does the same work on the same cores is better in time, bytes and error.
+    /// Whether the setup is on the Pareto front of time, bytes and error among the setups with the same work and threads.
     pub on_front: bool,
-    /// Where it differs from the plain tree's.
+    /// The picture, if it differs from the plain tree's.
     pub picture: Option<Picture>,
 }
 
-/// What everything is compared with.
+/// The reference of all comparisons.
 struct Plain {
     seen: Vec<Seen>,
     picture: Picture,
@@ -64,27 +64,27 @@ impl SetupRecord {
         ]
     }
 
-    /// Milliseconds a picture: the default's, times how many times as long this took in the same rounds, so that what slowed the
-    /// machine for a while does not tell.
+    /// Milliseconds per picture: the default's time, times the median ratio of this setup to the default in the same rounds.
+    /// A temporary slowdown of the machine cancels out.
     pub fn frame(&self) -> f64 {
         self.usual_ms * self.ratio(Times::frame)
     }
 
-    /// Milliseconds of each part of a picture, which together are [`Self::frame`].
+    /// Milliseconds of each part of a picture, scaled so that their sum is [`Self::frame`].
     pub fn parts(&self) -> [f64; 7] {
         let parts = std::array::from_fn(|part| self.rounds.median(|round| round.own.parts()[part]));
         let sum: f64 = parts.iter().sum();
         parts.map(|ms| ms / sum * self.frame())
     }
 
-    /// How many times as long as the default's a picture takes.
+    /// The median ratio of a time to the default's in the same round.
     pub fn ratio(&self, of: impl Fn(&Times) -> f64) -> f64 {
         self.rounds
             .median(|round| of(&round.own) / of(&round.usual))
     }
 }
 
-/// Measures one scene with each setup, in turn with the default.
+/// Measures one scene with each setup, alternating with the default.
 pub fn measure(
     subject: &Subject,
     chosen: &Chosen,
@@ -169,7 +169,7 @@ where
     })
 }
 
-/// All that was timed of the default, in turn with whatever, is the default's.
+/// Gives the default's record all rounds of the default, which were timed beside the other setups.
 fn settle(setups: &mut [SetupRecord]) {
     let usual = |record: &SetupRecord| {
         let rounds = record.rounds.0.iter();
@@ -190,7 +190,7 @@ fn settle(setups: &mut [SetupRecord]) {
     }
 }
 
-/// Makes pictures with the default and with a setup in turn, and compares the last one.
+/// Alternates pictures of the default and of a setup, and compares the setup's last picture with the plain tree's.
 fn measure_one<B: Backend>(
     prepared: &Prepared,
     (usual, own): (&mut Trial<B>, &mut Trial<B>),
@@ -201,7 +201,7 @@ where
     Frames<B>: Send,
 {
     let mut rounds = Rounds::default();
-    // One before does not count. The default's is the last of the setup before.
+    // The setup's first picture is not timed. The default's is the last one of the setup before.
     own.frame()?;
     for _ in 0..protocol.rounds {
         rounds.0.push(Round {

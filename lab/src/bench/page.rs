@@ -1,4 +1,4 @@
-//! The report as one page that needs nothing else.
+//! The report as one self-contained page.
 
 mod plots;
 mod table;
@@ -18,7 +18,7 @@ use std::fmt::Write;
 
 const STYLE: &str = include_str!("page/style.css");
 
-/// How much differences of pictures are enlarged.
+/// The factor by which differences of pictures are enlarged.
 const ENLARGED: u8 = 8;
 
 const ERROR: Axis = Axis {
@@ -39,7 +39,7 @@ const BYTES: Axis = Axis {
     scale: Scale::Linear,
 };
 
-/// Text that nothing in it is taken for markup.
+/// The text with markup escaped.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
@@ -55,7 +55,7 @@ pub fn escaped(text: &str) -> String {
     escaped
 }
 
-/// All of it. Every element is closed, so that it is XML as well.
+/// The whole page. Every element is closed, so that it is XML as well.
 pub fn page(report: &Report) -> Result<String> {
     let mut html = format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>\
@@ -64,7 +64,7 @@ pub fn page(report: &Report) -> Result<String> {
     );
     html += "<h1>slimbvh-lab bench</h1>\n";
     if !report.records.is_empty() {
-        html += "<p class=\"soft\">One knob at a time around the default, then those crossed that are worth it.</p>\n";
+        html += "<p class=\"soft\">One knob at a time around the default, then promising combinations.</p>\n";
     }
     html += "<dl>";
     // Writing to a string cannot fail.
@@ -96,7 +96,7 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
     );
     sentences(html, report, scene);
 
-    *html += "<h3>What nothing is better than</h3>\n<div class=\"cards\">";
+    *html += "<h3>Pareto fronts</h3>\n<div class=\"cards\">";
     let usual = scene.setups.first().map(|record| record.setup);
     let comparable = scene
         .setups
@@ -129,19 +129,19 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
     let svg = bars(&single.collect::<Vec<_>>())?;
     let _ = write!(
         html,
-        "</div>\n<figure class=\"wide\"><figcaption>Milliseconds, beside what the default took in the same turns</figcaption>{svg}</figure>\n"
+        "</div>\n<figure class=\"wide\"><figcaption>Milliseconds, corrected by the default's time in the same rounds</figcaption>{svg}</figure>\n"
     );
     pictures(html, scene)?;
-    *html += "<h3>All figures</h3>\n<p class=\"soft\">● marks what nothing is better than in time, bytes and error, of all that rebuild with \
-              as many threads.</p>\n";
+    *html += "<h3>All figures</h3>\n<p class=\"soft\">● marks the Pareto front of time, bytes and error among the setups that rebuild with \
+              as many threads as the default.</p>\n";
     *html += &table::table(report.rows_of(scene));
     Ok(())
 }
 
-/// How costs grow, with exponents.
+/// The growth of costs, with exponents.
 fn growth(html: &mut String, report: &Report) -> Result<()> {
-    *html += "<h2>How costs grow</h2>\n<p class=\"soft\">One whole tree over a terrain, nothing in a codec. The table has the powers that \
-              costs grow by, fitted by least squares to the logarithms; with threads, -1 would be perfect.</p>\n<div class=\"legend\">";
+    *html += "<h2>How costs grow</h2>\n<p class=\"soft\">One whole tree over a terrain, without codecs. The table has the exponents of growth, \
+              fitted by least squares to the logarithms; with threads, -1 is ideal.</p>\n<div class=\"legend\">";
     for (part, name) in plots::GROWING {
         let _ = write!(
             html,
@@ -164,13 +164,13 @@ fn growth(html: &mut String, report: &Report) -> Result<()> {
     Ok(())
 }
 
-/// What the figures say, sorted by whether that is good.
+/// The findings, grouped by verdict.
 fn sentences(html: &mut String, report: &Report, scene: &SceneRecord) {
     for (title, class, verdict) in [
-        ("Not as it should be", "loses", Verdict::Fails),
+        ("Properties that fail", "loses", Verdict::Fails),
         ("Where slimbvh wins", "wins", Verdict::Wins),
-        ("Where it does not", "loses", Verdict::Loses),
-        ("As it should be", "holds", Verdict::Holds),
+        ("Where slimbvh does not", "loses", Verdict::Loses),
+        ("Properties that hold", "holds", Verdict::Holds),
     ] {
         let findings = report.findings_of(scene);
         let mut texts = findings.filter(|it| it.verdict == verdict).peekable();
@@ -185,7 +185,7 @@ fn sentences(html: &mut String, report: &Report, scene: &SceneRecord) {
     }
 }
 
-/// The plain tree's picture, and where others differ.
+/// The plain tree's picture, and the differences of the others from it.
 fn pictures(html: &mut String, scene: &SceneRecord) -> Result<()> {
     let plain = scene.picture.to_srgb();
     let size = [scene.picture.width, scene.picture.height];
@@ -194,7 +194,7 @@ fn pictures(html: &mut String, scene: &SceneRecord) -> Result<()> {
     figure(
         html,
         title,
-        "what others are compared with",
+        "the reference of all comparisons",
         &data_uri(size, &plain)?,
     );
     let single = scene.setups.iter().filter(|it| it.knob != Knob::Crossed);
@@ -236,7 +236,7 @@ fn figure(html: &mut String, title: &str, text: &str, uri: &str) {
     );
 }
 
-/// How much each byte differs, enlarged.
+/// The difference of each byte, enlarged.
 fn difference(picture: &Picture, plain: &[u8]) -> Vec<u8> {
     let own = picture.to_srgb();
     let pairs = own.iter().zip(plain);

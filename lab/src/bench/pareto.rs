@@ -1,14 +1,14 @@
-//! What nothing else is better than in every respect.
+//! Pareto dominance and the Pareto front.
 
 use std::cmp::Ordering;
 
-/// Whether `a` is at least as good as `b` in all respects and better in one. Less is better; NaN is worse than anything.
+/// Whether `a` dominates `b`: it is at least as good in all objectives and better in one. Less is better; NaN is worst.
 pub fn dominates(a: &[f64], b: &[f64]) -> bool {
     let pairs = || a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
     pairs().all(Ordering::is_le) && pairs().any(Ordering::is_lt)
 }
 
-/// Which points no other dominates. Of equal points all are on the front, or none.
+/// The Pareto front: whether each point is dominated by no other. Equal points are all on the front, or none is.
 pub fn front<P: AsRef<[f64]>>(points: &[P]) -> Vec<bool> {
     let is_on_front = |point: &P| {
         let others = &mut points.iter();
@@ -32,7 +32,7 @@ mod tests {
     }
 
     proptest! {
-        /// No point of the front is dominated, and all others are by one that is on it.
+        /// No point of the front is dominated, and every other point is dominated by a point of the front.
         #[test]
         fn fronts_are_fronts(points in proptest::collection::vec([0u8..6, 0u8..6, 0u8..6], 0..24)) {
             let points: Vec<[f64; 3]> = points.iter().map(|p| p.map(f64::from)).collect();

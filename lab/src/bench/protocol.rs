@@ -1,25 +1,25 @@
-//! How much is measured.
+//! Sizes and repeats of a measurement.
 
 use serde::Serialize;
 
 /// Sizes and repeats.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Protocol {
-    /// Width and height of pictures, one sample a pixel.
+    /// Width and height of pictures, which have one sample per pixel.
     pub size: [u32; 2],
-    /// How often a picture is made with each setup, and as often with the default in turn. One before does not count.
+    /// Timed pictures per setup, alternating with as many of the default. One more picture before them is not timed.
     pub rounds: u32,
-    /// How many mirrors and surfaces of glass a path meets.
+    /// Maximum number of mirrors and glass surfaces along a path.
     pub mirror_depth: u32,
-    /// How many setups with several knobs moved are tried at most.
+    /// Maximum number of setups with several changed knobs.
     pub crossed: usize,
-    /// How many terrains, each with √10 times as many triangles as the one before, costs are measured on as they grow.
+    /// Number of terrains on which growing costs are measured, each with √10 times as many triangles as the one before.
     pub terrains: usize,
-    /// Width and height of pictures where rays or lights grow.
+    /// Width and height of the pictures for growing rays or lights.
     pub small_size: [u32; 2],
-    /// Samples a pixel where rays grow.
+    /// Samples per pixel for growing rays.
     pub samples: &'static [u32],
-    /// Up to how many lights.
+    /// Maximum number of lights.
     pub lights: usize,
 }
 
@@ -35,7 +35,7 @@ impl Protocol {
         lights: 64,
     };
 
-    /// For half a minute.
+    /// Takes half a minute.
     pub const QUICK: Self = Self {
         size: [320, 180],
         rounds: 3,

@@ -1,4 +1,4 @@
-//! The whole report: for people, for browsers, and for programs.
+//! The report as text, as a page, and as tables for programs.
 
 use super::findings::{Finding, Verdict, findings};
 use super::measure::SceneRecord;
@@ -14,28 +14,28 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
-/// Everything that was measured.
+/// All measurements, and the facts needed to read them.
 #[derive(Serialize)]
 pub struct Report {
-    /// The command that makes it again.
+    /// The command that reproduces the report.
     pub command: String,
     pub version: &'static str,
-    /// Of the sources, where they are still there.
+    /// The commit of the sources, if they are still present.
     pub commit: Option<String>,
-    /// By backend.
+    /// The name of the machine, by backend.
     pub machines: Vec<(&'static str, String)>,
     pub threads: usize,
     pub protocol: Protocol,
     pub findings: Vec<Finding>,
     pub rows: Vec<Row>,
-    /// How costs grow, where that was asked for.
+    /// The growth of costs, if requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub scaling: Vec<Series>,
     #[serde(skip)]
     pub records: Vec<SceneRecord>,
 }
 
-/// What a report is of.
+/// The measurements of a report.
 pub struct Measured {
     pub records: Vec<SceneRecord>,
     pub scaling: Vec<Series>,
@@ -69,7 +69,7 @@ impl Report {
         }
     }
 
-    /// What must be known to read the figures.
+    /// The facts needed to read the figures.
     pub fn head(&self) -> Vec<(&'static str, String)> {
         let version = match &self.commit {
             Some(commit) => format!("{}, {commit}", self.version),
@@ -86,7 +86,7 @@ impl Report {
         head
     }
 
-    /// What figures of scenes are.
+    /// The conditions of the figures of scenes.
     fn of_scenes(&self) -> [(&'static str, String); 4] {
         let [width, height] = self.protocol.size;
         let rounds = things(self.protocol.rounds, "picture");
@@ -98,38 +98,38 @@ impl Report {
             (
                 "times",
                 format!(
-                    "medians of {rounds} after one that does not count; each setup takes turns with the default, and ratios are medians \
-                     of those of each turn"
+                    "medians of {rounds} after an untimed one; each setup alternates with the default, and ratios are medians of the ratios \
+                     of each round"
                 ),
             ),
             (
                 "counts",
-                "of box tests, triangle tests and bytes, by the traversal itself, over all rays of the picture".into(),
+                "box tests, triangle tests and bytes, counted by the traversal over all rays of the picture".into(),
             ),
             (
                 "errors",
-                "beside the picture of one tree over all triangles with nothing in a codec; tolerances are pixels of 1280×720".into(),
+                "compared with the picture of one tree over all triangles without codecs; tolerances are in pixels of 1280×720".into(),
             ),
         ]
     }
 
-    /// What figures of growth are.
+    /// The conditions of the figures of growth.
     fn of_growth(&self) -> String {
         let [width, height] = self.protocol.size;
         let [small_width, small_height] = self.protocol.small_size;
         let rounds = things(self.protocol.rounds, "picture");
         let long = match self.protocol.rounds > LONG_ROUNDS {
             true => format!(
-                ", of {LONG_ROUNDS} where one takes more than {} s",
+                ", or of {LONG_ROUNDS} if one takes more than {} s",
                 LONG_MS / 1e3
             ),
             false => String::new(),
         };
         format!(
-            "one whole tree over a terrain, nothing in a codec; pictures of {width}×{height} pixels with more triangles or threads, of \
-             {small_width}×{small_height} with more lights, and with more rays from the eye by samples a pixel; medians of {rounds} after \
-             one that does not count{long}; bytes a ray over at most \
-             {MOST_COUNTED_SAMPLES} samples a pixel"
+            "one whole tree over a terrain, without codecs; pictures of {width}×{height} pixels for triangles and threads, of \
+             {small_width}×{small_height} for lights and rays, with more samples per pixel for more rays; medians of {rounds} after \
+             an untimed one{long}; bytes a ray over at most \
+             {MOST_COUNTED_SAMPLES} samples per pixel"
         )
     }
 
@@ -143,7 +143,7 @@ impl Report {
         self.findings.iter().filter(is_of)
     }
 
-    /// For a terminal.
+    /// The report as text.
     pub fn text(&self) -> String {
         let mut text = String::new();
         // Writing to a string cannot fail.
@@ -194,7 +194,7 @@ impl Report {
         };
         Table {
             title: format!("{} on the {}", scene.name, scene.backend.to_uppercase()),
-            notes: vec!["* nothing is better in time, bytes and error".into()],
+            notes: vec!["* on the Pareto front of time, bytes and error".into()],
             word_columns: 1,
             head: vec![
                 "setup",
@@ -220,7 +220,7 @@ impl Report {
     }
 }
 
-/// Makes a folder, if it is not there, and tells before the work that files have no place to go.
+/// Creates the folder if it is missing, and checks before the work that its files can be written.
 pub fn check_folder(folder: &Path) -> Result<()> {
     if !folder.is_dir() {
         let shown = folder.display().to_string();
@@ -232,7 +232,7 @@ pub fn check_folder(folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Where the sources are now that this was built from: the commit, and whether anything was changed since.
+/// The current commit of the source folder that this binary was built from, and whether it has changes.
 fn commit() -> Option<String> {
     let git = |arguments: &[&str]| {
         let mut git = Command::new("git");
@@ -240,7 +240,7 @@ fn commit() -> Option<String> {
         let output = git.output().ok().filter(|output| output.status.success())?;
         String::from_utf8(output.stdout).ok()
     };
-    // Another repository around a copy of the sources says nothing of them.
+    // Another repository around a copy of the sources says nothing about them.
     git(&["ls-files", "--error-unmatch", "Cargo.toml"])?;
     let describe = [
         "describe",

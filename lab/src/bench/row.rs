@@ -1,4 +1,4 @@
-//! What was measured with a setup, as a line of a table for programs.
+//! The measurements of a setup as a row of the table for programs.
 
 use super::measure::{SceneRecord, SetupRecord};
 use super::setup::Knob;
@@ -6,7 +6,7 @@ use super::times::Times;
 use anyhow::{Context, Result};
 use serde::Serialize;
 
-/// Times are medians in milliseconds, spreads from the least to the most as shares of the median, lengths in the scene's unit.
+/// Times are medians in milliseconds. Spreads are maximum minus minimum over the median. Lengths are in the scene's unit.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
     pub scene: String,
@@ -38,7 +38,7 @@ pub struct Row {
     pub rest_spread: f64,
     pub frame_ms: f64,
     pub frame_spread: f64,
-    /// Times the default's, the median over rounds.
+    /// The ratio to the default's time, median over rounds.
     pub frame_ratio: f64,
     pub trees: usize,
     pub tree_triangles: usize,
@@ -151,7 +151,7 @@ impl Row {
     }
 }
 
-/// The rows as comma-separated values, the names first (RFC 4180).
+/// The rows as comma-separated values, with the names in the first line (RFC 4180).
 pub fn csv(rows: &[Row]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     for row in rows {

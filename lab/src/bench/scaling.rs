@@ -1,4 +1,4 @@
-//! How costs grow.
+//! The growth of costs.
 
 use super::facts::Facts;
 use super::prepared::Prepared;
@@ -15,34 +15,34 @@ use slimbvh::{Backend, Cpu, Frames, Light, RenderSettings, Scene, generate};
 use slimbvh_cli::backend::{Chosen, is_too_large};
 use slimbvh_cli::output::{self, count};
 
-/// Costs while one thing grows and all else stays.
+/// The costs over one growing amount, while everything else stays.
 #[derive(Clone, Debug, Serialize)]
 pub struct Series {
     pub backend: &'static str,
-    /// What grows.
+    /// The growing amount.
     pub of: &'static str,
     pub points: Vec<Point>,
     pub exponents: Vec<Exponent>,
-    /// Why there are no larger amounts, where the GPU takes none.
+    /// Why larger amounts are missing, if the GPU cannot hold them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub left_out: Option<String>,
 }
 
-/// Costs at one amount. Times are medians in milliseconds.
+/// The costs at one amount. Times are medians in milliseconds.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Point {
     pub amount: usize,
-    /// How many pictures the medians are of.
+    /// The number of pictures of which the times are medians.
     pub rounds: usize,
     pub build_ms: f64,
     pub primary_ms: f64,
     pub shadow_ms: f64,
-    /// Counted over at most [`MOST_COUNTED_SAMPLES`] a pixel.
+    /// Counted over at most [`MOST_COUNTED_SAMPLES`] samples per pixel.
     pub bytes_per_ray: f64,
     pub resident_bytes: usize,
 }
 
-/// A cost grows about as the amount to this power.
+/// A cost grows approximately as the amount to this power.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Exponent {
     pub cost: &'static str,
@@ -50,14 +50,14 @@ pub struct Exponent {
 }
 
 impl Exponent {
-    /// In hundredths, without a sign where that is none.
+    /// The exponent in hundredths, without a sign for zero.
     pub fn text(&self) -> String {
         format!("{:.2}", (self.exponent * 100.0).round() / 100.0 + 0.0)
     }
 }
 
 impl Series {
-    /// For a terminal.
+    /// The series as a text table.
     pub fn table(&self) -> Table {
         let cells = |point: &Point| {
             vec![
@@ -73,10 +73,7 @@ impl Series {
         let powers = self.exponents.iter();
         let powers = powers.map(|it| format!("{} {}", it.cost, it.text()));
         let powers: Vec<String> = powers.collect();
-        let mut notes = vec![format!(
-            "costs grow as to these powers: {}",
-            powers.join(", ")
-        )];
+        let mut notes = vec![format!("exponents of growth: {}", powers.join(", "))];
         notes.extend(self.left_out.clone());
         Table {
             title: format!("more {} on the {}", self.of, self.backend.to_uppercase()),
@@ -96,10 +93,10 @@ impl Series {
     }
 }
 
-/// A cost by name.
+/// The name and the value of a cost.
 pub type Cost = (&'static str, fn(&Point) -> f64);
 
-/// All that grow.
+/// The costs whose growth is measured.
 pub const COSTS: [Cost; 5] = [
     ("build", |point| point.build_ms),
     ("primary", |point| point.primary_ms),
@@ -108,17 +105,17 @@ pub const COSTS: [Cost; 5] = [
     ("bytes of the tree", |point| point.resident_bytes as f64),
 ];
 
-/// Cells of the terrain where something else grows: about 100,000 triangles.
+/// Cells of the terrain if something other than triangles grows: about 100,000 triangles.
 const USUAL_CELLS: u32 = 224;
 
-/// Samples a pixel whose bytes are counted.
+/// Maximum number of samples per pixel whose bytes are counted.
 pub const MOST_COUNTED_SAMPLES: u32 = 10;
 
-/// A picture that takes longer is made at most [`LONG_ROUNDS`] times after the one that does not count.
+/// If a picture takes longer than this, at most [`LONG_ROUNDS`] pictures are timed after the untimed one.
 pub const LONG_MS: f64 = 2000.0;
 pub const LONG_ROUNDS: u32 = 3;
 
-/// Measures one whole tree over a terrain while triangles, rays, lights, and on cores threads grow.
+/// Measures one whole tree over a terrain while triangles, rays, lights and, on the CPU, threads grow.
 pub fn measure(chosen: &Chosen, protocol: &Protocol, threads: usize) -> Result<Vec<Series>> {
     let usual = terrain(USUAL_CELLS, 1);
     let large = settings(protocol.size, 1);
@@ -164,7 +161,7 @@ pub fn measure(chosen: &Chosen, protocol: &Protocol, threads: usize) -> Result<V
     Ok(all)
 }
 
-/// Measures at all amounts, or up to the first that is too large for the GPU.
+/// Measures at all amounts up to the first that is too large for the GPU.
 fn series(
     (backend, of): (&'static str, &'static str),
     amounts: &[usize],
@@ -176,7 +173,7 @@ fn series(
         match point(amount) {
             Ok(point) => points.push(point),
             Err(error) if is_too_large(&error) => {
-                left_out = Some(format!("{}: {error:#}", count(amount)));
+                left_out = Some(format!("{}: {}", count(amount), output::sentence(&error)));
                 break;
             }
             Err(error) => return Err(error),
@@ -200,7 +197,7 @@ fn settings(size: [u32; 2], sample_count: u32) -> RenderSettings {
     }
 }
 
-/// 1, 2, 4 and so on, and the last.
+/// 1, 2, 4 and so on below `most`, then `most`.
 fn doubled(most: usize) -> Vec<usize> {
     let powers = (0..usize::BITS).map(|power| 1 << power);
     powers
@@ -209,13 +206,13 @@ fn doubled(most: usize) -> Vec<usize> {
         .collect()
 }
 
-/// Open ground under this many lights that reach all of it.
+/// A terrain under this many lights, each of which reaches all of it.
 fn terrain(cells: u32, light_count: usize) -> Scene {
     let mut scene = Scene {
         mesh: generate::terrain(10.0, cells, 1),
         ..Scene::default()
     };
-    // On a spiral, so that no two are at one place.
+    // On a spiral, so that no two lights coincide.
     let light = |i: usize| {
         let turn = 2.4 * i as f32;
         let radius = 4.0 * ((i as f32 + 0.5) / light_count as f32).sqrt();
@@ -230,7 +227,7 @@ fn terrain(cells: u32, light_count: usize) -> Scene {
     scene
 }
 
-/// Makes pictures, fewer where one takes long. One before does not count.
+/// Times pictures after an untimed one, and fewer of them if one takes long.
 fn rounds<B: Backend>(backend: B, prepared: &Prepared, most: u32) -> Result<Rounds<Times>>
 where
     Frames<B>: Send,
@@ -351,7 +348,7 @@ mod tests {
             assert!(series.points.iter().all(|point| point.primary_ms > 0.0));
             assert!(series.points.iter().all(|point| point.rounds == 1));
         }
-        // Fewer samples tell the bytes of a ray.
+        // Fewer samples give the same bytes per ray.
         let [_, few, many] = &rays.points[..] else {
             unreachable!("there are three");
         };
@@ -367,7 +364,7 @@ mod tests {
         assert!(series(("cpu", "rays"), &[1, 2], fail).is_err());
     }
 
-    /// What a GPU takes is kept, and why there is no more is told.
+    /// A series keeps the amounts that fit the GPU, and says why it ends.
     #[cfg(feature = "gpu")]
     #[test]
     fn too_large_a_mesh_ends_a_series() {

@@ -1,22 +1,23 @@
-//! The scenes: files, and those that need none.
+//! The scenes to measure: files and generated scenes.
 
+use crate::scenes::TwentyFourCell;
 use anyhow::{Context, Result, bail};
-use slimbvh::generate::{self, TorusKnot, TwentyFourCell};
+use slimbvh::generate::{self, TorusKnot};
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{Mesh, Scene};
 use std::path::Path;
 
-/// A scene that needs no file.
+/// The name and the generator of a scene.
 type Generated = (&'static str, fn() -> Scene);
 
-/// All of them, by name.
+/// All generated scenes.
 const GENERATED: [Generated; 13] = [
     ("default", generate::default_scene),
-    ("shiny", generate::shiny),
-    ("doll", || generate::doll(3)),
-    ("toasters", || generate::toasters(57)),
+    ("shiny", crate::scenes::shiny),
+    ("doll", || crate::scenes::doll(3)),
+    ("toasters", || crate::scenes::toasters(57)),
     ("24-cell", || {
-        generate::twenty_four_cell(&TwentyFourCell::default())
+        crate::scenes::twenty_four_cell(&TwentyFourCell::default())
     }),
     ("teapot", || of(generate::teapot())),
     ("knot", || of(generate::torus_knot(&TorusKnot::default()))),
@@ -37,17 +38,17 @@ const GENERATED: [Generated; 13] = [
     ("slivers", || of(generate::slivers(20_000, 1))),
 ];
 
-/// A scene that is ready to be measured.
+/// A scene that is ready for measurement.
 pub struct Subject {
     pub name: String,
     pub scene: Scene,
 }
 
 impl Subject {
-    /// Of a file, or generated, by this name.
+    /// Loads or generates the scene of this name.
     ///
     /// # Errors
-    /// If there is neither, and for what cannot be measured.
+    /// If there is no scene of this name, or if it cannot be measured.
     pub fn new(name: &str, size: [u32; 2]) -> Result<Self> {
         let mut scene = open(name)?;
         scene.mesh.validate().with_context(|| name.to_owned())?;
@@ -71,7 +72,9 @@ fn open(name: &str) -> Result<Scene> {
         Some((_, generate)) => Ok(generate()),
         None => {
             let names = GENERATED.map(|(name, _)| name).join(", ");
-            bail!("there is neither a file {name:?} nor a scene of that name: {names}")
+            bail!(
+                "there is neither a file {name:?} nor a generated scene of that name; those are {names}"
+            )
         }
     }
 }

@@ -40,7 +40,7 @@ fn report() -> Report {
     )
 }
 
-/// The page is XML, its pictures are in it, and nothing is loaded from anywhere.
+/// The page is XML, embeds its pictures, and loads nothing.
 #[test]
 fn the_page_is_whole_and_alone() {
     let report = report();
@@ -81,12 +81,12 @@ fn the_page_is_whole_and_alone() {
         let mut texts = std::iter::once(html.split("base64,").next().unwrap()).chain(found.skip(1));
         assert!(texts.all(|text| !text.contains(part)), "{part}");
     }
-    // What others named is text.
+    // Text from outside is escaped.
     assert!(html.contains("a &lt;machine&gt; &amp; &quot;its&quot; cores"));
     assert_eq!(escaped("<a&\"\n>"), "&lt;a&amp;&quot; &gt;");
 }
 
-/// The same rows in both tables, with numbers in them.
+/// Both tables have the same rows, with equal numbers.
 #[test]
 fn tables_have_the_same_rows() {
     let report = report();
@@ -115,7 +115,7 @@ fn tables_have_the_same_rows() {
     }
 }
 
-/// What must be the same is, what may not be is not, and bytes are what codecs take.
+/// Lossless setups change no pixel, lossy ones do, and trees take the bytes of their codecs.
 #[test]
 fn setups_are_what_they_are_called() {
     let report = report();
@@ -150,7 +150,7 @@ fn setups_are_what_they_are_called() {
     assert!(coarse.vertex_moved_rms < coarse.vertex_moved_most);
     assert!(coarse.image_rmse > 0.0 && coarse.ssim < 1.0);
     assert_eq!(of("refit").update, "refit");
-    // Refitted from a twisted scene, its boxes are as loose as the order is old.
+    // A refitted tree keeps the order of the untwisted scene, so that its boxes are no tighter.
     assert!(of("refit").sah_cost >= usual.sah_cost * 0.999);
     assert!(usual.peak_bytes > usual.resident_bytes);
     assert!(
@@ -161,7 +161,7 @@ fn setups_are_what_they_are_called() {
     );
 }
 
-/// Where there is next to nothing to measure, nothing is said that is not a number.
+/// With next to nothing to measure, the report holds no NaN and no infinity.
 #[test]
 fn one_triangle_that_nobody_sees() {
     let mut scene = Scene {
@@ -192,7 +192,7 @@ fn one_triangle_that_nobody_sees() {
     assert!(!json.contains("null"), "{json}");
 }
 
-/// The paper10 codec goes with codes of either length, though these put triangles in another order.
+/// Moves of 10-bit corners are measured with codes of either length, which put triangles in different orders.
 #[test]
 fn corners_of_ten_bits_are_compared_in_any_order() {
     let subject = Subject::new("shiny", TINY.size).unwrap();
@@ -218,7 +218,7 @@ fn corners_of_ten_bits_are_compared_in_any_order() {
     );
 }
 
-/// A GPU, any. Without one the test is skipped, loudly, unless `REQUIRE_GPU` forbids it.
+/// Any GPU. Without one the test is skipped with a notice, or fails under `REQUIRE_GPU`.
 #[cfg(feature = "gpu")]
 fn any_gpu() -> Option<slimbvh::gpu::Gpu> {
     use slimbvh::gpu::{AdapterChoice, Gpu, adapters};
@@ -231,7 +231,7 @@ fn any_gpu() -> Option<slimbvh::gpu::Gpu> {
     Some(Gpu::open(&AdapterChoice::Named(adapter.name)).unwrap())
 }
 
-/// On a GPU there are those that it has kernels for, and they keep their promises there, too.
+/// On a GPU those setups are measured that it has kernels for, and lossless ones change no pixel.
 #[cfg(feature = "gpu")]
 #[test]
 fn setups_on_a_gpu() {

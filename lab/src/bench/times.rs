@@ -3,25 +3,25 @@
 use serde::Serialize;
 use slimbvh::Stages;
 
-/// Milliseconds.
+/// Milliseconds of each part.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Times {
-    /// What may be left out: a survey of the surfaces where that may pay, and the decision.
+    /// Planning the reduction: a survey of the surfaces where it may pay, and the decision.
     pub plan: f64,
-    /// All stages of the build but the next.
+    /// All stages of the build except encoding.
     pub build: f64,
-    /// Nodes and triangles in codecs; on cores also the boxes of trees in codecs.
+    /// Encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
     pub encode: f64,
-    /// From samples to rays, and what these hit.
+    /// From samples to the rays from the eye and their hits.
     pub primary: f64,
     pub shadow: f64,
-    /// From mirrors and through glass.
+    /// Rays from mirrors and through glass.
     pub reflection: f64,
-    /// Shading, and from samples to pixels.
+    /// Shading, and resolving samples to pixels.
     pub rest: f64,
 }
 
-/// A picture with the default, and the same with another setup.
+/// The times of a picture with the default, and of the same with another setup.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Round {
     pub usual: Times,
@@ -40,7 +40,7 @@ impl Times {
         "rest",
     ];
 
-    /// Sorts out stages. What has no other place counts as primary.
+    /// Sums the stages by part. Every stage without a part of its own counts as primary.
     pub fn new(plan: f64, build: &Stages, render: &Stages) -> Self {
         let mut times = Self {
             plan,
@@ -74,17 +74,17 @@ impl Times {
         ]
     }
 
-    /// The whole picture, from the mesh on.
+    /// The whole picture, from the mesh.
     pub fn frame(&self) -> f64 {
         self.parts().iter().sum()
     }
 
-    /// The same where what may be left out is known.
+    /// The picture without planning, as for a mesh whose plan is known.
     pub fn planned(&self) -> f64 {
         self.frame() - self.plan
     }
 
-    /// All that traces.
+    /// All tracing.
     pub fn trace(&self) -> f64 {
         self.primary + self.shadow + self.reflection
     }

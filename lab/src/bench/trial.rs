@@ -1,4 +1,4 @@
-//! What builds and renders while it is timed.
+//! A setup under measurement: frames on a backend, with their times.
 
 use super::prepared::Prepared;
 use super::setup::{Setup, Update};
@@ -12,12 +12,12 @@ use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::storage::mesh_bytes;
 use std::time::Instant;
 
-/// A setup on a backend, with the threads that it asks for.
+/// A setup on a backend, with the setup's number of threads.
 pub struct Trial<'a, B: Backend> {
     prepared: &'a Prepared<'a>,
     pool: ThreadPool,
     frames: Frames<B>,
-    /// The last one.
+    /// The last picture.
     pub picture: Picture,
 }
 
@@ -26,7 +26,7 @@ where
     Frames<B>: Send,
 {
     /// # Errors
-    /// If there can be no such threads.
+    /// If the threads cannot be started.
     pub fn new(backend: B, prepared: &'a Prepared) -> Result<Self> {
         let threads = ThreadPoolBuilder::new().num_threads(prepared.setup.threads);
         let config = FrameConfig {
@@ -45,7 +45,7 @@ where
         })
     }
 
-    /// Makes a picture, from the mesh on. A GPU is given the scene without being timed.
+    /// Makes a picture, from the mesh. Uploading the scene to a GPU is not timed.
     pub fn frame(&mut self) -> Result<Times> {
         let Self {
             prepared,
@@ -56,8 +56,7 @@ where
         pool.install(|| frame(prepared, frames, picture))
     }
 
-    /// Bytes of all memory that was needed for it, the mesh included. Lists and buffers only grow, so that this is the most there
-    /// ever was.
+    /// Bytes of all memory for the picture, the mesh included. Lists and buffers only grow, so that this is the peak.
     pub fn peak_bytes(&self) -> usize {
         mesh_bytes(&self.prepared.scene.mesh) + self.frames.held_bytes()
     }
@@ -93,7 +92,7 @@ fn frame<B: Backend>(
     Ok(Times::new(plan_ms, &report.build, &report.render.stages))
 }
 
-/// Whether what was chosen has this setup.
+/// Whether the chosen backend supports this setup.
 pub fn has(chosen: &Chosen, setup: &Setup, usual: &Setup) -> bool {
     matches!(chosen, Chosen::Cpu) || setup.is_comparable(usual) && setup.has_kernels()
 }

@@ -1,4 +1,4 @@
-//! What the rays of a picture touch in a tree: the same on every machine.
+//! Counts of the nodes and triangles that the rays of a picture touch in a tree. They are the same on every machine.
 
 use super::paths::{Kind, Paths, Seen};
 use super::walks::Walks;
@@ -11,24 +11,24 @@ use slimbvh::{Ray, RenderSettings, Scene};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
     pub rays: u64,
-    /// Inner nodes opened, two boxes each.
+    /// Opened inner nodes, with two boxes each.
     pub nodes: u64,
-    /// Triangles tested.
+    /// Tested triangles.
     pub triangles: u64,
-    /// Bytes of the nodes that were opened.
+    /// Bytes of the opened nodes.
     pub node_bytes: u64,
-    /// Bytes of the triangles that were tested.
+    /// Bytes of the tested triangles.
     pub triangle_bytes: u64,
 }
 
-/// Of the rays of a picture.
+/// The sums over the rays of a picture, by kind.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Counts {
     pub eye: Tally,
     pub shadow: Tally,
-    /// From mirrors and glass.
+    /// Rays from mirrors and glass.
     pub secondary: Tally,
-    /// What each sample sees first.
+    /// The first hit of each sample.
     #[serde(skip)]
     pub seen: Vec<Seen>,
 }
@@ -44,17 +44,17 @@ impl Tally {
         }
     }
 
-    /// Two boxes a node, a ray.
+    /// Box tests per ray, two per opened node.
     pub fn box_tests(&self) -> f64 {
         self.mean(2 * self.nodes)
     }
 
-    /// A ray.
+    /// Triangle tests per ray.
     pub fn triangle_tests(&self) -> f64 {
         self.mean(self.triangles)
     }
 
-    /// Bytes of nodes and triangles, a ray.
+    /// Bytes of nodes and triangles per ray.
     pub fn bytes_read(&self) -> f64 {
         self.mean(self.node_bytes + self.triangle_bytes)
     }
@@ -78,7 +78,7 @@ impl Counts {
         }
     }
 
-    /// No triangle takes less than a narrow one or more than a wide one.
+    /// Checks that the tested triangles take 16 to 40 bytes each.
     fn check(&self) -> Result<()> {
         let Tally {
             triangles,
@@ -104,10 +104,10 @@ impl Counts {
     }
 }
 
-/// Samples that a task takes at once.
+/// Samples per task.
 const BLOCK: u32 = 512;
 
-/// Follows all paths of a picture through its trees.
+/// Follows all paths of a picture through its trees, and counts what they touch.
 pub fn count(scene: &Scene, walks: &Walks, settings: &RenderSettings) -> Result<Counts> {
     let paths = Paths::new(scene, walks.exponent(), settings)?;
     let [width, height] = settings.size;

@@ -1,9 +1,9 @@
-//! Powers that costs grow by, and over which meshes.
+//! Exponents of growth, and the terrains that they are measured on.
 
-/// Cells along a side of a terrain of about 1,000 triangles, √10 times as many, and so on to 10 million: 2 · cells² each.
+/// Cells along a side of the terrains, whose 2 · cells² triangles grow from about 1,000 to 10 million by √10 each.
 pub const CELLS: [u32; 9] = [22, 40, 71, 126, 224, 398, 707, 1265, 2236];
 
-/// The slope of the line that fits the logarithms of pairs above 0 best, by least squares; none for fewer than two amounts.
+/// The slope of the least squares line through the logarithms of the pairs above 0; `None` for fewer than two amounts.
 #[must_use]
 pub fn exponent(pairs: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
     let above = pairs.filter(|[x, y]| *x > 0.0 && *y > 0.0);
@@ -31,7 +31,7 @@ mod tests {
             let found = exponent(power(expected).into_iter()).unwrap();
             assert!((found - expected).abs() < 1e-12, "{found}");
         }
-        // By hand: (0, 0), (1, 1), (2, 3) in logarithms has 3/2.
+        // By hand: the logarithms (0, 0), (1, 1), (2, 3) have the slope 3/2.
         let [e, e2] = [1.0f64, 2.0].map(f64::exp);
         let found = exponent([[1.0, 1.0], [e, e], [e2, 3f64.exp()]].into_iter()).unwrap();
         assert!((found - 1.5).abs() < 1e-12);

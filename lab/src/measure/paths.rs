@@ -1,4 +1,4 @@
-//! The rays of a picture, as the renderer sends them: from the eye, to lights, and on from mirrors and glass.
+//! The rays of a picture, as the renderer traces them: from the eye, to lights, and from mirrors and glass.
 
 use anyhow::{Context, Result};
 use slimbvh::{Hit, Ray, RenderSettings, Scene};
@@ -10,26 +10,26 @@ use slimbvh_core::shade::{Light, Material, Path, direct_light};
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
 
-/// What a ray is for.
+/// The kind of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     Eye,
-    /// To the light of this number.
+    /// To the light with this number.
     Shadow(usize),
     /// From a mirror or out of glass.
     Secondary,
 }
 
-/// What a sample sees first.
+/// The first hit of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
-    /// [`NO_PRIMITIVE`] for nothing.
+    /// [`NO_PRIMITIVE`] for a miss.
     pub primitive: u32,
-    /// From where the ray starts, in the scene's unit.
+    /// The distance from the origin of the ray, in the scene's unit.
     pub distance: f32,
 }
 
-/// All that paths are made from, in the scene's magnitude.
+/// The inputs of all paths, scaled to the scene's magnitude.
 pub struct Paths<'a> {
     scene: &'a Scene,
     scale: PowerOfTwo,
@@ -37,7 +37,7 @@ pub struct Paths<'a> {
     lights: Vec<Light>,
     materials: Vec<Material>,
     depth: u32,
-    /// The scene's unit, in its magnitude's.
+    /// The length of a scaled unit in the scene's unit.
     unit: f32,
 }
 
@@ -53,7 +53,7 @@ impl Seen {
 }
 
 impl<'a> Paths<'a> {
-    /// Of a scene whose tree has this exponent.
+    /// The paths of a scene whose tree has this exponent.
     pub fn new(scene: &'a Scene, exponent: i32, settings: &RenderSettings) -> Result<Self> {
         let scale = PowerOfTwo::new(exponent);
         let camera = scene.cameras.first().context("the scene has no camera")?;
@@ -71,7 +71,7 @@ impl<'a> Paths<'a> {
         })
     }
 
-    /// Follows a sample, and asks what each of its rays meets, but for the triangle that it starts on. What the first met.
+    /// Follows a sample, and returns its first hit. `meet` returns the hit of a ray, skipping the triangle where it starts.
     pub fn follow(&self, sample: u32, mut meet: impl FnMut(Kind, &Ray, u32) -> Hit) -> Seen {
         let mut path = Path::new(self.camera.ray(sample), sample);
         let mut seen = Seen::NOTHING;
@@ -112,7 +112,7 @@ impl<'a> Paths<'a> {
         seen
     }
 
-    /// The point that a path hit, and what it is made of.
+    /// The surface and the material that a path hit.
     fn surface(&self, path: &Path, hit: &Hit) -> (Surface, Material) {
         let mesh = &self.scene.mesh;
         let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();

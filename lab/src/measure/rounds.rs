@@ -1,22 +1,22 @@
-//! The same measured again and again.
+//! Repeated measurements.
 
 pub use slimbvh_cli::median;
 
 use serde::Serialize;
 
-/// What was measured in each round. What is compared is measured in turn within each round, so that what slows the machine
-/// for a while slows all of it.
+/// The measurements of each round. Everything to be compared is measured within each round, so that a slowdown of the
+/// machine affects all of it.
 #[derive(Clone, Debug, Default, Serialize)]
 #[serde(transparent)]
 pub struct Rounds<T>(pub Vec<T>);
 
 impl<T> Rounds<T> {
-    /// The middle one, or the mean of the two in the middle; NaN if there are none.
+    /// The median over rounds; NaN without rounds.
     pub fn median(&self, of: impl Fn(&T) -> f64) -> f64 {
         median(&mut self.0.iter().map(of).collect::<Vec<_>>())
     }
 
-    /// From the least to the most, as a share of the median.
+    /// Maximum minus minimum, as a share of the median.
     pub fn spread(&self, of: impl Fn(&T) -> f64) -> f64 {
         let mut values: Vec<f64> = self.0.iter().map(of).collect();
         let least = values.iter().copied().fold(f64::INFINITY, f64::min);
@@ -24,7 +24,7 @@ impl<T> Rounds<T> {
         (most - least) / median(&mut values)
     }
 
-    /// The median over rounds of how many times as much this is as others of the same rounds.
+    /// The median over rounds of the ratio to another measurement of the same round.
     pub fn ratio<U>(
         &self,
         of: impl Fn(&T) -> f64,

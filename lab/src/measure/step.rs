@@ -1,17 +1,17 @@
-//! How coarse a lattice is.
+//! Steps of lattices.
 
 use slimbvh::{RenderSettings, Scene, Tolerance, View};
 
-/// A lattice's step.
+/// The step of a lattice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Step {
     /// As fine as floats are.
     Finest,
-    /// So that no vertex moves by more than so many pixels.
+    /// No vertex moves by more than this many pixels.
     Pixels(f32),
 }
 
-/// The picture whose pixels tolerances are of, whatever is rendered.
+/// The picture whose pixels tolerances refer to, whatever picture is rendered.
 pub const PIXELS: RenderSettings = RenderSettings {
     size: [1280, 720],
     sample_count: 1,
@@ -21,7 +21,7 @@ pub const PIXELS: RenderSettings = RenderSettings {
 };
 
 impl Step {
-    /// Its exponent for a scene, whose pixels are those of a picture with these settings.
+    /// The step's exponent for a scene. Pixels are those of a picture with these settings.
     pub fn exponent(self, scene: &Scene, settings: &RenderSettings) -> i32 {
         let finest = scene.mesh.finest_step();
         match self {

@@ -1,23 +1,23 @@
-//! Tables for people and for files.
+//! Tables as text and as Markdown.
 
 use std::fmt::Write;
 
-/// A table with what must be known to read it.
+/// A table, with the notes needed to read it.
 pub struct Table {
     pub title: String,
-    /// Before the table.
+    /// Paragraphs before the table.
     pub notes: Vec<String>,
-    /// The first columns are words, the others figures.
+    /// The number of columns with words, which come first; the others hold figures.
     pub word_columns: usize,
     pub head: Vec<&'static str>,
     pub rows: Vec<Vec<String>>,
 }
 
-/// Columns of text for a terminal.
+/// The width of a line of text in characters.
 const LINE_WIDTH: usize = 100;
 
 impl Table {
-    /// For a terminal.
+    /// The table as text.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n", self.title);
         for note in &self.notes {
@@ -51,7 +51,7 @@ impl Table {
         text
     }
 
-    /// For a Markdown file.
+    /// The table as Markdown.
     pub fn markdown(&self) -> String {
         let mut text = format!("## {}\n\n", self.title);
         for note in &self.notes {
@@ -70,7 +70,7 @@ impl Table {
     }
 }
 
-/// Breaks a paragraph into lines.
+/// Appends a paragraph, broken into lines.
 pub fn wrap(text: &mut String, paragraph: &str, width: usize) {
     let mut length = 0;
     for word in paragraph.split_whitespace() {

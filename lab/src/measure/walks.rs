@@ -1,4 +1,4 @@
-//! Trees that count what rays touch in them.
+//! Trees whose traversal counts the nodes and triangles that rays touch.
 
 use super::counts::Tally;
 use super::paths::Kind;
@@ -16,7 +16,7 @@ use slimbvh_core::trace::{
 use std::borrow::Cow;
 use std::cell::Cell;
 
-/// The trees of a picture, each for its rays.
+/// The trees of a picture, by kind of ray.
 pub struct Walks<'a> {
     stored: Vec<Stored<'a>>,
     eye: Course<'a>,
@@ -24,29 +24,29 @@ pub struct Walks<'a> {
     secondary: Option<Course<'a>>,
 }
 
-/// Where rays of one kind go.
+/// The tree that rays of one kind traverse.
 #[derive(Clone, Copy)]
 struct Course<'a> {
-    /// Among those stored.
+    /// The index in `stored`.
     place: usize,
-    /// With the target in the scene's magnitude.
+    /// The tree's filter of hits, with the target scaled to the scene's magnitude.
     rule: Option<(Sides<'a>, Target)>,
 }
 
-/// A tree, and how many bytes there are to read.
+/// A tree, and the bytes of its records.
 struct Stored<'a> {
     bvh: &'a Bvh,
-    /// Out of its codec, where that is walked too.
+    /// The decoded tree, if it is traversed too.
     decoded: Option<Cow<'a, Bvh>>,
     node_bytes: u64,
     records: Records,
 }
 
-/// How triangles are stored.
+/// The bytes of triangles.
 enum Records {
-    /// All in as many bytes.
+    /// All triangles take this many bytes.
     Even(u64),
-    /// Each leaf's in as many as it needs: bytes by place.
+    /// Each leaf has a size of its own: the bytes of each triangle, by its index in the leaves.
     ByLeaf(Vec<u8>),
 }
 
@@ -58,7 +58,7 @@ pub struct Walk<'a> {
 
 impl<'a> Walks<'a> {
     /// # Errors
-    /// If a tree's triangles do not take as many bytes as their leaves say.
+    /// If a tree's triangles do not take the bytes that follow from their leaves.
     pub fn new(trees: &Trees<'a>) -> Result<Self> {
         let mut stored: Vec<Stored<'a>> = Vec::new();
         let mut course = |tree: &Tree<'a>| -> Result<Course<'a>> {
@@ -113,7 +113,7 @@ impl<'a> Walks<'a> {
 }
 
 impl Walk<'_> {
-    /// Traces a ray, but for a triangle, and counts.
+    /// Traces a ray, skipping one triangle, and counts.
     pub fn meet(&self, kind: Kind, ray: &Ray, skip: u32) -> (Tally, Hit) {
         let ray = PreparedRay::new(ray, 0);
         let new = || match kind {
@@ -121,7 +121,7 @@ impl Walk<'_> {
             Kind::Eye | Kind::Secondary => Counted::new(ClosestOrAny::closest(ray.t_max)),
         };
         let mut found = new();
-        // As it is stored, where all triangles count; else, and where leaves differ, out of its codec.
+        // Traverse the stored tree if all triangles count. Otherwise, or if leaves differ in size, traverse the decoded one.
         let mut read = None;
         match &self.rule {
             None => {
@@ -170,7 +170,7 @@ impl<'a> Stored<'a> {
         Ok(stored)
     }
 
-    /// The tree out of its codec.
+    /// Decodes the tree, once.
     fn decode(&mut self) -> &Bvh {
         let bvh = self.bvh;
         self.decoded.get_or_insert_with(|| match bvh.codecs() {
@@ -179,7 +179,7 @@ impl<'a> Stored<'a> {
         })
     }
 
-    /// Walks the tree out of its codec, and sums up the bytes of triangles where leaves differ.
+    /// Traverses the decoded tree, and sums the bytes of triangles if leaves differ in size.
     fn traverse(
         &self,
         ray: &PreparedRay,
@@ -200,7 +200,7 @@ impl<'a> Stored<'a> {
     }
 }
 
-/// What each leaf's triangles take follows from its box.
+/// The bytes of each leaf's triangles, which follow from its box.
 fn leaf_bytes(decoded: &Bvh, step_exponent: i32, stored: usize) -> Result<Records> {
     let mut bytes = vec![0; decoded.triangle_count()];
     for node in decoded.nodes() {
@@ -217,7 +217,7 @@ fn leaf_bytes(decoded: &Bvh, step_exponent: i32, stored: usize) -> Result<Record
     Ok(Records::ByLeaf(bytes))
 }
 
-/// Triangles that sum up what is read of them.
+/// Triangles that sum the bytes read from them.
 struct Metered<'a> {
     triangles: LeafTriangles<'a>,
     bytes: &'a [u8],

@@ -1,4 +1,4 @@
-//! Distances in space, of points of `f32` magnitude.
+//! Distances between points, segments and triangles of `f32` magnitude.
 
 use slimbvh::internals::{cross, dot};
 
@@ -17,7 +17,7 @@ pub fn minus(a: Point, b: Point) -> Point {
     plus(a, b, -1.0)
 }
 
-/// How long a vector is.
+/// The length of a vector.
 #[must_use]
 pub fn length(v: Point) -> f64 {
     dot(v, v).sqrt()
@@ -36,7 +36,7 @@ pub fn between([p, p_end]: [Point; 2], [q, q_end]: [Point; 2]) -> f64 {
             0.0
         }
     };
-    // Along the first as if the second were a line; then along each as far as the other allows.
+    // Find the point of the first segment nearest to the line of the second, then clamp along each segment in turn.
     let s = share(uv * vw - uw * vv, uu * vv - uv * uv);
     let t = share(uv * s + vw, vv);
     let s = share(uv * t - uw, uu);
@@ -81,13 +81,13 @@ fn passes([from, to]: [Point; 2], corners: [Point; 3]) -> bool {
     heights[0].signum() != heights[1].signum() && is_one_sign
 }
 
-/// The three sides.
+/// The three sides of a triangle.
 #[must_use]
 pub fn sides([a, b, c]: [Point; 3]) -> [[Point; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// Across a triangle, twice as long as it is large.
+/// The normal of a triangle, whose length is twice the area.
 #[must_use]
 pub fn normal([a, b, c]: [Point; 3]) -> Point {
     cross(minus(b, a), minus(c, a))

@@ -1,10 +1,10 @@
-//! Numbers without rounding.
+//! Arithmetic without rounding.
 
 use std::cmp::Ordering;
 
 /// A number as a sum of doubles that do not overlap, smallest first (Shewchuk 1997, "Adaptive Precision Floating-Point
-/// Arithmetic and Fast Robust Geometric Predicates", section 2). Exact as long as no part underflows or overflows: for
-/// products of up to six numbers below 2^160 that are multiples of 2^-160, which all `f32` and their differences are.
+/// Arithmetic and Fast Robust Geometric Predicates", section 2). It is exact unless a part underflows or overflows. None
+/// does for products of up to six numbers below 2^160 that are multiples of 2^-160, as all `f32` and their differences are.
 #[derive(Clone, Debug, Default)]
 pub struct ExactSum(Vec<f64>);
 
@@ -61,7 +61,7 @@ impl ExactSum {
         product
     }
 
-    /// −1, 0 or 1: the sign of the largest part, as the others together cannot outweigh it.
+    /// −1, 0 or 1: the sign of the largest part, which the others together cannot outweigh.
     #[must_use]
     pub fn sign(&self) -> i32 {
         match self.0.last() {
@@ -77,14 +77,14 @@ impl ExactSum {
         self.clone().minus(other).sign().cmp(&0)
     }
 
-    /// The nearest double, or one beside it.
+    /// The nearest double, or a neighbour of it.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.0.iter().sum()
     }
 }
 
-/// `a + b` rounded, and what the rounding left out (Knuth).
+/// `a + b` rounded, and the rounding error (Knuth).
 fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let b_share = sum - a;
@@ -92,7 +92,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - a_share) + (b - b_share))
 }
 
-/// `a * b` rounded, and what the rounding left out.
+/// `a * b` rounded, and the rounding error.
 fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     (product, a.mul_add(b, -product))

@@ -1,7 +1,7 @@
-//! What rays meet, without rounding: the judge of every tracer.
+//! Exact intersection of rays and triangles, by which every tracer is judged.
 //!
-//! [`Unculled`] asks all triangles, in doubles where these leave no doubt and in sums of doubles that lose nothing else.
-//! Every finite `f32` will do. [`distance`] is in doubles, 2^29 times as fine as what it is compared with.
+//! [`Unculled`] tests all triangles: in doubles where their result is certain, else in exact sums of doubles. It accepts
+//! every finite `f32`. [`distance`] computes in doubles, 2^29 times as fine as the numbers that it judges.
 
 pub mod distance;
 mod exact_sum;

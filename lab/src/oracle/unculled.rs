@@ -1,19 +1,19 @@
-//! Rays against all triangles, decided exactly: no tree, no side that does not count, no rounding.
+//! Rays against all triangles, decided exactly: without a tree, without culling, without rounding.
 //!
-//! Where doubles leave no doubt they decide; else the same expressions are computed as [`ExactSum`]s. Boxes of runs of
-//! triangles only skip what no exact test could hit.
+//! Doubles decide where their result is certain. Otherwise the same expressions are computed as [`ExactSum`]s. The boxes of
+//! runs of triangles skip only triangles that no exact test could hit.
 
 use super::exact_sum::ExactSum;
 use slimbvh_core::Ray;
 use std::cmp::Ordering;
 
-/// Triangles whose box is tested together.
+/// The number of triangles per box.
 const RUN: usize = 32;
 
-/// Where doubles cannot tell t to this share of it, it is computed exactly.
+/// If doubles do not yield t with this relative precision, it is computed exactly.
 const T_SHARE: f64 = 1e-10;
 
-/// A number, and how far it may be from the exact one.
+/// A number, and a bound of its error.
 #[derive(Clone, Copy, Debug)]
 struct Estimate {
     value: f64,
@@ -23,13 +23,13 @@ struct Estimate {
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing {
-    /// The caller's index.
+    /// The index of the triangle.
     pub primitive: u32,
-    /// In units of the direction, off by no more than 10^-10 of it.
+    /// In units of the direction, with a relative error of at most 10^-10.
     pub t: f64,
-    /// The exact t is no farther away than this.
+    /// A bound of the error of `t`.
     t_error: f64,
-    /// What t follows from.
+    /// The ray and the triangle that determine t.
     ray: Ray,
     corners: [[f32; 3]; 3],
 }
@@ -38,12 +38,12 @@ pub struct Crossing {
 #[derive(Clone, Debug)]
 pub struct Unculled {
     triangles: Vec<[[f32; 3]; 3]>,
-    /// Least and largest coordinates of each run.
+    /// The minimum and the maximum of each run.
     boxes: Vec<[[f64; 3]; 2]>,
 }
 
 impl Unculled {
-    /// Triangles with finite corners.
+    /// The triangles must have finite corners.
     #[must_use]
     pub fn new(triangles: Vec<[[f32; 3]; 3]>) -> Self {
         let bounds = |run: &[[[f32; 3]; 3]]| {
@@ -73,15 +73,15 @@ impl Unculled {
         &self.triangles
     }
 
-    /// How many there are.
+    /// The number of triangles.
     #[must_use]
     pub fn count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// All triangles but one that a ray meets in its range, in the order of (t, index). Edges and corners belong to a
-    /// triangle, both ends to the range; a triangle that is seen from its own plane is never met. The ray must be finite;
-    /// a `t_max` of `f32::MAX` or infinity is no limit.
+    /// The triangles that a ray meets in its range, except `skip`, in the order of (t, index). Edges and corners belong to a
+    /// triangle, and both ends to the range. A ray in the plane of a triangle never meets it. The ray must be finite; a
+    /// `t_max` of `f32::MAX` or infinity is no limit.
     #[must_use]
     pub fn crossings(&self, ray: &Ray, skip: u32) -> Vec<Crossing> {
         let mut crossings = Vec::new();
@@ -101,14 +101,14 @@ impl Unculled {
         crossings
     }
 
-    /// Whether a ray meets a triangle's front (1) or back (−1), wherever it passes; 0 where it runs in its plane.
+    /// Whether a ray faces a triangle's front (1) or back (−1), even if it misses; 0 if it is parallel to the triangle.
     #[must_use]
     pub fn facing(&self, ray: &Ray, primitive: u32) -> i32 {
         let [x, y, z] = exact_volumes(ray, &self.triangle(primitive));
         -x.plus(&y).plus(&z).sign()
     }
 
-    /// Whether a ray meets anything in its range, as [`Self::crossings`] says: the answer to a shadow ray.
+    /// Whether a ray meets a triangle in its range, as in [`Self::crossings`]: the answer to a shadow ray.
     #[must_use]
     pub fn is_met(&self, ray: &Ray) -> bool {
         !self.crossings(ray, u32::MAX).is_empty()
@@ -116,14 +116,14 @@ impl Unculled {
 }
 
 impl Crossing {
-    /// By t, then by index.
+    /// Orders by t, then by index.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
         self.compare_t(other)
             .then(self.primitive.cmp(&other.primitive))
     }
 
-    /// By t, exactly.
+    /// Orders by t, exactly.
     #[must_use]
     pub fn compare_t(&self, other: &Self) -> Ordering {
         if (self.t - other.t).abs() > 2.0 * (self.t_error + other.t_error) {
@@ -135,7 +135,7 @@ impl Crossing {
     }
 }
 
-/// The ray against one triangle.
+/// Intersects a ray with one triangle.
 fn cross(ray: &Ray, corners: &[[f32; 3]; 3], primitive: u32) -> Option<Crossing> {
     let origin = ray.origin.map(f64::from);
     let direction = ray.direction.map(f64::from);
@@ -160,7 +160,7 @@ fn cross(ray: &Ray, corners: &[[f32; 3]; 3], primitive: u32) -> Option<Crossing>
         corners: *corners,
     };
 
-    // t = n · a / n · d, with the normal from the sides: as exact as the triangle is, however far the ray comes from.
+    // t = n · a / n · d, with the normal from the sides: the error does not grow with the distance of the origin.
     let [e, f] = [1, 2]
         .map(|i| [0, 1, 2].map(|axis| f64::from(corners[i][axis]) - f64::from(corners[0][axis])));
     let (over, under) = (volume(a, e, f), volume(direction, e, f));
@@ -195,7 +195,7 @@ fn cross(ray: &Ray, corners: &[[f32; 3]; 3], primitive: u32) -> Option<Crossing>
     Some(hit(t, 4.0 * f64::EPSILON * t.abs()))
 }
 
-/// The least and the largest t that count.
+/// The minimum and the maximum of t.
 fn limits(ray: &Ray) -> [f64; 2] {
     let is_limit = ray.t_max < f32::MAX;
     let high = if is_limit {
@@ -206,7 +206,7 @@ fn limits(ray: &Ray) -> [f64; 2] {
     [ray.t_min.into(), high]
 }
 
-/// `u · (v × w)`. At most ten roundings in a row, differences included.
+/// `u · (v × w)`, with at most ten roundings in sequence, differences included.
 fn volume(u: [f64; 3], v: [f64; 3], w: [f64; 3]) -> Estimate {
     let (mut value, mut magnitude) = (0.0, 0.0);
     for (x, y, z) in AXES {
@@ -230,14 +230,14 @@ fn exact_corners(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactVector; 3] {
     })
 }
 
-/// See [`volume`].
+/// [`volume`] without rounding.
 fn exact_volume(u: &ExactVector, v: &ExactVector, w: &ExactVector) -> ExactSum {
     let parts = AXES.map(|(x, y, z)| u[x].times(&v[y].times(&w[z]).minus(&v[z].times(&w[y]))));
     let [x, y, z] = parts;
     x.plus(&y).plus(&z)
 }
 
-/// The volumes that the direction spans with each edge.
+/// The volumes that the direction spans with each edge, without rounding.
 fn exact_volumes(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 3] {
     let [a, b, c] = exact_corners(ray, corners);
     let direction = ray
@@ -246,7 +246,7 @@ fn exact_volumes(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 3] {
     [(&b, &c), (&c, &a), (&a, &b)].map(|(v, w)| exact_volume(&direction, v, w))
 }
 
-/// t as a fraction, whose lower part is above 0; the ray must meet the triangle's plane in a point.
+/// t as a fraction with a positive denominator. The ray must meet the triangle's plane in a point.
 fn exact_t(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 2] {
     let [a, b, c] = exact_corners(ray, corners);
     let over = exact_volume(&a, &b, &c);
@@ -260,7 +260,7 @@ fn exact_t(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 2] {
     }
 }
 
-/// False only where the ray certainly misses the box. A few roundings of a double are covered a thousand times over.
+/// False only if the ray certainly misses the box. The slack is a thousand times the error of a few roundings.
 fn may_meet(ray: &Ray, [low, high]: &[[f64; 3]; 2]) -> bool {
     const SLACK: f64 = 1e-12;
     let [mut enter, mut exit] = limits(ray);

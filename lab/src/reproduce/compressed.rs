@@ -38,7 +38,7 @@ pub struct CompressedArguments {
     options: Options<SceneName>,
 }
 
-/// The scenes of the paper, or what comes near them, and one more.
+/// The scenes of the paper or their stand-ins, and one more.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum SceneName {
     Shiny,
@@ -51,7 +51,7 @@ pub fn run(CompressedArguments { options }: &CompressedArguments) -> Result<()> 
     options.run(|chosen| make(options, chosen), Report::sheet)
 }
 
-/// Measures on what was chosen.
+/// Measures on the chosen backend.
 fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
     let protocol = match options.quick {
         true => Protocol::QUICK,
@@ -61,7 +61,7 @@ fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
     Ok(Report::new(options, chosen, protocol, scenes))
 }
 
-/// All scenes that are asked for. One that was not asked for by name is left out where the GPU has no room for it.
+/// Measures all requested scenes. A scene that was not requested by name is left out if the GPU cannot hold it.
 fn measure_all(
     options: &Options<SceneName>,
     chosen: &Chosen,
@@ -76,7 +76,7 @@ fn measure_all(
         match measure(subject, chosen, protocol) {
             Ok(record) => records.push(record),
             Err(error) if options.only.is_empty() && is_too_large(&error) => {
-                let why = format!("{error:#}");
+                let why = output::sentence(&error);
                 left_out.push(LeftOut { scene, why });
             }
             Err(error) => return Err(error),

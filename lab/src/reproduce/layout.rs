@@ -1,4 +1,4 @@
-//! Which trees a picture is made with.
+//! The trees that a picture is traced through.
 
 use super::aim::Aim;
 use super::steps::Steps;
@@ -8,28 +8,28 @@ use anyhow::Result;
 use serde::Serialize;
 use slimbvh::{Backend, RenderSettings};
 
-/// How triangles get in order.
+/// How triangles are sorted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Sorting {
-    /// All of them once, for all trees.
+    /// All triangles once, for all trees.
     Once,
-    /// Those of each set by themselves.
+    /// The triangles of each set by themselves.
     Each,
 }
 
-/// What the rays of a picture are traced through. None stands for the whole tree, where all triangles count.
+/// The trees for the rays of a picture. `None` is the whole tree, in which all triangles count.
 #[derive(Clone, Debug)]
 pub struct Layout {
     pub camera: Option<Aim>,
     /// Trees for shadow rays.
     pub shadows: Vec<Option<Aim>>,
-    /// For each light the tree that it uses, of those.
+    /// For each light, the index of its tree in `shadows`.
     pub lights: Vec<usize>,
     pub sorting: Sorting,
 }
 
-/// Where a whole tree is built, and where the trees of sets begin.
+/// The places of the whole tree, of the camera's tree, and of the first tree for shadow rays.
 const WHOLE: usize = 0;
 const CAMERA: usize = 1;
 const SHADOWS: usize = 2;
@@ -45,7 +45,7 @@ impl Layout {
         }
     }
 
-    /// A set for the camera and one for each light.
+    /// A set for the camera, and one for each light.
     pub fn sets(camera: &Aim, lights: &[Aim], sorting: Sorting) -> Self {
         Self {
             camera: Some(camera.clone()),
@@ -55,7 +55,7 @@ impl Layout {
         }
     }
 
-    /// Builds and renders.
+    /// Builds the trees and renders a picture.
     fn picture<B: Backend>(
         &self,
         steps: &mut Steps<B>,
@@ -72,7 +72,7 @@ impl Layout {
                 (_, set) => steps.build(place, set)?,
             }))
         };
-        // The whole tree first, as long as the order is that of all triangles.
+        // The whole tree comes first, while the order is that of all triangles.
         if is_any_whole {
             let whole = build(WHOLE, None)?;
             let to = if self.camera.is_none() {
@@ -100,7 +100,7 @@ impl Layout {
     }
 }
 
-/// Makes pictures with each layout in turn, round by round; `warm_ups` rounds before do not count.
+/// Alternates pictures with each layout, round by round. The first `warm_ups` rounds are not counted.
 pub fn take_turns<B: Backend>(
     steps: &mut Steps<B>,
     layouts: &[&Layout],

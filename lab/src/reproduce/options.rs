@@ -1,4 +1,4 @@
-//! The options of either paper, and what follows from them.
+//! The options of both papers.
 
 use super::sheet::Sheet;
 use anyhow::{Result, bail};
@@ -11,19 +11,19 @@ use std::path::{Path, PathBuf};
 /// The environment variable that names the folder of scene files.
 const SCENES_VARIABLE: &str = "SLIMBVH_SCENES";
 
-/// What to measure, on what, and where the report goes. `S` are the paper's scenes.
+/// What to measure, on which backend, and where the report goes. `S` are the paper's scenes.
 #[derive(Debug, Args)]
 pub struct Options<S: ValueEnum + Send + Sync + 'static> {
-    /// Half a minute on two cores: small pictures, few repeats, without the largest scene
+    /// Small pictures, few repeats and no largest scene: half a minute on two cores
     #[arg(long)]
     pub quick: bool,
 
-    /// Only these scenes; the papers print no figures of the dragon
+    /// Only these scenes; the papers have no figures of the dragon
     #[arg(long, value_enum, value_name = "NAME", num_args = 1..)]
     pub only: Vec<S>,
 
-    /// Folder with armadillo.off, bunny00.off and dragon.ply; else that which SLIMBVH_SCENES names. A generated mesh stands in for
-    /// a missing one
+    /// Folder with armadillo.off, bunny00.off and dragon.ply; default: the folder in SLIMBVH_SCENES. A generated mesh stands
+    /// in for a missing file
     #[arg(long, value_name = "FOLDER")]
     scenes: Option<PathBuf>,
 
@@ -37,19 +37,19 @@ pub struct Options<S: ValueEnum + Send + Sync + 'static> {
     #[command(flatten)]
     backend: BackendArguments,
 
-    /// Write all that was measured as JSON, to standard output for "-"
+    /// Write all measurements as JSON; "-" is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
-/// A scene's name as the options take it.
+/// The name of a scene on the command line.
 pub fn shown(scene: &impl ValueEnum) -> String {
     let value = scene.to_possible_value();
     value.map_or("scene".into(), |value| value.get_name().to_owned())
 }
 
 impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
-    /// Makes a report on the chosen backend, prints it and writes it. Where `auto` found a GPU that cannot do it, the CPU does.
+    /// Makes a report on the chosen backend, prints it and writes it. If a GPU that `auto` found fails, the CPU takes over.
     pub fn run<R: Serialize + Send>(
         &self,
         make: impl Fn(&Chosen) -> Result<R> + Send,
@@ -71,7 +71,7 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
         }
     }
 
-    /// Refuses, before the work, a folder that is not there and files that have no place to go.
+    /// Checks before the work that the folder exists and that the files can be written.
     fn check_places(&self) -> Result<()> {
         if let Some(folder) = self.scenes.as_deref().filter(|folder| !folder.is_dir()) {
             bail!("there is no folder {:?}", folder.display().to_string());
@@ -106,7 +106,7 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
             .or_else(variable)
     }
 
-    /// The scenes that are asked for, in the order of their declaration; `--quick` leaves out the largest.
+    /// The requested scenes, in the order of their declaration. Without `--only`, `--quick` leaves out the largest.
     pub fn names(&self, largest: &S) -> Vec<S> {
         let all = S::value_variants().iter().cloned();
         let is_wanted = |name: &S| match self.only.is_empty() {
@@ -116,7 +116,7 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
         all.filter(is_wanted).collect()
     }
 
-    /// The command that makes the same report again, without the names of folders and files.
+    /// The command that reproduces the report, without the names of folders and files.
     pub fn command(&self, paper: &str) -> String {
         let mut words = vec![format!("slimbvh-lab reproduce {paper}")];
         if self.quick {
@@ -133,14 +133,17 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
     }
 }
 
-/// Does work on the chosen backend, or on the CPU where nobody asked for the GPU that cannot do it.
+/// Works on the chosen backend, or on the CPU if a GPU that `auto` found cannot do it.
 fn or_on_cpu<R>(chosen: &Chosen, work: impl Fn(&Chosen) -> Result<R>) -> Result<R> {
     let done = work(chosen);
     #[cfg(feature = "gpu")]
     if let (Chosen::GpuIfItFits(_), Err(error)) = (chosen, &done)
         && slimbvh_cli::backend::is_the_gpus_fault(error)
     {
-        output::warn(&format!("{error:#}; the CPU does it"));
+        output::warn(&format!(
+            "{}; using the CPU instead",
+            output::sentence(error)
+        ));
         return work(&Chosen::Cpu);
     }
     done

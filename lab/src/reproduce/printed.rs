@@ -1,20 +1,20 @@
-//! The figures of Wong, Cheng and Lii, "Reduced BVHs for GPU Ray Tracing" (CGIV 2012), as printed: milliseconds on a GTX 480
-//! unless it says otherwise.
+//! The printed figures of Wong, Cheng and Lii, "Reduced BVHs for GPU Ray Tracing" (CGIV 2012): milliseconds on a GTX 480
+//! unless stated otherwise.
 
-/// What is printed of one scene.
+/// The printed figures of one scene.
 pub struct Printed {
     pub triangles: usize,
     /// Table I: triangles of C+, C−, L+, L−.
     pub sizes: [usize; 4],
-    /// Table III: construction over all; division; construction over C+, C−, L+, L−, where it is given.
+    /// Table III: construction over all triangles; division; construction over C+, C−, L+, L− where printed.
     pub all: f64,
     pub division: f64,
     pub sets: [Option<f64>; 4],
     /// Table IV, in µs.
     pub steps: &'static [Steps],
-    /// Tables II and VI: primary rays with a whole tree and a reduced one.
+    /// Tables II and VI: primary rays with the whole tree and with a reduced one.
     pub primary: [f64; 2],
-    /// Primary and shadow rays with a whole tree, then with reduced ones, of 1×1, 4×4 and 16×16 samples a pixel.
+    /// Primary and shadow rays with the whole tree, then with reduced ones, for 1×1, 4×4 and 16×16 samples per pixel.
     pub pictures: [[f64; 3]; 2],
 }
 
@@ -32,7 +32,7 @@ pub struct Steps {
 /// A row of Table V: the armadillo under lights that are near each other.
 pub struct Lights {
     pub triangles: usize,
-    /// Of the camera's set and of the lights'.
+    /// For the camera's set, and for the lights'.
     pub division: [f64; 2],
     pub construction: [f64; 2],
     pub primary: f64,
@@ -101,7 +101,7 @@ pub const ARMADILLO: Printed = Printed {
     pictures: [[138.5, 611.4, 4978.1], [119.9, 405.2, 3707.9]],
 };
 
-/// Table V for so many lights: a whole tree, and a set for the camera with one for all lights.
+/// Table V for this many lights: the whole tree, and a set for the camera with one for all lights.
 pub fn lights(light_count: usize) -> Option<[Lights; 2]> {
     let default = |shadow, total| Lights {
         triangles: 331_906,
@@ -139,7 +139,7 @@ pub fn group_share(light_count: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// What is printed agrees with itself, to the digits that there are, but for two totals of Table IV.
+    /// The printed figures agree with each other to their last digit, except for two totals of Table IV.
     #[test]
     fn sums_are_those_of_their_parts() {
         let mut differences = Vec::new();

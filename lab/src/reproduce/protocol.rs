@@ -1,4 +1,4 @@
-//! How much is measured.
+//! Sizes and repeats of a measurement.
 
 use serde::Serialize;
 
@@ -7,20 +7,20 @@ use serde::Serialize;
 pub struct Protocol {
     /// Width and height of pictures.
     pub size: [u32; 2],
-    /// Samples a pixel, and how often such a picture is made each way.
+    /// Samples per pixel, and the number of rounds with as many.
     pub pictures: Vec<(u32, u32)>,
-    /// How often trees are built.
+    /// Rounds of builds.
     pub build_rounds: u32,
-    /// How often pictures under many lights are made each way.
+    /// Rounds of pictures under many lights.
     pub light_rounds: u32,
-    /// How many lights these have.
+    /// Lights along each side of their square.
     pub light_sides: Vec<u32>,
-    /// How often pictures are made with each saving and without it.
+    /// Rounds of pictures with and without each saving.
     pub saving_rounds: u32,
 }
 
 impl Protocol {
-    /// As printed: 1024×1024 pixels of 1, 16 and 256 samples.
+    /// The paper's sizes: 1024×1024 pixels of 1, 16 and 256 samples.
     pub fn full() -> Self {
         Self {
             size: [1024; 2],
@@ -32,7 +32,7 @@ impl Protocol {
         }
     }
 
-    /// For half a minute.
+    /// Takes half a minute.
     pub fn quick() -> Self {
         Self {
             size: [256; 2],

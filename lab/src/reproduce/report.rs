@@ -1,4 +1,4 @@
-//! The whole report: for people, for a file, and as JSON.
+//! The report as text, as Markdown and as JSON.
 
 use super::SceneName;
 use super::measure::SceneRecord;
@@ -12,11 +12,11 @@ use serde::Serialize;
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::output::{count, things};
 
-/// Everything that was measured.
+/// All measurements, and the facts needed to read them.
 #[derive(Serialize)]
 pub struct Report {
     paper: &'static str,
-    /// The command that makes it again.
+    /// The command that reproduces the report.
     command: String,
     quick: bool,
     backend: &'static str,
@@ -50,7 +50,7 @@ impl Report {
         }
     }
 
-    /// As it is printed.
+    /// The report as a sheet.
     pub fn sheet(&self) -> Sheet<'_> {
         Sheet {
             title: "Reduced trees, beside the figures of the paper",
@@ -62,7 +62,7 @@ impl Report {
         }
     }
 
-    /// What must be known to read the tables.
+    /// The facts needed to read the tables.
     fn head(&self) -> Vec<(&'static str, String)> {
         let Protocol {
             size: [width, height],
@@ -86,26 +86,26 @@ impl Report {
         head.push((
             "pictures",
             format!(
-                "{width}x{height} pixels; rounds, and samples a pixel: {}",
+                "{width}x{height} pixels; rounds of samples per pixel: {}",
                 list(samples)
             ),
         ));
         head.push((
             "times",
             format!(
-                "medians of those rounds, of {build_rounds} for trees, {light_rounds} for many lights and {saving_rounds} for savings; within each round all ways take turns, \
-                 and ratios are medians of the rounds' ratios. Spread: from the fastest to the slowest round, as a share of the median"
+                "medians of those rounds, of {build_rounds} for trees, {light_rounds} for many lights and {saving_rounds} for savings; within each round all variants alternate, \
+                 and ratios are medians of the rounds' ratios. Spread: slowest minus fastest round, as a share of the median"
             ),
         ));
         head.push((
             "printed",
-            "figures of the paper, on a GTX 480 of 2010. Its scenes are not to be had: ours are like them, with the same number of triangles. \
+            "figures of the paper, on a GTX 480 of 2010. Its scenes are not available: ours resemble them and have the same numbers of triangles. \
              Compare ratios, not times"
                 .into(),
         ));
         head.push((
             "not timed",
-            "reading scenes, and finding out once for each what is closed (`slimbvh render --reduce on --explain` tells how long that takes)"
+            "reading scenes, and finding the closed surfaces once per scene (`slimbvh render --reduce on --explain` shows that time)"
                 .into(),
         ));
         for scene in &self.scenes {

@@ -1,4 +1,4 @@
-//! The scenes, each with exactly as many triangles as are printed.
+//! The scenes, with exactly the paper's numbers of triangles.
 
 use super::SceneName;
 use super::printed::{self, Printed};
@@ -8,19 +8,19 @@ use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Mesh, Scene, generate, reduce};
 use std::path::{Path, PathBuf};
 
-/// A scene that is ready to be measured.
+/// A scene that is ready for measurement.
 pub struct Subject {
     pub name: &'static str,
     pub printed: Option<Printed>,
     pub scene: Scene,
     pub topology: Topology,
-    /// What stands in for a file that is not there, and why.
+    /// The stand-in for a missing file, and why it is used.
     pub stand_in: Option<String>,
     /// Whether triangles are spread evenly over closed surfaces, so that half of them face any eye.
     pub is_uniform: bool,
 }
 
-/// A scene from a file, or what stands in for it.
+/// A scene file, and its stand-in.
 pub struct Source {
     pub file: &'static str,
     pub stand_in: fn() -> Mesh,
@@ -39,19 +39,23 @@ pub const DRAGON: Source = Source {
     what: "a torus knot",
 };
 
-/// Triangles of the dragon. Nothing is printed of it.
+/// The number of triangles of the dragon, which the paper does not have.
 pub const DRAGON_TRIANGLES: usize = 871_414;
 
 impl Subject {
-    /// Makes a scene, and takes stock of its surfaces.
+    /// Loads or generates a scene, and surveys its surfaces.
     pub fn new(name: SceneName, folder: Option<&Path>, size: [u32; 2]) -> Result<Self> {
         let mut stand_in = None;
         let (shown, scene, printed) = match name {
-            SceneName::Doll => ("doll", generate::doll(3), Some(printed::DOLL)),
-            SceneName::Toasters => ("toasters", generate::toasters(57), Some(printed::TOASTERS)),
+            SceneName::Doll => ("doll", crate::scenes::doll(3), Some(printed::DOLL)),
+            SceneName::Toasters => (
+                "toasters",
+                crate::scenes::toasters(57),
+                Some(printed::TOASTERS),
+            ),
             SceneName::TwentyFourCell => (
                 "24-cell",
-                generate::twenty_four_cell(&generate::TwentyFourCell::default()),
+                crate::scenes::twenty_four_cell(&crate::scenes::TwentyFourCell::default()),
                 Some(printed::TWENTY_FOUR_CELL),
             ),
             SceneName::Armadillo => {
@@ -95,7 +99,7 @@ impl Source {
     }
 }
 
-/// A closed surface with valleys, which throws shadows on itself.
+/// A closed surface with valleys, which casts shadows on itself.
 pub fn dented_ball(subdivisions: u32) -> Mesh {
     let mut mesh = generate::icosphere(glam::Vec3::ZERO, 1.0, subdivisions);
     for vertex in &mut mesh.vertices {

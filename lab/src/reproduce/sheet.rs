@@ -1,23 +1,23 @@
-//! A report as it is printed: for people, and for a file.
+//! The layout of a report as text and as Markdown.
 
 use super::verdicts::Verdict;
 use crate::measure::table::{Table, wrap};
 use std::fmt::Write;
 
-/// Everything that a report says.
+/// The contents of a report.
 pub struct Sheet<'a> {
     pub title: &'static str,
     pub paper: &'static str,
-    /// What must be known to read the tables, by name.
+    /// The facts needed to read the tables, by name.
     pub head: Vec<(&'static str, String)>,
-    /// Of the targets.
+    /// The scope of the targets.
     pub scope: &'static str,
     pub verdicts: &'a [Verdict],
     pub tables: Vec<Table>,
 }
 
 impl Sheet<'_> {
-    /// For a terminal.
+    /// The report as text.
     pub fn text(&self) -> String {
         let mut text = format!("{}\n{}\n", self.title, self.paper);
         for (name, value) in &self.head {
@@ -38,7 +38,7 @@ impl Sheet<'_> {
         text
     }
 
-    /// For a Markdown file.
+    /// The report as Markdown.
     pub fn markdown(&self) -> String {
         let Self { title, paper, .. } = self;
         let mut text = format!("# {title}\n\n{paper}.\n\n| | |\n|---|---|\n");

@@ -1,4 +1,4 @@
-//! A scene on a backend, built and rendered step by step, so that each step is timed.
+//! A scene on a backend, built and rendered in steps that are timed one by one.
 
 use super::aim::Aim;
 use anyhow::{Result, bail};
@@ -9,32 +9,32 @@ use slimbvh::{
 };
 use std::time::{Duration, Instant};
 
-/// Samples of pictures whose passes a GPU times in one submission. Those of larger pictures are timed wave by wave.
+/// A GPU times pictures of up to this many samples in one submission, and larger pictures wave by wave.
 const MOST_TIMED_SAMPLES: u64 = 1 << 26;
 
-/// The steps of the division.
+/// The stages of the division.
 const DIVISION: [&str; 3] = ["classify", "scan", "compact"];
 
-/// A scene on a backend, with room for any number of trees, by number.
+/// A scene on a backend, with any number of trees, which are numbered.
 pub struct Steps<'a, B: Backend> {
     pub backend: B,
     pub scene: &'a Scene,
-    /// None where all trees are over all triangles.
+    /// None if all trees are over all triangles.
     topology: Option<&'a Topology>,
     pub held: B::Scene,
     pub builder: B::Builder,
-    /// Trees, and the target of each that has one.
+    /// The trees by number, each with the sides of its target if it has one.
     trees: Vec<(B::Bvh, B::TargetSides)>,
-    /// Where trees go that nothing is traced through.
+    /// The tree that a division without a build writes to.
     spare: (B::Bvh, B::TargetSides),
-    /// Sets alone, where the backend cannot sort them alone.
+    /// Sets as meshes, if the backend cannot sort sets alone.
     alone: Vec<Alone<B>>,
     pub renderer: B::Renderer,
-    /// The last one.
+    /// The last picture.
     pub picture: Picture,
 }
 
-/// A set as a mesh, with the tree over it. The mesh is made once, outside of all times.
+/// A set as a mesh, with the tree over it. The mesh is made once, and that is not timed.
 struct Alone<B: Backend> {
     set: Aim,
     mesh: Mesh,
@@ -43,7 +43,7 @@ struct Alone<B: Backend> {
 }
 
 impl<'a, B: Backend> Steps<'a, B> {
-    /// Brings a scene to a backend.
+    /// Loads a scene to a backend.
     pub fn new(
         backend: B,
         config: BuildConfig,
@@ -67,17 +67,17 @@ impl<'a, B: Backend> Steps<'a, B> {
         })
     }
 
-    /// Whether pictures can be made with sets that were sorted alone.
+    /// Whether the backend renders pictures with sets that were sorted alone.
     pub fn sorts_sets_alone(&self) -> bool {
         B::SORTS_SETS_ALONE
     }
 
-    /// A tree that was built.
+    /// The tree with this number.
     pub fn tree(&self, place: usize) -> &B::Bvh {
         &self.trees[place].0
     }
 
-    /// Puts all triangles in order, for trees over all or some of them.
+    /// Sorts all triangles, for trees over all or some of them.
     pub fn sort(&mut self) -> Result<Stages> {
         let mut recording = self.backend.begin();
         let source = Source {
@@ -88,7 +88,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         self.submit(recording)
     }
 
-    /// Builds and codes the tree over all triangles from the beginning, as number 0.
+    /// Sorts all triangles, and builds and encodes the tree over them, as number 0.
     pub fn build_all(&mut self) -> Result<Stages> {
         let mut recording = self.backend.begin();
         self.make_place(0);
@@ -102,7 +102,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         self.submit(recording)
     }
 
-    /// Builds a tree over triangles that are in order: a set, or all.
+    /// Builds a tree over sorted triangles: a set, or all.
     pub fn build(&mut self, place: usize, set: Option<&Aim>) -> Result<Stages> {
         self.make_place(place);
         let mut recording = self.backend.begin();
@@ -123,7 +123,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         self.submit(recording)
     }
 
-    /// Builds a tree over a set whose triangles are put in order by themselves.
+    /// Builds a tree over a set whose triangles are sorted by themselves.
     pub fn build_alone(&mut self, place: usize, set: &Aim) -> Result<Stages> {
         self.make_place(place);
         if !B::SORTS_SETS_ALONE {
@@ -156,7 +156,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         self.submit(recording)
     }
 
-    /// Finds a set's mesh, or makes it.
+    /// The index of a set's mesh, which is made if it is missing.
     fn place_of(&mut self, set: &Aim) -> Result<usize> {
         let same =
             |alone: &Alone<B>| alone.set.target == set.target && alone.set.sides == set.sides;
@@ -190,7 +190,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         Ok(self.alone.len() - 1)
     }
 
-    /// The division alone: stages `classify`, `scan` and `compact`.
+    /// The times of the division alone: stages `classify`, `scan` and `compact`.
     pub fn divide(&mut self, set: &Aim) -> Result<Stages> {
         let mut recording = self.backend.begin();
         let source = Source {
@@ -211,7 +211,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         Ok(division)
     }
 
-    /// Makes a picture with a tree for the camera's rays, which is that of mirrors as well, and one for each light's.
+    /// Renders a picture with a tree for the camera's and the mirrors' rays, and a tree for each light's rays.
     pub fn render(
         &mut self,
         camera: usize,
@@ -259,7 +259,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         }
     }
 
-    /// Ends a recording. Returns the time of each stage.
+    /// Submits a recording. Returns the time of each stage.
     fn submit(&self, recording: B::Recording) -> Result<Stages> {
         let stages = self.backend.submit(recording)?;
         if let Some(name) = self
@@ -267,9 +267,7 @@ impl<'a, B: Backend> Steps<'a, B> {
             .adapter()
             .filter(|_| stages.total() == Duration::ZERO)
         {
-            bail!(
-                "the GPU {name:?} has no timestamps, so that nothing could be told apart; use --backend cpu"
-            );
+            bail!("the GPU {name:?} has no timestamps, which stage times need; use --backend cpu");
         }
         Ok(stages)
     }

@@ -1,4 +1,4 @@
-//! The paper's tables with our rows below the printed ones.
+//! The paper's tables, with our rows below the printed ones.
 
 mod builds;
 mod pictures;
@@ -8,7 +8,7 @@ use super::measure::SceneRecord;
 use crate::measure::table::Table;
 use slimbvh_cli::output::count;
 
-/// All tables, in the paper's order, then what explains them.
+/// All tables: the paper's in its order, then those that explain them.
 pub fn tables(records: &[SceneRecord]) -> Vec<Table> {
     let mut tables = vec![
         sizes(records),
@@ -24,7 +24,7 @@ pub fn tables(records: &[SceneRecord]) -> Vec<Table> {
     tables
 }
 
-/// Stands where nothing is printed or measured.
+/// The cell of a figure that was not printed or not measured.
 pub const NOTHING: &str = "–";
 
 fn sizes(records: &[SceneRecord]) -> Table {
@@ -56,8 +56,8 @@ fn sizes(records: &[SceneRecord]) -> Table {
     Table {
         title: "Table I: how many triangles are in each set".into(),
         notes: vec![
-            "C+ faces the camera, C- faces away from it; L+ and L- are the same for the light. What is not certain under rounding, \
-             and what even rays from outside may meet from behind, is in both."
+            "C+ faces the camera, C- faces away from it; L+ and L- are the same for the light. Triangles whose side is uncertain under rounding, \
+             and those that even rays from outside may hit from behind, are in both."
                 .into(),
         ],
         word_columns: 2,
@@ -112,8 +112,8 @@ fn visits(records: &[SceneRecord]) -> Table {
     Table {
         title: "What a ray meets".into(),
         notes: vec![
-            "Means a ray, of rays that miss as well: inner nodes opened (two boxes each) and triangles tested, in the whole tree and in \
-             the set's. Not in the paper; it tells how much of a ratio of times is in the work itself. The same on every machine."
+            "Means per ray, including rays that miss: inner nodes opened (two boxes each) and triangles tested, in the whole tree and in \
+             the set's. Not in the paper; it shows how much of a ratio of times is due to less work. The same on every machine."
                 .into(),
         ],
         word_columns: 3,
@@ -122,14 +122,14 @@ fn visits(records: &[SceneRecord]) -> Table {
     }
 }
 
-/// A row for a scene of which nothing is printed.
+/// The printed row of a scene that the paper does not have.
 fn nothing(record: &SceneRecord, columns: usize) -> Vec<String> {
     let mut row = vec![record.name.to_owned(), "printed".to_owned()];
     row.resize(columns, NOTHING.to_owned());
     row
 }
 
-/// A time that may be of any length.
+/// A time of any length, in milliseconds.
 pub fn time(ms: f64) -> String {
     match ms {
         ms if ms.is_nan() => NOTHING.to_owned(),

@@ -3,48 +3,48 @@
 use serde::Serialize;
 use slimbvh::Stages;
 
-/// What a set takes.
+/// The times of building a set.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Build {
-    /// Which triangles are in it.
+    /// Finding the set's triangles.
     pub division: f64,
-    /// Order, tree and boxes.
+    /// Sorting, topology and boxes.
     pub construction: f64,
 }
 
 /// The steps of the division.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Division {
-    /// A bit for each triangle, and on the CPU how many are set in each word.
+    /// A bit per triangle, and on the CPU the number of set bits per word.
     pub orientation: f64,
-    /// Sums of how many are set: the paper's reduction and prefix sum.
+    /// Sums of the numbers of set bits: the paper's reduction and prefix sum.
     pub scan: f64,
-    /// The list of what is in the set.
+    /// The list of the set's triangles.
     pub compaction: f64,
 }
 
-/// A picture, the building of its trees included.
+/// The times of a picture, including the builds of its trees.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Picture {
-    /// Order of all triangles where that is shared, and the tree for the camera's rays.
+    /// Sorting all triangles if trees share the order, and the tree for the camera's rays.
     pub camera_build: Build,
     /// The trees for shadow rays.
     pub shadow_build: Build,
-    /// From samples to rays, and what these hit.
+    /// From samples to the camera's rays and their hits.
     pub primary: f64,
     /// Shadow rays.
     pub shadow: f64,
-    /// Shading, and from samples to pixels.
+    /// Shading, and resolving samples to pixels.
     pub rest: f64,
 }
 
-/// All stages together.
+/// The sum of all stages.
 pub fn ms(stages: &Stages) -> f64 {
     stages.total().as_secs_f64() * 1e3
 }
 
 impl Build {
-    /// Sorts out the stages of a build.
+    /// Sums the stages of a build by part.
     pub fn of(stages: &Stages) -> Self {
         let division = Division::of(stages).total();
         Self {
@@ -57,7 +57,7 @@ impl Build {
         self.division + self.construction
     }
 
-    /// Both.
+    /// The sum of both.
     pub fn plus(self, other: Self) -> Self {
         Self {
             division: self.division + other.division,
@@ -67,7 +67,7 @@ impl Build {
 }
 
 impl Division {
-    /// Picks the stages of the division.
+    /// Sums the stages of the division.
     pub fn of(stages: &Stages) -> Self {
         let mut division = Self::default();
         for (stage, time) in stages.iter() {
@@ -88,7 +88,7 @@ impl Division {
 }
 
 impl Picture {
-    /// Adds the stages of a render. What cannot be told apart counts as primary.
+    /// Adds the stages of a render. A stage without a part of its own counts as primary.
     pub fn add_render(&mut self, stages: &Stages) {
         for (stage, time) in stages.iter() {
             let ms = time.as_secs_f64() * 1e3;
@@ -100,12 +100,12 @@ impl Picture {
         }
     }
 
-    /// What a picture takes up to the camera rays' hits.
+    /// The time up to the hits of the camera's rays.
     pub fn primary_total(&self) -> f64 {
         self.camera_build.total() + self.primary
     }
 
-    /// Everything.
+    /// The time of the whole picture.
     pub fn total(&self) -> f64 {
         self.primary_total() + self.shadow_build.total() + self.shadow + self.rest
     }

@@ -1,16 +1,16 @@
-//! Which targets are met.
+//! The targets, and whether they are met.
 
 use super::measure::{Pictures, SceneRecord};
 use super::times::Picture;
 use serde::Serialize;
 
-/// A bound, and what was measured of it.
+/// A bound, and the figures to compare with it.
 #[derive(Debug, Serialize)]
 pub struct Verdict {
-    /// What is bounded.
+    /// The bounded quantity.
     pub what: String,
     pub bound: f64,
-    /// Otherwise at least.
+    /// Whether the bound is a maximum; otherwise it is a minimum.
     pub is_at_most: bool,
     pub measured: Vec<Measured>,
 }
@@ -22,7 +22,7 @@ pub struct Measured {
     pub value: f64,
 }
 
-/// Judges what there is to judge.
+/// Judges all targets that have figures.
 pub fn verdicts(records: &[SceneRecord], is_gpu: bool) -> Vec<Verdict> {
     let uniform = || records.iter().filter(|record| record.is_uniform);
     let most = |what: &str, bound: f64, measured: Vec<Measured>| Verdict {
@@ -113,7 +113,7 @@ pub fn verdicts(records: &[SceneRecord], is_gpu: bool) -> Vec<Verdict> {
         .collect()
 }
 
-/// How many times as fast reduced trees are, with the better way to sort; NaN if there are no such pictures.
+/// The speedup of reduced trees with the better way of sorting; NaN without such pictures.
 fn best(record: &SceneRecord, samples: u32, of: fn(&Picture) -> f64) -> f64 {
     let pictures = record
         .pictures
@@ -128,13 +128,13 @@ fn best(record: &SceneRecord, samples: u32, of: fn(&Picture) -> f64) -> f64 {
 }
 
 impl Verdict {
-    /// By how much the bound is missed, as a share of it; not above 0 where it is met.
+    /// How far a figure misses the bound, as a share of the bound; not above 0 if it meets the bound.
     fn miss(&self, value: f64) -> f64 {
         let over = value / self.bound - 1.0;
         if self.is_at_most { over } else { -over }
     }
 
-    /// In one line.
+    /// The verdict in one line.
     pub fn line(&self) -> String {
         let word = if self.is_at_most {
             "at most"

@@ -22,43 +22,43 @@ Examples:
   slimbvh-lab stress --only slivers flat --json -
   slimbvh-lab stress --with peers.json
 
-Exit codes: 0 nothing is wrong, 1 a hit of slimbvh's is missed, false or the wrong one, or a vertex moved too far, 2 bad
+Exit codes: 0 slimbvh passed, 1 slimbvh missed a hit, reported a false or wrong one, or moved a vertex too far, 2 bad
 input.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct StressArguments {
-    /// Half a minute on two cores: smaller scenes, fewer rays, five codecs
+    /// Smaller scenes, fewer rays and five codecs: half a minute on two cores
     #[arg(long)]
     quick: bool,
 
-    /// What computes: one or both, separated by a comma
+    /// Backends to test, separated by a comma
     #[arg(long, value_enum, value_delimiter = ',', default_value = "cpu")]
     backend: Vec<Backend>,
 
-    /// The GPU with this in its name, also one that computes in software; `slimbvh info --adapters` lists them
+    /// GPU whose name contains NAME, software adapters included; `slimbvh info --adapters` lists them
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 
-    /// Only families with this in their name
+    /// Only families whose name contains FAMILY
     #[arg(long, value_name = "FAMILY", num_args = 1..)]
     only: Vec<String>,
 
-    /// Rows of other tracers to show beside ours, as JSON that --json wrote. The exit code is for ours alone
+    /// Rows of other tracers to show beside slimbvh's, as JSON that --json wrote; they do not change the exit code
     #[arg(long, value_name = "FILE")]
     with: Vec<PathBuf>,
 
     #[command(flatten)]
     threads: ThreadArguments,
 
-    /// Write all rows as JSON, to standard output for "-"
+    /// Write all rows as JSON; "-" is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Backend {
-    /// This machine's cores
+    /// The CPU
     Cpu,
     /// A GPU
     Gpu,
@@ -87,12 +87,15 @@ pub fn run(arguments: &StressArguments) -> Result<ExitCode> {
     Ok(ExitCode::from(u8::from(!report.is_clean())))
 }
 
-/// Asks every tracer about every case.
+/// Traces every case with every tracer.
 fn measure(arguments: &StressArguments) -> Result<Vec<Row>> {
     let mut cases = cases(arguments.effort());
     cases.retain(|case| arguments.wants(case.family));
     if cases.is_empty() {
-        bail!("there is no family with {:?} in its name", arguments.only);
+        bail!(
+            "there is no family whose name contains {:?}",
+            arguments.only
+        );
     }
     let mut tracers = tracers(arguments)?;
     let bar = output::bar("tracing");
@@ -120,7 +123,7 @@ impl StressArguments {
         self.only.is_empty() || self.only.iter().any(is_in)
     }
 
-    /// The command that makes the same report again, without the names of files.
+    /// The command that reproduces the report, without the names of files.
     fn command(&self) -> String {
         let mut words = vec!["slimbvh-lab stress".to_owned()];
         if self.quick {

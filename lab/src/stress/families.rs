@@ -1,4 +1,4 @@
-//! Scenes that break tracers.
+//! Scenes that are hard for tracers.
 
 use super::Effort;
 use super::shapes::{coplanar, equal_centres, extremes, flattened, spindle, stadium};
@@ -9,19 +9,19 @@ use slimbvh::{CodeBits, Mesh};
 /// A scene of one family at one magnitude.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What kind of scene.
+    /// The kind of scene.
     pub family: &'static str,
-    /// How large, or how extreme.
+    /// How large or how extreme the scene is.
     pub magnitude: String,
     /// The scene.
     pub mesh: Mesh,
-    /// How finely its triangles are to be told apart.
+    /// The width of the codes that sort the triangles.
     pub code_bits: CodeBits,
-    /// A point that is inside, if all of it is closed.
+    /// A point inside, if the whole scene is closed.
     pub inside: Option<[f32; 3]>,
     /// A point outside, from which some rays start.
     pub eye: Option<[f32; 3]>,
-    /// How many rays are traced.
+    /// The number of rays.
     pub ray_count: usize,
 }
 
@@ -93,7 +93,7 @@ fn closed(magnitude: String, mesh: Mesh, [inside, eye]: [Vec3; 2], effort: Effor
     }
 }
 
-/// In the unit sphere, and beside it.
+/// Points in the unit sphere and beside it.
 const INSIDE: Vec3 = Vec3::new(0.1, -0.2, 0.3);
 const OUTSIDE: Vec3 = Vec3::new(2.0, 1.5, 3.0);
 
@@ -105,7 +105,7 @@ fn moved(mut mesh: Mesh, place: impl Fn(Vec3) -> Vec3) -> Mesh {
     mesh
 }
 
-/// A closed scene of unit size, put elsewhere.
+/// A closed scene of unit size, moved by `place`.
 fn placed(magnitude: String, mesh: Mesh, effort: Effort, place: impl Fn(Vec3) -> Vec3) -> Case {
     let points = [INSIDE, OUTSIDE].map(&place);
     closed(magnitude, moved(mesh, place), points, effort)
@@ -115,7 +115,7 @@ fn sphere(effort: Effort) -> Mesh {
     icosphere(Vec3::ZERO, 1.0, effort.pick(2, 4))
 }
 
-/// By powers of ten; from 10^7 on the unit sphere is one cell of the float grid.
+/// Moved by powers of ten. From 10^7 on, the unit sphere is one cell of the float grid.
 fn translated(effort: Effort) -> Vec<Case> {
     let translated = |k: i32| {
         let offset = 10f32.powi(k) * Vec3::new(1.0, 0.37, -0.61);
@@ -133,7 +133,7 @@ fn scaled(effort: Effort) -> Vec<Case> {
     [-30, -20, -10, -3, 3, 10, 20, 30].map(scaled).into()
 }
 
-/// A sphere pressed flat, and one drawn thin, along each axis.
+/// A flattened sphere and an elongated one, along each axis.
 fn anisotropic(effort: Effort) -> Vec<Case> {
     let pressed = |axis: usize| {
         let mut factors = Vec3::ONE;

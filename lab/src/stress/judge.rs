@@ -1,4 +1,4 @@
-//! Whether a tracer's answer may stand.
+//! Judgement of a tracer's answers.
 
 use super::bound::{ULP, largest, steepness};
 use super::subject::{Line, Subject};
@@ -6,60 +6,60 @@ use crate::oracle::Crossing;
 use crate::oracle::distance::{length, minus, plus, segment_to_triangle, to_triangle};
 use slimbvh_core::{Hit, Ray};
 
-/// A ray, and what is known of it before it is traced.
+/// A ray, and what is known about it before it is traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
     /// In the mesh's unit.
     pub ray: Ray,
-    /// Whether it starts inside of a closed surface and has no end: then it meets something, without any tolerance.
+    /// Whether the ray starts inside a closed surface and has no end. Then it must hit something, without tolerance.
     pub is_inside: bool,
 }
 
-/// What a tracer says about a ray.
+/// A tracer's answers for a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// The closest hit.
     pub closest: Hit,
-    /// Whether there is any.
+    /// Whether there is any hit.
     pub any: bool,
 }
 
-/// What is wrong with an answer, if anything, and how exact it is.
+/// The fault of an answer, if any, and its errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Verdict {
     /// The gravest fault.
     pub fault: Option<Fault>,
-    /// Whether the hit's point lies off its triangle by more than the bound. A ray that runs almost in the plane of its
-    /// triangle passes it in a stretch, and rounding says where.
+    /// Whether the hit's point is farther off its triangle than the bound. A ray almost in the plane of its triangle passes
+    /// it along a stretch, and rounding selects the point.
     pub is_adrift: bool,
-    /// How far along the ray the hit is off the exact one on the same triangle, in ulps of the largest coordinate.
+    /// The distance along the ray from the exact hit on the same triangle, in ulps of the largest coordinate.
     pub t_error: Option<f64>,
-    /// The same, across the triangle's plane.
+    /// The same distance across the triangle's plane.
     pub plane_error: Option<f64>,
 }
 
-/// What is wrong.
+/// A fault of an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
-    /// Something must be met, and nothing is reported.
+    /// No hit is reported where one is certain.
     Missed,
-    /// What is reported is not where the ray is.
+    /// The reported hit is not on the ray.
     False,
-    /// Something else behind it is reported.
+    /// The reported hit lies behind one that is certain.
     WrongPrimitive,
 }
 
-/// Judges by a bound.
+/// Judges answers by a bound.
 #[derive(Clone, Copy, Debug)]
 pub struct Judge<'a> {
-    /// What there is to meet.
+    /// The stored triangles.
     pub subject: &'a Subject,
     /// The bound in ulps of the largest coordinate, see [`super::BOUND_ULPS`].
     pub ulps: f64,
 }
 
 impl Judge<'_> {
-    /// Judges one answer. `crossings` are what the ray meets exactly, in order.
+    /// Judges one answer. `crossings` are the exact hits of the ray, in order.
     #[must_use]
     pub fn judge(&self, shot: &Shot, crossings: &[Crossing], answer: &Answer) -> Verdict {
         let Some(line) = self.subject.line(&shot.ray) else {
@@ -99,7 +99,7 @@ impl Judge<'_> {
         crossings.iter().any(must)
     }
 
-    /// Nothing is reported, or only that there is something.
+    /// Judges an answer without a closest hit; `any` says whether the tracer reports any hit.
     fn judge_miss(
         &self,
         shot: &Shot,
@@ -114,15 +114,15 @@ impl Judge<'_> {
         (any && !(0..count).any(|primitive| self.is_near(line, primitive))).then_some(Fault::False)
     }
 
-    /// Whether the ray comes near a triangle within its range, whose ends are as uncertain as t.
+    /// Whether the ray comes near a triangle within its range. The ends of the range are as uncertain as t.
     fn is_near(&self, line: &Line, primitive: u32) -> bool {
         let corners = self.subject.corners(primitive);
         let [reach, along] = self.subject.slack(line, primitive, self.ulps);
         segment_to_triangle(line.beside(&corners, along), corners) <= reach
     }
 
-    /// Where a hit is, if it is one.
-    fn place(&self, shot: &Shot, line: &Line, hit: &Hit) -> Option<Place> {
+    /// The place of a hit; `None` if the hit is false.
+    fn place(&self, shot: &Shot, line: &Line, hit: &Hit) -> Option<HitPlace> {
         let count = self.subject.scene.count() as u32;
         let is_sane = [hit.t, hit.u, hit.v].iter().all(|x| x.is_finite());
         if hit.primitive >= count || !is_sane || !self.is_near(line, hit.primitive) {
@@ -130,9 +130,9 @@ impl Judge<'_> {
         }
         let corners = self.subject.corners(hit.primitive);
         let [reach, along] = self.subject.slack(line, hit.primitive, self.ulps);
-        // A t that has left the range of normal numbers says nothing.
+        // A t outside the range of normal numbers carries no information.
         if hit.t.abs() == f32::MAX || hit.t.is_subnormal() {
-            return Some(Place {
+            return Some(HitPlace {
                 t: None,
                 along,
                 is_adrift: false,
@@ -147,15 +147,15 @@ impl Judge<'_> {
         let size = length(minus(corners[1], corners[0])) + length(minus(corners[2], corners[0]));
         let way = along.min(size);
         let stretch = [-way, way].map(|way| plus(point, line.unit, way));
-        (segment_to_triangle(stretch, corners) <= reach).then(|| Place {
+        (segment_to_triangle(stretch, corners) <= reach).then(|| HitPlace {
             t: Some(t),
             along,
             is_adrift: to_triangle(point, corners) > reach,
         })
     }
 
-    /// Whether a crossing lies before what is reported, and must be met.
-    fn is_passed(&self, line: &Line, crossing: &Crossing, place: &Place) -> bool {
+    /// Whether a crossing lies before the reported hit and must be hit.
+    fn is_passed(&self, line: &Line, crossing: &Crossing, place: &HitPlace) -> bool {
         let Some(t) = place.t else {
             return false;
         };
@@ -165,11 +165,11 @@ impl Judge<'_> {
     }
 }
 
-/// Where a hit is.
-struct Place {
-    /// In the magnitude of the triangles; `None` where the number does not tell.
+/// The place of a hit.
+struct HitPlace {
+    /// In the magnitude of the triangles; `None` if t carries no information.
     t: Option<f64>,
-    /// How far along the ray rounding may have carried it.
+    /// How far rounding may have moved the hit along the ray.
     along: f64,
     is_adrift: bool,
 }

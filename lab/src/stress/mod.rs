@@ -1,8 +1,8 @@
-//! Scenes that break tracers, and what each tracer makes of them.
+//! Scenes and rays that are hard for tracers, and judgement of the tracers' answers.
 //!
-//! [`cases`] makes families of scenes at magnitudes from denormal numbers to the largest, [`rays`] rays of every awkward kind
-//! for each, and [`run`] lets a [`Tracer`] answer them. Its answers are judged ([`Judge`]) against exact ones
-//! ([`crate::oracle`]), over the triangles that it has stored: on closed surfaces, from inside, without any tolerance;
+//! [`cases`] makes families of scenes at magnitudes from denormal numbers to the largest, [`rays`] makes awkward rays of
+//! every kind for each, and [`run`] has a [`Tracer`] answer them. A [`Judge`] compares the answers with exact ones
+//! ([`crate::oracle`]) over the triangles that the tracer stores: without tolerance from inside closed surfaces, and
 //! elsewhere by a stated bound ([`BOUND_ULPS`]).
 
 mod bound;
@@ -43,12 +43,12 @@ pub use subject::{Line, Subject};
 pub use surface::Surface;
 pub use tracer::{Failure, Outcome, Tracer, Tree};
 
-/// How much is asked.
+/// The number of scenes, rays and codecs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// For some seconds.
+    /// Takes some seconds.
     Quick,
-    /// For some minutes.
+    /// Takes some minutes.
     Full,
 }
 

@@ -1,17 +1,17 @@
-//! How far codecs move vertices.
+//! Moves of vertices by codecs.
 
 use crate::oracle::distance::length;
 use serde::Serialize;
 use slimbvh::Bvh;
 use thiserror::Error;
 
-/// Why it cannot be told how far vertices moved.
+/// Why the moves of vertices cannot be measured.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum MoveError {
-    /// They have other triangles in their leaves.
-    #[error("trees are not the same")]
+    /// The leaves hold other triangles.
+    #[error("the trees hold different triangles")]
     OtherTree,
-    /// The codec does not keep what it promises.
+    /// A vertex moved beyond the bound of its codec.
     #[error("a vertex moved by {distance:e}, beyond its bound {bound:e}")]
     BeyondBound {
         /// In the scene's magnitude.
@@ -21,18 +21,18 @@ pub enum MoveError {
     },
 }
 
-/// How far vertices moved, in the mesh's unit.
+/// Distances that vertices moved, in the mesh's unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Moves {
-    /// The farthest that any moved.
+    /// The largest distance.
     pub most: f64,
-    /// The root of the mean square over all of them.
+    /// The root mean square over all vertices.
     pub rms: f64,
-    /// The farthest that any might have.
+    /// The largest possible distance.
     pub bound: f64,
 }
 
-/// How far each vertex of a mesh is from where it was, on a lattice of this step: it may move half a step along each axis.
+/// The moves of a mesh's vertices onto a lattice of this step. A vertex may move half a step along each axis.
 #[must_use]
 pub fn snapped(before: &[[f32; 3]], after: &[[f32; 3]], step_exponent: i32) -> Moves {
     let mut moves = Moves {
@@ -49,11 +49,11 @@ pub fn snapped(before: &[[f32; 3]], after: &[[f32; 3]], step_exponent: i32) -> M
     moves
 }
 
-/// How far the paper10 codec moved the corners of triangles. `decoded` is the tree out of its codec, `plain` the one that it
-/// was made from. A corner may move half a cell of its leaf's grid along each axis.
+/// The moves of triangle corners by the codec with leaves of 10 bits. `decoded` is the decoded tree, `plain` the tree before
+/// encoding. A corner may move half a cell of its leaf's grid along each axis.
 ///
 /// # Errors
-/// If one moved farther than that, or the trees are not of the same mesh.
+/// If a corner moved farther than that, or if the trees are not of the same mesh.
 pub fn moved(plain: &Bvh, decoded: &Bvh) -> Result<Moves, MoveError> {
     let unit = 2f64.powi(-plain.scene_exponent());
     let mut moves = Moves::default();
@@ -63,7 +63,7 @@ pub fn moved(plain: &Bvh, decoded: &Bvh) -> Result<Moves, MoveError> {
             if !leaf.is_leaf() || leaf.count() == 0 {
                 continue;
             }
-            // Half a cell of 1023, and the roundings of both ends.
+            // Half a cell of 1023, plus the roundings of both ends.
             let half = [0, 1, 2].map(|axis| {
                 let (low, high) = (f64::from(bounds.min[axis]), f64::from(bounds.max[axis]));
                 (high - low) / 2046.0 + low.abs().max(high.abs()) * 2f64.powi(-22)
@@ -109,7 +109,7 @@ mod tests {
         let before = [[1.0, 2.0, 3.0], [0.0; 3], [5.0, 0.0, -1.0]];
         let after = [[1.0, 2.5, 3.0], [0.0; 3], [5.25, 0.5, -1.5]];
         let moves = snapped(&before, &after, 0);
-        // 1/4, 0, and 1/16 + 1/4 + 1/4.
+        // The squared distances are 1/4, 0, and 1/16 + 1/4 + 1/4.
         assert_eq!((moves.most, moves.rms), (0.75, (0.8125f64 / 3.0).sqrt()));
         assert!((moves.bound - 0.866_025_4).abs() < 1e-7);
         let still = snapped(&before, &before, -3);

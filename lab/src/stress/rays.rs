@@ -1,4 +1,4 @@
-//! The rays that a scene is asked with.
+//! The rays that are traced through a scene.
 
 use super::families::Case;
 use super::judge::Shot;
@@ -6,16 +6,16 @@ use super::recipe::{Aim, Face, Range, RayRecipe, Start};
 use slimbvh::internals::Random;
 use slimbvh::{Mesh, Ray};
 
-/// All rays of a case: those from anywhere first, then those from its eye.
+/// The rays of a case: those from anywhere first, then those from its eye.
 #[derive(Clone, Debug)]
 pub struct Rays {
     /// All of them.
     pub shots: Vec<Shot>,
-    /// Where those from the eye begin.
+    /// The index of the first ray from the eye.
     pub from_eye: usize,
 }
 
-/// Makes the rays of a case. The same case gets the same ones.
+/// Makes the rays of a case, which are the same on every call.
 #[must_use]
 pub fn rays(case: &Case) -> Rays {
     let mut random = Random::new(0x5eed);
@@ -45,7 +45,7 @@ pub fn rays(case: &Case) -> Rays {
     Rays { shots, from_eye }
 }
 
-/// What no ray is: each must hit nothing, and end.
+/// Invalid rays, which must hit nothing and terminate.
 fn not_rays(good: &Ray) -> impl Iterator<Item = Ray> + use<> {
     let good = *good;
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
@@ -66,12 +66,12 @@ fn not_rays(good: &Ray) -> impl Iterator<Item = Ray> + use<> {
     bad.into_iter().flat_map(of_bad).chain(ends)
 }
 
-/// A whole number below `end`.
+/// A random whole number below `end`.
 fn below(random: &mut Random, end: u64) -> u64 {
     random.bits() % end
 }
 
-/// A point of a triangle: inside, on an edge, or a corner.
+/// A random point of a triangle: inside, on an edge, or a corner.
 fn face(random: &mut Random) -> Face {
     let [u, v] = [random.unit(), random.unit()];
     let weights = match below(random, 8) {
@@ -88,7 +88,7 @@ fn face(random: &mut Random) -> Face {
     }
 }
 
-/// Numbers from -1 to 1.
+/// Random numbers from -1 to 1.
 fn signed(random: &mut Random) -> [f32; 3] {
     random.point().to_array().map(|x| 2.0 * x - 1.0)
 }
@@ -135,7 +135,7 @@ fn recipe(random: &mut Random) -> RayRecipe {
     }
 }
 
-/// A whole ray from a point at an edge, a corner or anywhere of a mesh.
+/// A whole ray from a point to a random edge, corner or inside of a triangle.
 fn from(origin: [f32; 3], mesh: &Mesh, random: &mut Random) -> Ray {
     let length = 20 * (below(random, 5) as i32 - 2);
     let recipe = RayRecipe {

@@ -1,11 +1,11 @@
-//! What a ray is made from.
+//! Recipes of rays.
 
 use slimbvh::{Mesh, Ray};
 
 /// A point of a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Face {
-    /// Which triangle, modulo their number.
+    /// The index of the triangle, modulo the number of triangles.
     pub triangle: u32,
     /// Weights of the second and third corner.
     pub weights: [f32; 2],
@@ -14,9 +14,9 @@ pub struct Face {
 /// Where a ray starts.
 #[derive(Clone, Copy, Debug)]
 pub enum Start {
-    /// In the mesh's box, 0 to 1 on each axis, or a little outside.
+    /// In the mesh's box, whose sides are 0 to 1, or a little outside.
     Near([f32; 3]),
-    /// In a direction from the box's middle, at a power of ten times its size.
+    /// In this direction from the middle of the box, at this power of ten times its size.
     Far([f32; 3], i32),
     /// On a triangle.
     On(Face),
@@ -27,48 +27,48 @@ pub enum Start {
 /// Where a ray goes.
 #[derive(Clone, Copy, Debug)]
 pub enum Aim {
-    /// As given.
+    /// In this direction.
     Direction([f32; 3]),
-    /// Along an axis; the flags are the components' signs, zeros included.
+    /// Along an axis. The flags are the signs of the components, zeros included.
     Axis(usize, [bool; 3]),
     /// At a point of a triangle.
     At(Face),
-    /// In the plane of a triangle, by an angle from its first edge; starts in the plane too.
+    /// In the plane of a triangle, at this angle from its first edge. The ray starts in the plane.
     InPlane(u32, f32),
-    /// Through both ends of an edge; starts on its line, before it.
+    /// Through both ends of an edge. The ray starts on the line of the edge, before it.
     AlongEdge(u32, usize),
-    /// Parallel to an edge; starts before it, beside its line by this, in units of the mesh's size.
+    /// Parallel to an edge. The ray starts before the edge, and this far from its line in units of the mesh's size.
     BesideEdge(u32, usize, [f32; 3]),
 }
 
-/// Which part of the ray counts, in units of the direction as it was before it was scaled: 1 is where the ray aims.
+/// The range of a ray, in units of the direction before scaling: 1 is where the ray aims.
 #[derive(Clone, Copy, Debug)]
 pub enum Range {
     /// From 0 to `f32::MAX`.
     Whole,
     /// From 0 to infinity.
     Infinite,
-    /// From one to the other.
+    /// From the first to the second.
     Between(f32, f32),
 }
 
-/// A ray that starts at, aims at or lies in some triangle of a mesh that it does not know yet.
+/// A ray that starts at, aims at or lies in a triangle of any mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct RayRecipe {
-    /// Where it starts.
+    /// Where the ray starts.
     pub start: Start,
-    /// Where it goes.
+    /// Where the ray goes.
     pub aim: Aim,
-    /// The direction is scaled by two to this power.
+    /// The exponent of the power of two that scales the direction.
     pub length: i32,
-    /// Which part counts.
+    /// The range of the ray.
     pub range: Range,
 }
 
 type Point = [f64; 3];
 
 impl RayRecipe {
-    /// The ray, for a mesh. A mesh without triangles stands for the unit cube.
+    /// The ray for a mesh. A mesh without triangles counts as the unit cube.
     #[must_use]
     pub fn cook(&self, mesh: &Mesh) -> Ray {
         let (low, size) = extent(mesh);
@@ -116,7 +116,7 @@ impl RayRecipe {
         };
         let scaled = direction.map(|x| (x * 2f64.powi(self.length)) as f32);
         let direction = signed_zeros.map_or(scaled, |zeros| {
-            // The product keeps the sign of a zero; say so.
+            // Restore the signs of zeros.
             [0, 1, 2].map(|axis| scaled[axis].copysign(zeros[axis] as f32))
         });
         let t = |t: f32| (f64::from(t) * 2f64.powi(-self.length)) as f32;
@@ -134,12 +134,12 @@ impl RayRecipe {
     }
 }
 
-/// Nearest finite `f32`.
+/// The nearest finite `f32`.
 fn finite(x: f64) -> f32 {
     x.clamp(f64::from(f32::MIN), f64::from(f32::MAX)) as f32
 }
 
-/// As the ray will store it, so that the direction leads from there.
+/// The point as the ray stores it, where the direction starts.
 fn rounded(p: Point) -> Point {
     p.map(|x| f64::from(finite(x)))
 }
@@ -166,7 +166,7 @@ fn point_of(mesh: &Mesh, face: Face) -> Point {
     [0, 1, 2].map(|axis| (1.0 - u - v) * a[axis] + u * b[axis] + v * c[axis])
 }
 
-/// The smallest corner and the size of the mesh's box.
+/// The minimum corner and the size of the mesh's box.
 fn extent(mesh: &Mesh) -> (Point, Point) {
     let mut low = [f64::MAX; 3];
     let mut high = [-f64::MAX; 3];

@@ -1,53 +1,53 @@
-//! What is counted.
+//! Rows of a report.
 
 use super::judge::{Fault, Verdict};
 use serde::{Deserialize, Serialize};
 
-/// A tracer in one family of scenes at one magnitude.
+/// The results of a tracer in one family of scenes at one magnitude.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Row {
-    /// Who traces.
+    /// The name of the tracer.
     pub tracer: String,
-    /// What kind of scene.
+    /// The kind of scene.
     pub family: String,
-    /// How large, or how extreme.
+    /// How large or how extreme the scenes are.
     pub magnitude: String,
     /// `cpu` or `gpu`.
     pub backend: String,
-    /// How nodes and triangles are stored.
+    /// The storage of nodes and triangles.
     pub codec: String,
     /// `whole`, or `reduced` to what an eye may see.
     pub reduction: String,
-    /// How many were traced, each for the closest and for any hit.
+    /// The number of rays, each traced for the closest and for any hit.
     pub rays: u64,
-    /// Nothing is reported where something must be met.
+    /// Rays without a reported hit where one is certain.
     pub missed: u64,
-    /// What is reported is not where the ray is.
+    /// Reported hits that are not on the ray.
     pub false_hits: u64,
-    /// Something behind what must be met is reported.
+    /// Reported hits behind a certain one.
     pub wrong_primitive: u64,
-    /// Hits whose ray passes their triangle, but at another place: t is off by more than the bound. No fault.
+    /// Rays that hit their triangle, but with t off by more than the bound. This is no fault.
     pub adrift: u64,
     /// The largest error of t along the ray, in ulps of the largest coordinate of origin and triangle.
     pub t_error_ulps: f64,
-    /// The same, across the triangle's plane.
+    /// The same error across the triangle's plane.
     pub plane_error_ulps: f64,
-    /// How far a vertex moved, in the mesh's unit.
+    /// The largest move of a vertex, in the mesh's unit.
     pub moved: Option<f64>,
-    /// How far it might have.
+    /// The largest possible move.
     pub moved_bound: Option<f64>,
     /// Levels of the tree.
     pub depth: Option<u32>,
-    /// Most nodes that waited for a ray.
+    /// The most nodes on the stack of a ray.
     pub stack: Option<u32>,
-    /// To build and to trace.
+    /// The time to build and to trace.
     pub time_ms: f64,
-    /// One of the rays at fault: bits of origin, `t_min`, direction, `t_max`, and what was reported.
+    /// One of the rays at fault: the bits of origin, `t_min`, direction and `t_max`, and the answer.
     pub example: Option<String>,
 }
 
 impl Row {
-    /// Adds what was found about an answer. `example` tells which ray it was.
+    /// Counts the verdict on an answer. `example` describes the ray.
     pub fn count(&mut self, verdict: &Verdict, example: impl FnOnce() -> String) {
         self.rays += 1;
         self.adrift += u64::from(verdict.is_adrift);
@@ -67,8 +67,8 @@ impl Row {
         }
     }
 
-    /// Adds another row: counts and times are added up, of errors the larger is kept, and of moved vertices what comes nearer
-    /// to its bound.
+    /// Adds another row. Counts and times are summed, the larger errors are kept, and so is the move that is nearer to its
+    /// bound.
     pub fn add(&mut self, other: &Self) {
         self.rays += other.rays;
         self.missed += other.missed;
@@ -85,7 +85,7 @@ impl Row {
         }
     }
 
-    /// How far a vertex moved, as a share of what it might; below 0 where none may.
+    /// The largest move as a share of its bound; below 0 if no vertex may move.
     fn moved_share(&self) -> f64 {
         match (self.moved, self.moved_bound) {
             (Some(moved), Some(bound)) if moved > 0.0 => moved / bound,
@@ -94,7 +94,7 @@ impl Row {
         }
     }
 
-    /// All that must be 0.
+    /// The number of faults, which must be 0.
     #[must_use]
     pub fn faults(&self) -> u64 {
         self.missed + self.false_hits + self.wrong_primitive

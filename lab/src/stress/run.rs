@@ -1,4 +1,4 @@
-//! Asks a tracer about a case, and judges.
+//! Runs a tracer on a case, and judges its answers.
 
 use super::families::Case;
 use super::judge::{Answer, Judge, Shot, Verdict};
@@ -10,10 +10,10 @@ use crate::oracle::Crossing;
 use rayon::prelude::*;
 use slimbvh::Ray;
 
-/// All trees of a tracer on a case, a row each.
+/// Judges all trees of a tracer on a case, one row each.
 ///
 /// # Errors
-/// What the tracer says when it cannot go on.
+/// If the tracer fails.
 pub fn run(tracer: &mut dyn Tracer, case: &Case) -> Result<Vec<Row>, Failure> {
     let rays = rays(case);
     let all: Vec<Ray> = rays.shots.iter().map(|shot| shot.ray).collect();
@@ -44,10 +44,10 @@ pub fn run(tracer: &mut dyn Tracer, case: &Case) -> Result<Vec<Row>, Failure> {
     Ok(rows)
 }
 
-/// What need not be found again for another tree over the same triangles.
+/// Results that trees over the same triangles share.
 struct Known {
     subject: Subject,
-    /// What each ray meets exactly.
+    /// The exact hits of each ray.
     crossings: Vec<Vec<Crossing>>,
     shots: Vec<Shot>,
 }
@@ -108,7 +108,7 @@ fn new_row(tracer: &dyn Tracer, case: &Case, tree: &Tree, outcome: &Outcome) -> 
     }
 }
 
-/// A ray, to the bit, and what was said about it.
+/// The bits of a ray, and the answer.
 fn example(shot: &Shot, answer: &Answer) -> String {
     let numbers: [f32; 8] = bytemuck::cast(shot.ray);
     let bits = numbers.map(|x| format!("{:08x}", x.to_bits())).join(" ");

@@ -1,12 +1,12 @@
-//! Meshes of the families that nobody else needs.
+//! Meshes of the families.
 
 use glam::{Quat, Vec3};
 use slimbvh::Mesh;
 use slimbvh::generate::{append, ground, teapot, transformed};
 use slimbvh::internals::Random;
 
-/// A closed spindle from `-axis` to `axis` around the origin: two fans of needles over one ring of this radius. Its front
-/// sides face out.
+/// A closed spindle from `-axis` to `axis` around the origin: two fans of needles over one ring of this radius. Its faces
+/// point outward.
 pub fn spindle(axis: Vec3, radius: f32, needle_count: u32) -> Mesh {
     let [u, v] = [axis.any_orthogonal_vector().normalize(), axis.normalize()];
     let across = [u, v.cross(u)];
@@ -24,7 +24,7 @@ pub fn spindle(axis: Vec3, radius: f32, needle_count: u32) -> Mesh {
     }
 }
 
-/// Triangles that overlap in one slanted plane, each five times: twice as it is, turned over, with its corners moved on, and
+/// Triangles that overlap in one slanted plane. Each occurs five times: twice as it is, reversed, with rotated corners, and
 /// as a smaller one.
 pub fn coplanar(count: u32, seed: u64) -> Mesh {
     let mut random = Random::new(seed);
@@ -32,7 +32,7 @@ pub fn coplanar(count: u32, seed: u64) -> Mesh {
     for _ in 0..count {
         let middle = random.point();
         let corners = [0, 1, 2].map(|_| middle + 0.2 * random.point());
-        // A grid of a 512th, so that the plane holds them exactly.
+        // A grid of 1/512, so that the plane holds the corners exactly.
         let on_plane = corners.map(|p| {
             let [x, y] = [p.x, p.y].map(|x| (x * 512.0).round() / 512.0);
             [x, y, 0.5 * x - 2.0 * y]
@@ -47,13 +47,13 @@ pub fn coplanar(count: u32, seed: u64) -> Mesh {
     mesh
 }
 
-/// Triangles of all sizes whose boxes have the origin in the middle.
+/// Triangles of all sizes whose boxes are centered at the origin.
 pub fn equal_centres(count: u32, seed: u64) -> Mesh {
     let mut random = Random::new(seed);
     let mut mesh = Mesh::default();
     for i in 0..count {
         let p = 2.0 * random.point() - Vec3::ONE;
-        // Opposite corners; the third stays inside.
+        // Two opposite corners; the third stays inside their box.
         let third = p * Vec3::new(1.0, -1.0, 1.0) * (2.0 * random.unit() - 1.0);
         mesh.vertices.extend([p, -p, third].map(|p| p.to_array()));
         mesh.indices.push([0, 1, 2].map(|corner| 3 * i + corner));
@@ -74,7 +74,7 @@ pub fn stadium(cells: u32) -> Mesh {
     mesh
 }
 
-/// All triangles in one plane across an axis.
+/// Moves all triangles into one plane across an axis.
 pub fn flattened(mut mesh: Mesh, axis: usize, height: f32) -> Mesh {
     for vertex in &mut mesh.vertices {
         vertex[axis] = height;

@@ -1,4 +1,4 @@
-//! slimbvh itself, on this machine's cores.
+//! slimbvh on the CPU.
 
 use super::families::Case;
 use super::judge::Answer;
@@ -20,11 +20,11 @@ use std::time::Instant;
 /// The CPU backend.
 #[derive(Clone, Copy, Debug)]
 pub struct Cpu {
-    /// How many codecs are tried.
+    /// The number of codecs.
     pub effort: Effort,
 }
 
-/// In the table.
+/// The name in tables.
 pub const NAME: &str = "slimbvh";
 
 impl Tracer for Cpu {
@@ -68,7 +68,7 @@ impl Tracer for Cpu {
     }
 }
 
-/// All codecs, whole; and two of them reduced, where there is something to leave out.
+/// All codecs with whole trees, and two of them with reduced trees if the case has an eye.
 pub fn trees(case: &Case, effort: Effort, on_gpu: bool) -> Vec<Tree> {
     let tree = |storage: Storage, is_reduced| Tree {
         codec: storage.name(),
@@ -88,7 +88,7 @@ pub fn storage(tree: &Tree, effort: Effort) -> Result<Storage, Failure> {
     own.ok_or_else(|| format!("there is no codec {:?}", tree.codec).into())
 }
 
-/// Which triangles a tree is built over.
+/// The triangles that a tree is built over.
 pub struct Facing {
     pub components: Vec<u32>,
     pub sides: Vec<i32>,
@@ -135,16 +135,16 @@ fn answers(bvh: &Bvh, rays: &[Ray]) -> Vec<Answer> {
     rays.par_iter().map(answer).collect()
 }
 
-/// What a tree stores, beside answers.
+/// The contents of a tree, and its outcome without answers.
 pub struct Facts {
     pub decoded: Bvh,
     pub outcome: Outcome,
 }
 
-/// Takes the triangles as they come out of their codec; those that a tree leaves out as they are.
+/// Collects the triangles as the codec stores them. Triangles that a tree leaves out stay as they are.
 pub fn facts(prepared: &Prepared, storage: Storage, bvh: &Bvh) -> Result<Facts, Failure> {
     let decoded = bvh.decoded();
-    // In the scene's own magnitude where that is larger, else in the tree's: either way they are numbers of `f32`.
+    // Use the scene's own magnitude if it is larger, else the tree's: either way the numbers fit into `f32`.
     let exponent = bvh.scene_exponent().max(0);
     let unscale = exponent - bvh.scene_exponent();
     let mesh = &prepared.mesh;
@@ -167,7 +167,7 @@ pub fn facts(prepared: &Prepared, storage: Storage, bvh: &Bvh) -> Result<Facts, 
         let unit = 2f64.powi(-plain.scene_exponent());
         match moved(&plain, &decoded) {
             Ok(moves) => Some([moves.most, moves.bound]),
-            // Told by its row, as all that is wrong.
+            // The row reports it, like all faults.
             Err(MoveError::BeyondBound { distance, bound }) => {
                 Some([distance * unit, bound * unit])
             }

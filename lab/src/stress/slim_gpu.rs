@@ -1,4 +1,4 @@
-//! slimbvh itself, on a GPU.
+//! slimbvh on a GPU.
 
 use super::families::Case;
 use super::judge::Answer;
@@ -15,9 +15,9 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 /// The GPU backend.
 #[derive(Debug)]
 pub struct Gpu {
-    /// What computes.
+    /// The GPU.
     pub gpu: gpu::Gpu,
-    /// How many codecs are tried.
+    /// The number of codecs.
     pub effort: Effort,
 }
 
@@ -95,7 +95,7 @@ impl Set {
     }
 }
 
-/// Rays, and room for what is said about them.
+/// Rays, and buffers for their answers.
 struct Questions {
     rays: wgpu::Buffer,
     closest: wgpu::Buffer,

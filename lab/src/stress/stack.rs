@@ -1,4 +1,4 @@
-//! How deep trees are, and how many nodes wait while they are traced.
+//! The depth of trees, and the size of the traversal stack.
 
 use slimbvh::Bvh;
 use slimbvh_core::Ray;
@@ -9,7 +9,7 @@ use slimbvh_core::trace::{
 };
 use std::cell::Cell;
 
-/// Nodes on the longest way from the root to a leaf, the leaf included. 0 for no tree.
+/// The number of nodes on the longest path from the root to a leaf, the leaf included; 0 without a tree.
 pub fn depth(bvh: &Bvh) -> u32 {
     if bvh.triangle_count() == 0 {
         return 0;
@@ -32,7 +32,7 @@ pub fn depth(bvh: &Bvh) -> u32 {
     deepest
 }
 
-/// The most nodes that waited at once while a ray's closest hit was looked for, in a tree without codecs.
+/// The largest stack during the search for a ray's closest hit, in a tree without codecs.
 pub fn longest(bvh: &Bvh, ray: &Ray) -> u32 {
     LONGEST.set(0);
     let prepared = PreparedRay::new(ray, bvh.scene_exponent());
@@ -46,7 +46,7 @@ thread_local! {
     static LONGEST: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Nodes whose cursors note where they wait.
+/// Nodes whose cursors record their places on the stack.
 struct Noted<'a>(PlainNodes<'a>);
 
 #[derive(Clone, Copy)]

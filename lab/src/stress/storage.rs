@@ -1,22 +1,22 @@
-//! The codecs that are tried, and the kinds of trees.
+//! The codecs and the kinds of trees to test.
 
 use super::Effort;
 use crate::oracle::distance::{length, minus};
 use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
 use std::borrow::Cow;
 
-/// How triangles are stored.
+/// The storage of triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Triangles {
     Full,
     Leaf10,
-    /// On a lattice, so many times coarser than the finest, as a power of two.
+    /// On a lattice whose step is 2^`coarser` times the finest.
     Lattice {
         coarser: i32,
     },
 }
 
-/// How nodes and triangles are stored, and how the tree over them is found.
+/// The storage of nodes and triangles, and the kind of tree over them.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
     nodes: NodeCodec,
@@ -24,12 +24,12 @@ pub struct Storage {
     tree: TreeKind,
 }
 
-/// A mesh made ready for a codec.
+/// A mesh that is ready for a codec.
 pub struct Prepared<'a> {
-    /// Moved onto the lattice, where there is one.
+    /// The mesh, moved onto the lattice if there is one.
     pub mesh: Cow<'a, Mesh>,
     pub config: BuildConfig,
-    /// How far a vertex moved onto a lattice, and how far it might have.
+    /// The largest move of a vertex onto the lattice, and its bound.
     pub moved: Option<[f64; 2]>,
 }
 
@@ -62,7 +62,7 @@ impl Storage {
         }
     }
 
-    /// Those that are tried; on a GPU only what it has.
+    /// The storages to test; on a GPU only those that it supports.
     pub fn all(effort: Effort, on_gpu: bool) -> Vec<Self> {
         let leaf10 = Self {
             triangles: Triangles::Leaf10,
@@ -88,7 +88,7 @@ impl Storage {
         all
     }
 
-    /// In tables: of nodes, then of triangles where these are not in full, then of trees other than radix.
+    /// The name in tables: the nodes, then the triangles unless in full precision, then the kind of tree unless radix.
     pub fn name(self) -> String {
         let nodes = self.nodes.name();
         let codec = match self.triangles {
@@ -103,7 +103,7 @@ impl Storage {
         }
     }
 
-    /// Moves vertices where that must be.
+    /// Prepares a mesh. Moves its vertices if the codec needs that.
     pub fn prepare(self, mesh: &Mesh, code_bits: CodeBits) -> Prepared<'_> {
         let config = |mesh| BuildConfig {
             nodes: self.nodes,
@@ -128,7 +128,7 @@ impl Storage {
         let pairs = mesh.vertices.iter().zip(&snapped.vertices);
         let moved = pairs.map(|(a, b)| length(minus(a.map(f64::from), b.map(f64::from))));
         let moved = moved.fold(0.0, f64::max);
-        // Half a step on each axis; the sum of squares is rounded.
+        // Half a step on each axis, plus the rounding of the sum of squares.
         let bound = 0.75f64.sqrt() * 2f64.powi(step_exponent) * (1.0 + 4.0 * f64::EPSILON);
         Prepared {
             mesh: Cow::Owned(snapped),
@@ -137,7 +137,7 @@ impl Storage {
         }
     }
 
-    /// Whether the codec moves vertices by itself.
+    /// Whether the codec itself moves vertices.
     pub fn is_leaf10(self) -> bool {
         self.triangles == Triangles::Leaf10
     }

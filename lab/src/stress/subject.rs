@@ -1,4 +1,4 @@
-//! A scene as its judge sees it: in doubles that lose nothing, and with its surfaces known.
+//! A scene as the judge sees it: exact in doubles, and with known surfaces.
 
 use super::bound::{bound, largest, steepness};
 use super::surface::Surface;
@@ -8,38 +8,38 @@ use slimbvh::internals::{SolidAngle, dot};
 use slimbvh_core::Ray;
 use slimbvh_core::float::exponent;
 
-/// The triangles that a tracer has, multiplied by a power of two.
+/// The triangles that a tracer stores, scaled by a power of two.
 #[derive(Clone, Debug)]
 pub struct Subject {
-    /// What rays meet exactly.
+    /// The triangles for exact intersection.
     pub scene: Unculled,
     surface: Surface,
     /// The largest coordinate.
     pub size: f64,
-    /// All coordinates are the mesh's times two to this power, so that the tracer's own are numbers of `f32`.
+    /// The exponent of the power of two that scales the mesh, so that the tracer's own numbers fit into `f32`.
     pub exponent: i32,
 }
 
 /// A ray among the triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
-    /// In the magnitude of the triangles.
+    /// The ray in the magnitude of the triangles.
     pub ray: Ray,
-    /// Where t is 0.
+    /// The point where t is 0.
     pub origin: Point,
-    /// Of length 1.
+    /// The direction, of length 1.
     pub unit: Point,
-    /// Length of the direction.
+    /// The length of the direction.
     pub length: f64,
-    /// Its t is the caller's times two to this power.
+    /// t of `ray` is t of the caller's ray times two to this power.
     pub t_exponent: i32,
 }
 
-/// Origins farther away than this many times the scene's size see nothing: the third promise on magnitudes.
+/// Rays from origins farther away than this many times the scene's size hit nothing: the third promise on magnitudes.
 const FARTHEST: f64 = slimbvh_core::ray::FARTHEST_ORIGIN as f64;
 
 impl Subject {
-    /// Triangles whose coordinates were multiplied by two to a power.
+    /// Takes triangles whose coordinates are scaled by two to this power.
     #[must_use]
     pub fn new(triangles: Vec<[[f32; 3]; 3]>, exponent: i32) -> Self {
         let coordinates = triangles.as_flattened().as_flattened().iter();
@@ -52,7 +52,7 @@ impl Subject {
         }
     }
 
-    /// Carries a ray to the magnitude of the triangles. `None` for one that must hit nothing, as it is no ray.
+    /// Scales a ray to the magnitude of the triangles; `None` for an invalid ray, which must hit nothing.
     #[must_use]
     pub fn line(&self, ray: &Ray) -> Option<Line> {
         let numbers = ray.origin.iter().chain(&ray.direction);
@@ -62,7 +62,7 @@ impl Subject {
         if !is_sane {
             return None;
         }
-        // Origin and direction alike, so that t stays as it is, as far as the direction stays finite.
+        // Scale origin and direction alike, so that t stays as it is unless the direction would overflow.
         let longest = ray.direction.iter().fold(0.0, |a: f32, x| a.max(x.abs()));
         let of_direction = self.exponent.min(126 - exponent(longest));
         let t_exponent = self.exponent - of_direction;
@@ -71,7 +71,7 @@ impl Subject {
             scaled.clamp(f32::MIN, f32::MAX)
         };
         let ray = Ray {
-            // Beyond all numbers is beyond what sees anything, too.
+            // An origin that overflows is too far away to hit anything.
             origin: ray.origin.map(|x| scaled(x, self.exponent)),
             direction: ray.direction.map(|x| scaled(x, of_direction)),
             t_min: scaled(ray.t_min, t_exponent),
@@ -88,7 +88,7 @@ impl Subject {
         })
     }
 
-    /// Whether the triangles are closed surfaces, all of them, that certainly wind around a point in the mesh's unit.
+    /// Whether all triangles form closed surfaces that certainly wind around a point, given in the mesh's unit.
     #[must_use]
     pub fn is_around(&self, point: [f32; 3]) -> bool {
         let point = point.map(|x| f64::from(x) * 2f64.powi(self.exponent));
@@ -103,7 +103,7 @@ impl Subject {
         self.scene.triangle(primitive).map(|p| p.map(f64::from))
     }
 
-    /// The bound on distances from a triangle, and how far along the ray it leads off the triangle's plane.
+    /// The bound on distances from a triangle, and the distance along the ray that it corresponds to.
     #[must_use]
     pub fn slack(&self, line: &Line, primitive: u32, ulps: f64) -> [f64; 2] {
         let corners = self.corners(primitive);
@@ -111,8 +111,8 @@ impl Subject {
         [bound, bound / steepness(line.unit, &corners)]
     }
 
-    /// Whether a ray must be told to meet this, by the bound: it starts near enough, the place lies well within its range, and
-    /// the surface goes on around it.
+    /// Whether a ray must hit here, by the bound: its origin is near enough, the hit is well within its range, and the
+    /// surface continues around the hit.
     #[must_use]
     pub fn must_be_met(&self, line: &Line, crossing: &Crossing, ulps: f64) -> bool {
         let corners = self.corners(crossing.primitive);
@@ -139,7 +139,7 @@ impl Line {
         plus(self.origin, self.unit, t * self.length)
     }
 
-    /// The part of the ray's range, longer by this at both ends, in which a triangle may lie.
+    /// The part of the ray's range in which a triangle may lie, with the range extended by `margin` at both ends.
     #[must_use]
     pub fn beside(&self, corners: &[Point; 3], margin: f64) -> [Point; 2] {
         let ways = corners.map(|corner| dot(minus(corner, self.origin), self.unit));

@@ -1,4 +1,4 @@
-//! Which edges end a surface.
+//! Borders and silhouettes of surfaces.
 
 use crate::oracle::Unculled;
 use crate::oracle::distance::{Point, between, sides};
@@ -6,31 +6,31 @@ use slimbvh::internals::{Edges, Side, excess, weld};
 use slimbvh_core::Ray;
 use std::collections::BTreeSet;
 
-/// The triangles of a scene and how they hang together.
+/// The triangles of a scene, and how they are connected.
 #[derive(Clone, Debug)]
 pub struct Surface {
-    /// The edge on each side of each triangle; [`NO_EDGE`] where both its ends are one point.
+    /// The edge on each side of each triangle; [`NO_EDGE`] if both ends of the side coincide.
     edge_of: Vec<[u32; 3]>,
     edges: Vec<Edge>,
-    /// Triangles along edges, in runs.
+    /// The triangles along the edges, in runs.
     along: Vec<u32>,
 }
 
 const NO_EDGE: u32 = u32::MAX;
 
-/// A surface that a ray passes near more triangles than this is not followed further: it counts as ended.
+/// The largest number of triangles that are visited near a ray. Beyond it the surface counts as ended.
 const MOST_NEAR: usize = 4096;
 
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     first: u32,
     count: u32,
-    /// Whether it is passed oftener in one direction than in the other.
+    /// Whether triangles pass it more often in one direction than in the other.
     is_border: bool,
 }
 
 impl Surface {
-    /// Corners at equal positions are one.
+    /// Corners at equal positions count as one.
     #[must_use]
     pub fn new(triangles: &[[[f32; 3]; 3]]) -> Self {
         let ids = weld(triangles.as_flattened());
@@ -70,8 +70,8 @@ impl Surface {
         &self.along[edge.first as usize..][..edge.count as usize]
     }
 
-    /// Whether the surface goes on around the place where a ray passes a triangle: no border and no silhouette within
-    /// `reach` of it. `line` is the part of the ray that counts.
+    /// Whether the surface continues around the point where a ray hits a triangle: neither a border nor a silhouette is
+    /// within `reach`. `line` is the relevant part of the ray.
     #[must_use]
     pub fn goes_on(
         &self,
@@ -133,7 +133,7 @@ mod tests {
         let sphere = corners(&icosphere(Vec3::ZERO, 1.0, 3));
         assert!(asks(sphere.clone(), 0.1) && asks(sphere.clone(), 0.5));
         assert!(!asks(sphere.clone(), 0.9935));
-        // A hole beside the ray.
+        // Cut a hole beside the ray.
         let scene = Unculled::new(sphere.clone());
         let ray = Ray::new([0.1, 0.013, 5.0], [0.0, 0.0, -1.0]);
         let first = scene.crossings(&ray, u32::MAX)[0].primitive;

@@ -1,4 +1,4 @@
-//! Planted faults are found, and nothing else is.
+//! Planted faults are found, and right answers are accepted.
 
 use super::*;
 use crate::oracle::Crossing;
@@ -8,7 +8,7 @@ use slimbvh::generate::{icosphere, soup};
 use slimbvh::{CodeBits, Hit, Mesh, Ray};
 use std::sync::OnceLock;
 
-/// Scenes with all that is known of them, and right answers.
+/// A scene with its exact hits, and right answers.
 struct Known {
     subject: Subject,
     shots: Vec<Shot>,
@@ -71,14 +71,14 @@ impl Known {
         judge.judge(&self.shots[i], &self.crossings[i], answer)
     }
 
-    /// The first crossing, where it must be met and is seen well.
+    /// The first crossing, if it must be hit and the ray is steep enough.
     fn certain(&self, i: usize) -> Option<(Line, &Crossing)> {
         let line = self.subject.line(&self.shots[i].ray)?;
         let first = self.crossings[i].first()?;
         let corners = self.subject.corners(first.primitive);
         let is_certain = self.subject.must_be_met(&line, first, BOUND_ULPS)
             && steepness(line.unit, &corners) > 0.1
-            // It does not come from so far that everything is near.
+            // The origin is not so far away that everything counts as near.
             && self.subject.slack(&line, first.primitive, BOUND_ULPS)[0] < 1e-5
             && first.t.abs() > 1e-30
             && first.t.abs() < 1e30;
@@ -86,7 +86,7 @@ impl Known {
     }
 }
 
-/// What a tracer without rounding but of the last bit says.
+/// The answer of a tracer that rounds only to the nearest `f32`.
 fn exact(first: Option<&Crossing>) -> Answer {
     Answer {
         closest: first.map_or(Hit::MISS, |first| Hit {
@@ -112,7 +112,7 @@ fn right_answers_are_right() {
 }
 
 proptest! {
-    /// Wherever the bound leaves no way out, a planted fault is called what it is.
+    /// Where a hit is certain, a planted fault is found and named.
     #[test]
     fn a_spoilt_answer_is_found(scene in 0usize..2, pick in any::<prop::sample::Index>(), other in any::<prop::sample::Index>(), away in prop_oneof![-1.0f64..-1e-3, 1e-3f64..1.0]) {
         let known = &Known::all()[scene];
@@ -130,7 +130,7 @@ proptest! {
         for t in [f32::NAN, f32::INFINITY] {
             prop_assert_eq!(fault(Hit { t, ..right.closest }, true), Some(Fault::False));
         }
-        // Another triangle at the same place, unless the ray meets it, too, or passes it so slantingly that t may be off by as much.
+        // Another triangle at the same place, unless the ray hits it too, or is so slanted that t may be off by as much.
         let primitive = other.index(known.subject.scene.count()) as u32;
         let corners = known.subject.corners(primitive);
         let distance = crate::oracle::distance::to_triangle(line.at(first.t), corners);
@@ -138,7 +138,7 @@ proptest! {
         if distance > 1e-3 + reach + along {
             prop_assert_eq!(fault(Hit { primitive, ..right.closest }, true), Some(Fault::False));
         }
-        // What lies behind instead.
+        // A hit behind the certain one.
         if let Some(last) = known.crossings[i].last() && (last.t - first.t) * line.length > 0.1 {
             let behind = exact(Some(last)).closest;
             let found = fault(behind, true);
@@ -146,7 +146,7 @@ proptest! {
         }
     }
 
-    /// No scene and no ray is at fault for being scaled by a power of two.
+    /// Scaling a scene and its rays by a power of two causes no fault.
     #[test]
     fn magnitude_does_not_matter(exponent in -120i32..=120, pick in any::<prop::sample::Index>()) {
         let known = &Known::all()[1];
@@ -170,7 +170,7 @@ proptest! {
     }
 }
 
-/// From inside, nothing excuses a miss, and what is no ray must not hit.
+/// From inside a closed surface no miss is excused, and an invalid ray must not hit.
 #[test]
 fn there_is_no_tolerance_inside_and_none_for_what_is_no_ray() {
     let known = &Known::all()[0];
@@ -195,7 +195,7 @@ fn there_is_no_tolerance_inside_and_none_for_what_is_no_ray() {
     assert!(inside >= 300 && none >= 20, "{inside} {none}");
 }
 
-/// A tracer that loses one hit of a hundred.
+/// A tracer that loses one hit in a hundred.
 struct Forgetful(Cpu);
 
 impl Tracer for Forgetful {

@@ -4,7 +4,7 @@ use crate::adapter::adapter;
 use crate::process::Folder;
 use serde_json::Value;
 
-/// Times are the GPU's, figures that are counted those of a report by the CPU, and what only the CPU has is said to be so.
+/// Times come from the GPU, counts equal those of a report by the CPU, and methods that only the CPU has are marked.
 #[test]
 fn compressed_trees_are_timed_on_a_gpu_and_counted_as_on_the_cpu() {
     let Some(adapter) = adapter() else { return };
@@ -37,7 +37,7 @@ fn compressed_trees_are_timed_on_a_gpu_and_counted_as_on_the_cpu() {
         ("left out", false),
         ("a CPU that plays a GPU: the times say nothing", is_software),
         ("what encoding adds to construction", false),
-        // Not of a GPU that is none, and not of the smallest scene.
+        // These are not judged on a software GPU, and not for the smallest scene.
         ("rendering / plain", false),
     ] {
         assert_eq!(text.contains(part), is_there, "{part}: {text}");
@@ -87,7 +87,7 @@ fn compressed_trees_are_timed_on_a_gpu_and_counted_as_on_the_cpu() {
         }
     }
 
-    // The file has the same tables, all rows as long as their heads.
+    // The file has the same tables, and all their rows are as long as their heads.
     let file = String::from_utf8(folder.read("gpu.md")).expect("it is text");
     let (_, table) = file
         .split_once("## Bytes of the GPU's buffers")

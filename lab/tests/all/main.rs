@@ -20,5 +20,5 @@ mod process;
 #[path = "../../../cli/tests/all/refusal.rs"]
 mod refusal;
 
-/// What is tested.
+/// The binary under test.
 const BINARY: &str = env!("CARGO_BIN_EXE_slimbvh-lab");

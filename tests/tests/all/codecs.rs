@@ -112,12 +112,12 @@ proptest! {
             let plain = build(&mesh, code_bits);
             let nodes = plain.nodes();
             let codec = Paper10Codec { opaque_zero: 0 };
-            let printed = alone(nodes, &codec, |bounds, node| {
+            let paper10 = alone(nodes, &codec, |bounds, node| {
                 bytemuck::bytes_of(&codec.encode(bounds, node).node).to_vec()
             });
             let root = RootWords::of_paper10(&node_bounds(0, nodes, &codec));
             for (nodes, alone) in [
-                (NodeCodec::Paper10, (printed, root)),
+                (NodeCodec::Paper10, (paper10, root)),
                 (NodeCodec::Lattice(LatticeBits::Q4), alone_on_lattice::<4, 3>(nodes)),
                 (NodeCodec::Lattice(LatticeBits::Q10), alone_on_lattice::<10, 4>(nodes)),
                 (NodeCodec::Lattice(LatticeBits::Q21), alone_on_lattice::<21, 7>(nodes)),

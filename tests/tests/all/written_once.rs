@@ -171,7 +171,7 @@ const STAGES: &[Stage] = &[
             "geometry/slab",
             "geometry/watertight",
         ],
-        shaders: &["trace", "trace/store", "trace/coded"],
+        shaders: &["trace", "trace/kernels", "trace/store", "trace/coded"],
         cpu: &["trace", "tree/lanes", "tree/packets"],
         gpu: &["trace", "trace/paths"],
     },

@@ -1,9 +1,9 @@
-//! Animations on a GPU, be it one that computes in software.
+//! Animations on a GPU, which may be a software adapter.
 
 use super::{actions, decode, folder, frames};
 use crate::process::Folder;
 
-/// An animation on the preferred adapter: its report, or nothing where there is no adapter.
+/// Runs an animation on the adapter and returns its report.
 fn run(folder: &Folder, adapter: &str, options: &[&str]) -> serde_json::Value {
     let common = ["animate", "--size=64x36", "--json=-", "--adapter", adapter];
     let outcome = folder.run_with_gpu([&common[..], options].concat());
@@ -23,7 +23,7 @@ fn a_gpu_makes_the_same_frames() {
     let folder = folder(&["cpu", "refit", "rebuild", "auto"]);
     let common = ["--frames=10", "--orbit", "--deform=twist"];
     same_frames(&folder, adapter, &common);
-    // Each frame has three trees.
+    // Each frame has three shutter times, each with its own tree.
     let common = [&common[..], &["--shutter=0.5", "--shutter-times=3"]].concat();
     let folder = self::folder(&["cpu", "refit", "rebuild", "auto"]);
     same_frames(&folder, adapter, &common);
@@ -39,7 +39,7 @@ fn same_frames(folder: &Folder, adapter: &str, common: &[&str]) {
         let report = run(folder, adapter, &[common, &options].concat());
         assert_eq!(report["backend"], "gpu");
         assert_eq!(actions(&report)[0], "rebuilt");
-        // The cost is not known there, so refits are counted.
+        // The GPU does not compute the SAH cost, so `auto` rebuilds every eighth time.
         let expected: u32 = match update {
             "refit" => 1,
             "rebuild" => 10 * times,
@@ -51,13 +51,13 @@ fn same_frames(folder: &Folder, adapter: &str, common: &[&str]) {
     assert_eq!(pictures[0], pictures[1]);
     assert_eq!(pictures[0], pictures[2]);
 
-    // Rounding may move a byte by one; a ray that grazes an edge may see what is behind.
+    // Rounding may change a byte by one. A ray that grazes an edge may hit what lies behind it.
     for (cpu, gpu) in cpu.iter().zip(&pictures[0]) {
         let (cpu, gpu) = (decode(cpu), decode(gpu));
         let far = cpu.iter().zip(&gpu).filter(|(a, b)| a.abs_diff(**b) > 1);
         assert!(far.count() <= cpu.len() / 200);
     }
-    // And the comparison tells frames apart.
+    // Negative control: consecutive frames differ.
     let (first, next) = (decode(&cpu[0]), decode(&pictures[0][1]));
     let far = first.iter().zip(&next).filter(|(a, b)| a.abs_diff(**b) > 1);
     assert!(far.count() > first.len() / 20);

@@ -1,10 +1,10 @@
-//! Whatever is wrong, the answer is exit code 2 and one sentence, and nothing is written.
+//! `animate` answers bad input with exit code 2 and one sentence, and writes no file.
 
 use super::folder;
 use crate::files::{TwoTriangles, box_obj};
 use crate::process::Folder;
 
-/// Runs the binary, which must refuse with a sentence that has all of these in it, and leave the folder as it was.
+/// Runs the binary, which must refuse with a sentence that contains every expected part, and leave the folder unchanged.
 #[track_caller]
 fn refuses(folder: &Folder, arguments: &[&str], expected: &[&str]) {
     let before = folder.contents();
@@ -15,7 +15,7 @@ fn refuses(folder: &Folder, arguments: &[&str], expected: &[&str]) {
         (Some(2), ""),
         "{arguments:?}: {outcome:?}"
     );
-    // What the parser of the command line refuses has more lines, on where help is.
+    // Errors of the command line parser have more lines, which point to the help.
     let (sentence, rest) = outcome.stderr.split_once('\n').unwrap_or_default();
     println!("{sentence}");
     assert!(sentence.starts_with("error: "), "{outcome:?}");
@@ -81,7 +81,7 @@ fn frames_without_a_place() {
             &["box.obj", "--frames=2", "--out", out],
             &[expected],
         );
-        // No scene is read for nothing.
+        // The output path is checked before the scene is read.
         refuses(
             &folder,
             &["gone.obj", "--frames=2", "--out", out],
@@ -92,7 +92,7 @@ fn frames_without_a_place() {
     let options = ["box.obj", "--frames=3", "--out=frames"];
     refuses(&folder, &options, &["frame-0002.png\" is a folder"]);
     let wide = ["box.obj", "--frames=2", "--out=w.gif"];
-    // The later size counts.
+    // A side of a GIF has at most 65535 pixels.
     let arguments = [&wide[..], &["--json=frames/j.json"]].concat();
     let outcome = folder.run([&["animate", "--size=65536x1"], &arguments[..]].concat());
     assert!(outcome.stderr.contains("65535"), "{outcome:?}");

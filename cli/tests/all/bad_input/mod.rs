@@ -1,4 +1,4 @@
-//! Whatever is wrong with the input, the answer is exit code 2 and one sentence that names it. Nothing else is written.
+//! Bad input: the binary exits with code 2 and one sentence that names the fault, and writes no file.
 
 mod options;
 mod places;
@@ -8,7 +8,7 @@ mod scenes;
 use crate::process::Folder;
 use crate::refusal::{folder, refuses, refuses_usage};
 
-/// Both commands refuse a scene file, and neither a new picture nor an older one is touched.
+/// `info` and `render` refuse a scene file and write neither a new picture nor over an existing one.
 #[track_caller]
 fn refuses_scene(folder: &Folder, arguments: &[&str], expected: &[&str]) {
     refuses(folder, &[&["info"], arguments].concat(), expected);

@@ -1,9 +1,9 @@
-//! Options that make no sense.
+//! Invalid options.
 
 use super::{folder, refuses, refuses_usage};
 use crate::refusal::refusal;
 
-/// Both ways a picture could come to be.
+/// A new picture, and one that already exists.
 const OUTPUTS: [&str; 2] = ["new.png", "kept.png"];
 
 #[test]
@@ -35,7 +35,7 @@ fn pictures_of_impossible_size() {
     }
 }
 
-/// Sizes that pass for numbers, but for which no memory suffices.
+/// Sizes that parse as numbers but exceed any memory.
 #[test]
 fn pictures_of_absurd_size() {
     let folder = folder();
@@ -152,7 +152,7 @@ fn lights_that_do_not_shine() {
         ("rectangle=0,1,0 edge1=0,0,0 edge2=0,0,1", "no area"),
     ] {
         for output in OUTPUTS {
-            // The second light is at fault.
+            // The second light is invalid.
             let lights = ["--light", "sun=0,-1,0", "--light", light];
             let arguments = [&["render", "sound.obj", "-o", output], &lights[..]].concat();
             refuses(&folder, &arguments, &["light 2", expected]);
@@ -215,7 +215,7 @@ fn words_that_mean_nothing() {
     ] {
         refuses_usage(&folder, arguments, &[expected]);
     }
-    // Without a word, the help.
+    // Without arguments the binary prints its help.
     let help = refusal(&folder, &[]);
     assert!(help.contains("Usage: slimbvh <COMMAND>"), "{help}");
 }

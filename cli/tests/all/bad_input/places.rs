@@ -1,4 +1,4 @@
-//! Pictures and reports with no place to go.
+//! Pictures and reports that cannot be written.
 
 use super::{folder, refuses};
 
@@ -21,7 +21,7 @@ fn pictures_without_a_place() {
     }
 }
 
-/// Where a scene is also bad, the picture's place is told first: no scene is read for nothing.
+/// The path of the picture is checked before the scene is read.
 #[test]
 fn the_place_is_looked_at_before_the_scene() {
     let folder = folder();
@@ -67,7 +67,7 @@ fn reports_without_a_place() {
     }
 }
 
-/// One file cannot hold both, nor can the report replace the scene.
+/// The report may replace neither the picture nor the scene.
 #[test]
 fn reports_in_the_place_of_something_else() {
     let folder = folder();
@@ -131,7 +131,7 @@ fn one_file_under_two_names() {
     refuses(&folder, &arguments, &["\"./new.png\" has another use"]);
 }
 
-/// A pipe is written to. It is not replaced by a file.
+/// A pipe is written to, not replaced by a file.
 #[cfg(unix)]
 #[test]
 fn pipes_stay_pipes() {

@@ -1,9 +1,9 @@
-//! Saved hierarchies that are damaged, foreign, or asked for what they have not.
+//! Saved hierarchies that are damaged, of another format, or do not match the options.
 
 use super::{folder, refuses, refuses_scene, refuses_usage};
 use crate::process::Folder;
 
-/// A folder with a saved hierarchy, and its bytes.
+/// A folder with a saved hierarchy, and the bytes of that file.
 fn saved() -> (Folder, Vec<u8>) {
     let folder = folder();
     folder.succeed(["build", "sound.obj", "-o", "sound.slim", "--nodes", "q10"]);
@@ -30,7 +30,7 @@ fn damaged_files() {
     }
     folder.write("bad.slim", [&sound[..], b"\n"].concat());
     refuses_scene(&folder, &["bad.slim"], &["goes on behind its end"]);
-    // As text tools spoil it.
+    // Text tools drop carriage returns.
     let spoilt: Vec<u8> = sound
         .iter()
         .copied()
@@ -67,7 +67,7 @@ fn foreign_files() {
     refuses_scene(&folder, &["other.slim"], &["version 4294967295"]);
     with(8, &[1, 2, 3, 4]);
     refuses_scene(&folder, &["other.slim"], &["big-endian"]);
-    // A saved file under the name of another format.
+    // A slim file with the extension of another format.
     folder.write("sound.ply", &sound);
     refuses_scene(&folder, &["sound.ply"], &["\"sound.ply\""]);
 }
@@ -97,7 +97,7 @@ fn other_trees_than_the_file_has() {
     }
 }
 
-/// A file is traced on the GPU that is asked for, or not at all.
+/// `render` traces a saved hierarchy on the requested GPU, or fails.
 #[test]
 fn gpus_that_are_not_there() {
     let (folder, _) = saved();
@@ -158,7 +158,7 @@ fn builds_that_cannot_be() {
     }
 }
 
-/// A file system that is full: an error, and nothing half-written.
+/// A full disk is an error, and no half-written file remains.
 #[cfg(target_os = "linux")]
 #[test]
 fn disks_that_are_full() {
@@ -166,7 +166,7 @@ fn disks_that_are_full() {
     let folder = folder();
     folder.write("kept.slim", "an older file");
     let before = folder.contents();
-    // No file may be larger than a block.
+    // Limit the size of files to one block.
     let binary = env!("CARGO_BIN_EXE_slimbvh");
     for output in ["new.slim", "kept.slim"] {
         let mut command = Command::new("sh");

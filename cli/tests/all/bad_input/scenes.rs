@@ -1,4 +1,4 @@
-//! Scene files that are absent, cut, contradictory, or noise.
+//! Scene files that are missing, truncated, inconsistent or random.
 
 use super::{folder, refuses_scene};
 use crate::files::{TwoTriangles, gltf_json, noise, ply_header};
@@ -11,7 +11,7 @@ fn no_such_file() {
     for name in ["gone.obj", "no folder/gone.ply", "gone.glb"] {
         refuses_scene(&folder, &[name], &[&format!("\"{name}\"")]);
     }
-    // Nothing follows a file.
+    // A path cannot lead through a file.
     refuses_scene(
         &folder,
         &["sound.obj/inner.obj"],
@@ -55,7 +55,7 @@ fn names_with_line_ends_and_escapes_stay_in_one_line() {
     refuses_scene(&folder, &["two\nlines.obj"], &["lines.obj"]);
     refuses_scene(&folder, &["two\nlines.fbx"], &["lines.fbx"]);
     refuses_scene(&folder, &["red \u{1b}[31m.obj"], &[".obj"]);
-    // Names inside a file are not to be trusted either.
+    // Names inside a file may hold escapes, too.
     let words = "\u{1b}[31mred";
     folder.write(
         "words.off",

@@ -1,11 +1,11 @@
-//! What `info` finds in meshes.
+//! Reports of `info` on meshes.
 
 use super::{keys, number, parse};
 use crate::files::box_obj;
 use crate::process::Folder;
 use serde_json::Value;
 
-/// `info` on an OBJ file: the only component.
+/// Runs `info` on an OBJ file and returns its only component.
 fn component(folder: &Folder, text: &str) -> Value {
     folder.write("solid.obj", text);
     let info = parse(&folder.succeed(["info", "solid.obj", "--json", "-"]));
@@ -45,7 +45,7 @@ fn info_tells_solids_from_shells() {
         serde_json::json!({"min": [0.0, 0.0, 0.0], "max": [1.0, 2.0, 3.0]})
     );
 
-    // Turned inside out.
+    // Reverse all faces.
     let flipped = box_obj().lines().map(flip).collect::<String>();
     let flipped = component(&folder, &flipped);
     assert_eq!(
@@ -54,7 +54,7 @@ fn info_tells_solids_from_shells() {
     );
     assert_eq!(number(&flipped, "volume"), -6.0);
 
-    // One triangle short, then with one turned over.
+    // Remove one triangle, then reverse it instead.
     let text = box_obj();
     let (open, last) = text.trim_end().rsplit_once('\n').unwrap();
     let turned = format!("{open}\n{}", flip(last));
@@ -75,7 +75,7 @@ fn info_tells_solids_from_shells() {
     );
 }
 
-/// Turns an OBJ line's face over.
+/// Reverses the winding of a face in an OBJ line.
 fn flip(line: &str) -> String {
     match line.split_whitespace().collect::<Vec<_>>()[..] {
         ["f", a, b, c] => format!("f {a} {c} {b}\n"),
@@ -101,7 +101,7 @@ fn info_on_the_default_scene() {
     for (key, count) in counts {
         assert_eq!(info[key], count, "{key}");
     }
-    // Six solids and more, all facing out; the sphere flake is many.
+    // All closed components face outward, and there are at least six: the sphere flake alone is many.
     let components = info["components"].as_array().unwrap();
     let closed = components
         .iter()

@@ -20,7 +20,7 @@ fn reports_go_where_they_are_asked_to() {
     let info = parse(&String::from_utf8(folder.read("info.json")).unwrap());
     assert!(text.contains("closed") && !text.contains('{'), "{text}");
     assert_eq!(info["triangles"], report["triangles"]);
-    // Again, over what is there.
+    // Writing again replaces the files.
     folder.succeed(["info", "--json", "info.json"]);
     folder.succeed([&SMALL[..], &["report.json"]].concat());
     assert_eq!(folder.contents().len(), 3, "{:?}", folder.contents().keys());
@@ -73,11 +73,11 @@ fn a_reader_that_goes_away_is_no_failure() {
             "{arguments:?}"
         );
     }
-    // The picture was written all the same.
+    // The picture was written nevertheless.
     assert_eq!(decode(&folder.read("slimbvh.png")).0, [160, 90]);
 }
 
-/// A picture's name may be as long as the system allows.
+/// The name of a picture may be as long as the system allows.
 #[test]
 fn long_names() {
     let folder = Folder::new();
@@ -87,7 +87,7 @@ fn long_names() {
     assert_eq!(decode(&folder.read(name)).0, [16, 9]);
 }
 
-/// Where a picture has been before, the new one takes its place whole.
+/// A new picture replaces an older one whole.
 #[test]
 fn pictures_replace_pictures() {
     let folder = Folder::new();

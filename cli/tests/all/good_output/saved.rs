@@ -1,4 +1,4 @@
-//! Saved hierarchies: built once, rendered without a build, told about.
+//! Saved hierarchies: `build` writes them, `render` shows them without a build, `info` describes them.
 
 use super::{keys, number, parse};
 use crate::files::{TwoTriangles, box_obj};
@@ -6,7 +6,7 @@ use crate::process::Folder;
 
 const SIZE: [&str; 4] = ["--size", "160x90", "--backend", "cpu"];
 
-/// Ways to store a hierarchy, for the default scene and one with neither camera nor light.
+/// Storage options, each tried on the default scene and on one with neither camera nor light.
 const STORED: [&[&str]; 6] = [
     &[],
     &["--codes", "63"],
@@ -16,7 +16,7 @@ const STORED: [&[&str]; 6] = [
     &["--tolerance", "0.4px"],
 ];
 
-/// A picture in any order of the bytes: `render` of the scene, and of what was built from it.
+/// `render` makes identical pictures from a scene and from the file that `build` made of it.
 #[track_caller]
 fn same_picture(folder: &Folder, scene: &[&str], stored: &[&str], view: &[&str]) {
     let built = ["build", "-o", "it.slim", "--size", "160x90"];
@@ -56,7 +56,7 @@ fn saved_scenes_make_the_picture_that_the_scene_makes() {
     }
 }
 
-/// A camera that nobody gave fits itself to each picture, and to the mesh as it was before its vertices moved.
+/// A default camera fits each picture's size, and frames the mesh as it was before its vertices moved.
 #[test]
 fn pictures_of_other_shapes_are_the_same_too() {
     let folder = Folder::new();
@@ -70,14 +70,14 @@ fn pictures_of_other_shapes_are_the_same_too() {
         folder.succeed([&["render", "it.slim", "-o", "saved.png"][..], &size].concat());
         assert!(folder.read("scene.png") == folder.read("saved.png"));
     }
-    // Built again from the file, also.
+    // The same holds for a file built from a slim file.
     folder.succeed(["build", "it.slim", "-o", "again.slim", "--nodes", "q21"]);
     folder.succeed([&["render", "again.slim", "-o", "again.png"][..], &SIZE].concat());
     folder.succeed([&["render", "it.slim", "-o", "saved.png"][..], &SIZE].concat());
     assert!(folder.read("again.png") == folder.read("saved.png"));
 }
 
-/// A camera and lights given to `build` stay with the file.
+/// The file keeps the camera and the lights given to `build`.
 #[test]
 fn what_the_build_is_given_is_kept() {
     let folder = Folder::new();
@@ -133,7 +133,7 @@ fn builds_are_reported() {
         number(&report, "node_bytes"),
         16.0 * number(&report, "nodes")
     );
-    // Nothing else is left behind.
+    // No other file is left behind.
     assert_eq!(folder.contents().len(), 1);
 }
 
@@ -182,7 +182,7 @@ fn saved_scenes_render_with_a_report() {
     assert!(number(&report, "primary_hits") > 1000.0);
 }
 
-/// A file is a scene like any other to what builds anew.
+/// `animate` accepts a slim file as a scene and builds its own trees.
 #[test]
 fn saved_scenes_can_be_animated() {
     let folder = Folder::new();
@@ -204,7 +204,7 @@ fn saved_scenes_can_be_animated() {
     assert!(animate("box.obj") == animate("box.slim"));
 }
 
-/// Broken faces that were dropped are counted in the file as well.
+/// The file keeps the count of dropped faces.
 #[test]
 fn dropped_faces_stay_dropped() {
     let folder = Folder::new();
@@ -215,7 +215,7 @@ fn dropped_faces_stay_dropped() {
     assert_eq!(number(&info, "dropped_faces"), 1.0);
 }
 
-/// What was there before is replaced whole.
+/// A new file replaces an older one whole.
 #[test]
 fn files_replace_files() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! Scene files that need care.
+//! Unusual scene files.
 
 use super::{decode, number, parse};
 use crate::files::{TwoTriangles, box_obj};
@@ -33,7 +33,7 @@ fn lenient_drops_broken_faces_and_counts_them() {
     }
 }
 
-/// One of two faces is dropped, and both commands say so.
+/// One of two faces is dropped, and `info` and `render` report it.
 #[track_caller]
 fn drops_one(folder: &Folder, name: &str, bytes: &[u8]) {
     folder.write(name, bytes);

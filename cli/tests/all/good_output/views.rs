@@ -13,7 +13,7 @@ fn clustered_trees_make_the_same_pictures() {
             folder.succeed([&SMALL[..], &["-"], &options].concat());
             folder.read("view.png")
         });
-        // As with codes: only the heat map shows the tree.
+        // As with the codes, only the heat map depends on the tree.
         assert_eq!(pictures[0] == pictures[1], view != "heatmap", "{view}");
     }
 }
@@ -44,7 +44,7 @@ fn all_views_with_both_codes() {
             assert_eq!(sides, [160, 90]);
             pixels
         });
-        // What is hit does not depend on the tree; how fast does.
+        // Hits do not depend on the tree. Node visits do, and the heat map shows them.
         assert_eq!(with_codes[0] == with_codes[1], view != "heatmap", "{view}");
         pictures.push(with_codes[0].clone());
     }
@@ -60,7 +60,7 @@ fn all_views_with_both_codes() {
     }
 }
 
-/// A report on the default scene at 160x90 is complete and plausible.
+/// Checks that a report on the default scene at 160x90 is complete and plausible.
 #[track_caller]
 fn check_report(report: &Value, counts_visits: bool) {
     let mut expected = vec![
@@ -140,7 +140,7 @@ fn lights_and_mirrors_are_counted() {
         |options: &[&'static str]| parse(&folder.succeed([&SMALL[..], &["-"], options].concat()));
     let plain = report(&[]);
     assert!(number(&plain, "shadow_rays") > 0.0 && number(&plain, "mirror_rays") > 0.0);
-    // Two lights, and at most one shadow ray for each light and hit.
+    // The scene has two lights, and each hit has at most one shadow ray per light.
     let hits = number(&plain, "primary_hits") + number(&plain, "mirror_rays");
     assert!(number(&plain, "shadow_rays") <= 2.0 * hits);
     let flat = report(&["--mirror-depth", "0"]);

@@ -1,9 +1,9 @@
-//! Saved hierarchies on a GPU: uploaded as they are.
+//! Saved hierarchies on a GPU: uploaded without a build.
 
 use super::{adapter, difference, pixels, sentence};
 use crate::process::Folder;
 
-/// Codecs that the GPU has.
+/// Codecs that the GPU supports.
 const STORED: [&[&str]; 6] = [
     &[],
     &["--nodes", "q10"],
@@ -15,7 +15,7 @@ const STORED: [&[&str]; 6] = [
 
 const SIZE: [&str; 2] = ["--size", "160x90"];
 
-/// The same picture as from a build on the same GPU, byte for byte, and but for rounding as on the CPU.
+/// The picture equals that of a build on the same GPU byte for byte, and that of the CPU up to rounding.
 #[test]
 fn saved_scenes_make_the_picture_that_a_build_makes() {
     let Some(adapter) = adapter() else { return };
@@ -48,7 +48,7 @@ fn saved_scenes_make_the_picture_that_a_build_makes() {
         );
         pictures.push(saved);
     }
-    // And the comparison tells pictures apart: half a pixel's tolerance, and triangles of 10 bits, move some.
+    // Negative control: a tolerance of 0.4 pixels, and triangles of 10 bits, change some pixels.
     for moved in [2, 5] {
         assert!(pictures[0] != pictures[moved], "{:?}", STORED[moved]);
     }
@@ -95,7 +95,7 @@ fn other_views_and_reports_are_made_of_saved_scenes() {
     assert!((visits(&gpu) / visits(&cpu) - 1.0).abs() < 1e-3);
 }
 
-/// One sentence says which codec it is, and what to do.
+/// The error is one sentence that names the codec and the remedy.
 #[test]
 fn codecs_that_only_the_cpu_has_are_refused() {
     let Some(adapter) = adapter() else { return };
@@ -116,7 +116,7 @@ fn codecs_that_only_the_cpu_has_are_refused() {
             assert!(sentence.contains(part), "{part:?} is not in {sentence}");
         }
         assert!(folder.contents() == before);
-        // The advice helps.
+        // The remedy works.
         folder.succeed(["build", "it.slim", "-o", "other.slim", "--nodes", "q10"]);
         let advised = ["render", "other.slim", "--size=16x9", "--adapter", adapter];
         assert_eq!(folder.run_with_gpu(advised).code, Some(0));

@@ -1,4 +1,4 @@
-//! A floor under a light with an extent, in the open and half under a board, against integrals over the light.
+//! A floor lit by an area light, in the open and half under a board, compared with integrals over the light.
 
 use super::{ambient, diffuse, quads, render};
 use crate::wide::{Wide, wide};
@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 /// A row of small pixels across the edge of the shadow.
 const SIZE: [u32; 2] = [25, 1];
 
-/// What a pixel sees of the floor is so wide.
+/// The width of a pixel on the floor.
 const PIXEL: f64 = 0.12;
 
 const WHITE: Material = Material {
@@ -18,10 +18,10 @@ const WHITE: Material = Material {
     ior: 1.5,
 };
 
-/// The board hides what is above this height, where x is below 0.
+/// The height of the board, which covers x < 0.
 const BOARD_HEIGHT: f64 = 1.0;
 
-/// Above the board, slanting, 2 × 1.4 or an ellipse in that.
+/// A tilted light above the board, a rectangle of about 2 × 1.4 or the ellipse inscribed in it.
 fn light(shape: AreaShape) -> Light {
     Light::Area {
         center: [0.2, 2.5, 0.3],
@@ -32,7 +32,7 @@ fn light(shape: AreaShape) -> Light {
     }
 }
 
-/// The floor, and the board over half of it, seen from below that.
+/// The floor, and a board over half of it if asked for. The camera is below the board.
 fn scene(light: Light, has_board: bool) -> Scene {
     let floor = (
         wide(-10.0, 0.0, -8.0),
@@ -65,7 +65,7 @@ fn scene(light: Light, has_board: bool) -> Scene {
     }
 }
 
-/// Points of a light, evenly, and its normal.
+/// Evenly spaced points on a light, and its normal.
 fn points(light: &Light) -> (Vec<Wide>, Wide) {
     const COUNT: usize = 160;
     let Light::Area {
@@ -83,7 +83,7 @@ fn points(light: &Light) -> (Vec<Wide>, Wide) {
         let (u, v) = (middle(i % COUNT), middle(i / COUNT));
         let [s, t] = match shape {
             AreaShape::Rectangle => [2.0 * u - 1.0, 2.0 * v - 1.0],
-            // Rings of equal areas.
+            // Rings of equal area.
             AreaShape::Disc => [v.sqrt() * (TAU * u).cos(), v.sqrt() * (TAU * u).sin()],
         };
         center + a * s + b * t
@@ -92,14 +92,14 @@ fn points(light: &Light) -> (Vec<Wide>, Wide) {
     (points, a.cross(b).normalize())
 }
 
-/// Irradiance of a pixel's part of the floor, and how much of the light it sees.
+/// The irradiance of the floor in a pixel, and the share of the light that it sees.
 fn irradiance(light: &Light, pixel: u32, has_board: bool) -> (Wide, f64) {
     const PLACES: usize = 6;
     let (points, normal) = points(light);
     let (mut sum, mut seen) = (0.0, 0.0);
     for place in 0..PLACES * PLACES {
         let inside = |i: usize| (i as f64 + 0.5) / PLACES as f64;
-        // The picture's right is -x where its up is z, seen from above.
+        // Seen from above with z up, the picture's right is -x.
         let x = f64::from(SIZE[0]) / 2.0 - f64::from(pixel) - inside(place % PLACES);
         let z = 0.5 - inside(place / PLACES);
         let p = wide(x * PIXEL, 0.0, z * PIXEL);
@@ -121,7 +121,7 @@ fn irradiance(light: &Light, pixel: u32, has_board: bool) -> (Wide, f64) {
     (Wide::from(*color) * (sum / count), seen / count)
 }
 
-/// The root of the mean square of all differences, as a share of the brightest pixel; and what is seen of the light.
+/// The root mean square error as a share of the brightest pixel, and the share of the light that each pixel sees.
 fn error(light: Light, has_board: bool, sample_count: u32) -> (f64, Vec<f64>) {
     let settings = RenderSettings {
         size: SIZE,
@@ -147,7 +147,7 @@ fn an_open_floor_is_lit_as_by_the_integral() {
         let [few, some, many] =
             [4, 64, 1024].map(|sample_count| error(light(shape), false, sample_count).0);
         println!("{shape:?}: {few} {some} {many}");
-        // At random they would be a quarter and a sixteenth of the first: spread out, they are far less.
+        // Independent samples would reduce the error to a quarter and a sixteenth. Well distributed ones reduce it far more.
         assert!(some < few / 16.0 && many < few / 128.0 && many < 2e-4);
     }
 }
@@ -159,7 +159,7 @@ fn half_a_floor_is_in_the_shadow_of_the_integral() {
         let [some, many] = [64, 1024].map(|sample_count| error(light(shape), true, sample_count).0);
         println!("{shape:?}: {few} {some} {many}; {seen:?}");
         assert!(some < few / 5.0 && many < some / 5.0 && many < 2e-3);
-        // It has all: a part in full light, one in the dark, and a penumbra that only ever gets darker.
+        // The row has fully lit pixels, fully dark ones, and a penumbra that darkens monotonically.
         let count = |is: &dyn Fn(f64) -> bool| seen.iter().filter(|&&share| is(share)).count();
         assert!(count(&|share| share == 0.0) > 2 && count(&|share| share == 1.0) > 2);
         assert!(count(&|share| share > 0.0 && share < 1.0) > 8);
@@ -167,7 +167,7 @@ fn half_a_floor_is_in_the_shadow_of_the_integral() {
     }
 }
 
-/// The controls: the shadow of a light in one point is another, and so is one of half the size.
+/// Negative control: a light of half the size casts another shadow.
 #[test]
 fn the_shadow_is_that_of_the_lights_size() {
     let whole = light(AreaShape::Rectangle);
@@ -202,9 +202,9 @@ fn the_shadow_is_that_of_the_lights_size() {
         apart.fold(0.0, f64::max)
     };
     assert!(farthest(whole, half, true) > 0.05);
-    // Its color is not by its area: in the open they differ little.
+    // The color does not scale with the area, so that the open floor differs little.
     assert!(farthest(whole, half, false) < 0.05);
-    // Turned round it shines up.
+    // Swapped edges make the light shine upward.
     let turned = Light::Area {
         center,
         half_edges: [half_edges[1], half_edges[0]],
@@ -222,7 +222,7 @@ fn the_shadow_is_that_of_the_lights_size() {
     assert_eq!(farthest(turned, dark, false), 0.0);
 }
 
-/// A small one far away is a point, but for the cosine.
+/// A small distant disc equals a point light, except for its cosine.
 #[test]
 fn a_small_light_is_a_point() {
     let disc = Light::disc([0.0, 8.0, 0.0], [0.0, -1.0, 0.0], 1e-4, [50.0, 40.0, 30.0]);

@@ -1,4 +1,4 @@
-//! Where things are in the picture.
+//! The camera: where objects appear in the picture.
 
 use super::{is_inside, meet, pixel_ray, pixels, quads, render, settings};
 use crate::wide::{Wide, wide};
@@ -41,7 +41,7 @@ fn view(camera: Camera, size: [u32; 2], view: View) -> Vec<[f32; 3]> {
     render(&scene, &settings).0.pixels
 }
 
-/// Every pixel shows the primitive that the camera's definition says, in pictures of all shapes.
+/// Every pixel shows the primitive that the definition of the camera predicts, in pictures of all shapes.
 #[test]
 fn each_pixel_has_its_ray() {
     let parallel = Projection::Orthographic { height: 6.5 };
@@ -60,7 +60,7 @@ fn each_pixel_has_its_ray() {
                 let (origin, direction) = pixel_ray(&camera, size, place);
                 match quad_met(origin, direction) {
                     Some(Some(quad)) => {
-                        // Two triangles each, of which the pixel shows one.
+                        // Each quad has two triangles, and the pixel shows one of them.
                         let colors = [2 * quad, 2 * quad + 1]
                             .map(|i| slimbvh_core::view::primitive_color(i).to_array());
                         assert!(
@@ -78,7 +78,7 @@ fn each_pixel_has_its_ray() {
     }
 }
 
-/// The nearest quad on a ray; nothing where rounding decides.
+/// The nearest quad on a ray; `None` where rounding decides.
 fn quad_met(origin: Wide, direction: Wide) -> Option<Option<u32>> {
     let mut nearest = (f64::INFINITY, None);
     for (quad, number) in QUADS.into_iter().zip(0..) {
@@ -104,10 +104,10 @@ fn parallel_rays_show_no_distance() {
         let colors =
             [2 * quad, 2 * quad + 1].map(|i| slimbvh_core::view::primitive_color(i).to_array());
         let area = found.iter().filter(|color| colors.contains(color)).count();
-        // 20 pixels a unit: 2 x 1 units.
+        // A unit is 20 pixels, and a quad is 2 x 1 units.
         assert_eq!(area, 800, "{quad}");
     }
-    // With a pinhole the far ones are small.
+    // With a pinhole the far quads are small.
     let found = view(
         camera(Projection::Perspective { vertical_fov: 60.0 }),
         size,
@@ -117,7 +117,7 @@ fn parallel_rays_show_no_distance() {
     assert!(found.iter().filter(|color| far.contains(color)).count() < 10);
 }
 
-/// Depth is along the view: a quad that faces the camera has one depth all over.
+/// Depth is measured along the view: a quad that faces the camera has one depth all over.
 #[test]
 fn depth_of_what_faces_the_camera_is_even() {
     for projection in [
@@ -134,7 +134,7 @@ fn depth_of_what_faces_the_camera_is_even() {
                 Some((pixel, 10.0 - QUADS[quad as usize].0.z))
             })
             .collect();
-        // From 10 at the nearest quad to the depth that one hit in a hundred exceeds; what is farther is as dark.
+        // Shades run from 10 at the nearest quad to the depth that one hit in a hundred exceeds. Farther hits are as dark.
         let mut sorted: Vec<_> = depths.iter().map(|&(_, depth)| depth).collect();
         sorted.sort_by(f64::total_cmp);
         let far = sorted[sorted.len() - 1 - sorted.len() / 100];
@@ -191,7 +191,7 @@ fn a_camera_may_be_too_far_away_for_a_tiny_scene() {
     assert_eq!(far.check_reach(60), Err(error));
 }
 
-/// Boxes of all sizes and places.
+/// Boxes of many sizes and positions.
 fn boxes() -> Vec<Aabb> {
     let mut boxes = Vec::new();
     let shapes = [
@@ -251,13 +251,13 @@ fn the_default_camera_sees_the_whole_model() {
                     largest = largest.max(place.abs());
                 }
             }
-            // And not as a dot.
+            // The model is not a dot.
             assert!(largest > 0.2, "{bounds:?} {size:?}: {largest}");
         }
     }
 }
 
-/// The same with rays: a model of extreme size is in the picture, whole.
+/// The same with rays: a model of extreme size is whole in the picture.
 #[test]
 fn the_default_camera_shows_models_of_extreme_size() {
     for scale in [1.0, 1e-30, 1e30, 1e-36, 1e37] {
@@ -281,7 +281,7 @@ fn the_default_camera_shows_models_of_extreme_size() {
             };
             scene.complete(Some(bounds), size);
             let (picture, report) = render(&scene, &settings(size));
-            // A ball in the middle, with sky on all sides.
+            // The ball is in the middle, with sky on all sides.
             let share = report.primary_hit_count as f64 / (36.0 * 36.0);
             assert!((0.15..0.5).contains(&share), "{scale}: {share}");
             let corners = [
@@ -296,7 +296,7 @@ fn the_default_camera_shows_models_of_extreme_size() {
                     .iter()
                     .all(|&corner| picture.pixels[corner as usize] != ball)
             );
-            // It is lit.
+            // The ball is lit.
             let brightest = picture
                 .pixels
                 .iter()

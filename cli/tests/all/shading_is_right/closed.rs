@@ -1,4 +1,4 @@
-//! A closed convex solid under a sun: a face is lit all over, or not at all. No acne, no light through cracks.
+//! A closed convex solid under a sun: each face is lit all over or not at all, without acne and light leaks.
 
 use super::{ambient, diffuse, distance, pixel_ray, pixels, render, settings};
 use crate::wide::Wide;
@@ -11,7 +11,7 @@ const SIZE: [u32; 2] = [256, 192];
 const SUN_COLOR: [f32; 3] = [3.0, 2.0, 1.0];
 
 fn scene(center: Vec3, radius: f32, subdivisions: u32, sun: Vec3) -> Scene {
-    // Flat faces.
+    // Without normals the faces are flat.
     let mesh = Mesh {
         normals: Vec::new(),
         ..icosphere(center, radius, subdivisions)
@@ -37,7 +37,7 @@ fn scene(center: Vec3, radius: f32, subdivisions: u32, sun: Vec3) -> Scene {
     }
 }
 
-/// The colors that the faces around a pixel's center have; none where one of them is seen edge on, or not at all.
+/// The colors of the faces around a pixel's center, and whether each is lit; `None` where the sun grazes or misses one.
 fn expected(scene: &Scene, bvh: &Bvh, [x, y]: [f64; 2]) -> Option<Vec<(Wide, bool)>> {
     const JITTER: f64 = 0.01;
     let around = [
@@ -60,7 +60,7 @@ fn expected(scene: &Scene, bvh: &Bvh, [x, y]: [f64; 2]) -> Option<Vec<(Wide, boo
         .collect()
 }
 
-/// A face's color, and whether it is lit; none where the sun grazes it.
+/// A face's color, and whether it is lit; `None` where the sun grazes it.
 fn face_color(scene: &Scene, primitive: u32) -> Option<(Wide, bool)> {
     let corners = scene.mesh.indices[primitive as usize];
     let [a, b, c] = corners.map(|vertex| Wide::from(scene.mesh.vertices[vertex as usize]));
@@ -129,7 +129,7 @@ fn faces_are_lit_all_over_or_not_at_all() {
     }
 }
 
-/// Smooth normals bend light around the edge, but never onto faces that turn away from it, nor is one darker than dark.
+/// Smooth normals never light faces that turn away from the sun, and no pixel is darker than the ambient light.
 #[test]
 fn smooth_faces_that_turn_away_are_dark() {
     for subdivisions in [0, 1, 3] {
@@ -160,7 +160,7 @@ fn smooth_faces_that_turn_away_are_dark() {
     }
 }
 
-/// From inside a closed solid no sun is seen.
+/// No sunlight reaches the inside of a closed solid.
 #[test]
 fn no_light_gets_in() {
     let sun = Vec3::new(-1.0, -0.5, 0.2);

@@ -1,4 +1,4 @@
-//! Glass against Snell's law.
+//! Refraction through glass, compared with Snell's law.
 
 use super::{
     ambient, diffuse, distance, is_inside, meet, pixel_ray, pixels, quads, render, settings, sky,
@@ -10,7 +10,7 @@ use slimbvh::{Camera, Light, Material, Mesh, Projection, RenderSettings, Scene};
 
 const IOR: f32 = 1.5;
 
-/// A surface of it lets so much pass.
+/// The tint and the share of the light that a surface transmits.
 const TINT: [f32; 3] = [0.9, 0.75, 0.6];
 const SHARE: f32 = 0.875;
 
@@ -23,13 +23,13 @@ fn glass(ior: f32) -> Material {
     }
 }
 
-/// What `surfaces` of it let pass.
+/// The light that passes through this many surfaces.
 fn passed(light: Wide, surfaces: i32) -> Wide {
     let tint = Wide::from(TINT) * f64::from(SHARE);
     (0..surfaces).fold(light, |light, _| light * tint)
 }
 
-/// What a path gathers at the surfaces themselves.
+/// The light that a path gathers at the surfaces themselves.
 fn own_light(surfaces: i32) -> Wide {
     let own = Wide::from(TINT) * ambient() * (f64::from(1.0 - SHARE) / std::f64::consts::PI);
     (0..surfaces).fold(wide(0.0, 0.0, 0.0), |sum, n| sum + passed(own, n))
@@ -42,7 +42,7 @@ fn no_light() -> Vec<Light> {
     }]
 }
 
-/// Squares of a floor in y = 0, by column and row.
+/// The squares of a floor in y = 0, by column and row, and their materials.
 fn checker() -> (Vec<(Wide, Wide, Wide)>, Vec<Material>) {
     const COLORS: [[f32; 3]; 2] = [[0.9, 0.2, 0.1], [0.1, 0.5, 0.8]];
     let places = (-4..4).flat_map(|x| (-6..4).map(move |z| (x, z)));
@@ -61,7 +61,7 @@ fn checker() -> (Vec<(Wide, Wide, Wide)>, Vec<Material>) {
     places.map(square).unzip()
 }
 
-/// A slab shows the floor below it, moved by its height times the difference of both tangents.
+/// A slab shifts the floor below it by its height times the difference of the tangents of both angles.
 #[test]
 fn a_slab_moves_what_is_below_it() {
     const HEIGHT: f64 = 1.25;
@@ -90,7 +90,7 @@ fn a_slab_moves_what_is_below_it() {
         let (mut checked, mut moved) = (0, 0);
         for (pixel, center) in pixels(size) {
             let (origin, direction) = pixel_ray(&scene.cameras[0], size, center);
-            // Along the floor, for each unit of height: the tangents of both angles.
+            // Per unit of height, a ray advances along the floor by the tangent of its angle, outside and inside the slab.
             let down = direction * (-1.0 / direction.y);
             let tangent = (down.x * down.x + down.z * down.z).sqrt();
             let sine = tangent / (1.0 + tangent * tangent).sqrt() / f64::from(ior);
@@ -122,8 +122,8 @@ fn a_slab_moves_what_is_below_it() {
     }
 }
 
-/// An equilateral prism along x, 1 wide, its edge at the origin, the side across above. Its ends, which no ray meets, are
-/// open.
+/// An equilateral prism along x, 1 wide. One edge is at the origin and the opposite side is above it. The ends are open,
+/// since no ray meets them.
 fn prism() -> Mesh {
     let half = 3f64.sqrt() / 2.0;
     let edge = wide(-9.0, 0.0, 0.0);
@@ -138,8 +138,8 @@ fn prism() -> Mesh {
     mesh
 }
 
-/// Rays that meet the near side of a prism at so many degrees leave it up by `i + e − 60°`; where they would leave the far
-/// side beyond the critical angle, they leave the third as if that side had been a mirror.
+/// A prism deviates a ray with angle of incidence `i` and of emergence `e` upward by `i + e − 60°`. Beyond the critical
+/// angle the far side reflects the ray as a mirror would, and it leaves through the third side.
 #[test]
 fn a_prism_turns_rays_by_the_known_angles() {
     let size = [40, 30];
@@ -149,10 +149,10 @@ fn a_prism_turns_rays_by_the_known_angles() {
         lights: no_light(),
         ..Scene::default()
     };
-    // Out of the near side: it faces z and down.
+    // The outward normal of the near side points to z and down.
     let outward = wide(0.0, -0.5, 3f64.sqrt() / 2.0);
     let far = wide(0.0, -0.5, -(3f64.sqrt()) / 2.0);
-    // Near the edge, so that the far side is met first.
+    // Near the edge, so that rays meet the far side first.
     let middle = wide(0.0, 3f64.sqrt() / 2.0, 0.5) * 0.3;
     for incidence in [
         80.0_f64,
@@ -165,7 +165,7 @@ fn a_prism_turns_rays_by_the_known_angles() {
         0.0,
     ] {
         let i = incidence.to_radians();
-        // The ray comes from below: it is the more level, the less directly it meets the side.
+        // At incidence 0 the ray rises by 30°. A larger incidence turns it downward.
         let angle = i - 30f64.to_radians();
         let direction = wide(0.0, -angle.sin(), -angle.cos());
         assert!((-direction.dot(outward) - i.cos()).abs() < 1e-12);
@@ -185,7 +185,7 @@ fn a_prism_turns_rays_by_the_known_angles() {
             (3, direction - far * (2.0 * direction.dot(far)))
         };
         if incidence < 50.0 && incidence > 48.0 {
-            // The least deviation of 60° and 1.5, as tables have it.
+            // Tables list this minimum deviation for 60° and an index of 1.5.
             let turn = (direction.dot(expected)).acos().to_degrees();
             assert!((turn - 37.180_755_8).abs() < 1e-6, "{turn}");
         }
@@ -202,7 +202,7 @@ fn a_prism_turns_rays_by_the_known_angles() {
     }
 }
 
-/// Each surface counts as a mirror does: where the depth ends, so does the path.
+/// Each glass surface takes one step of the mirror depth, and the path ends with the depth.
 #[test]
 fn glass_takes_depth() {
     let (squares, mut materials) = checker();
@@ -250,7 +250,7 @@ fn glass_takes_depth() {
     }
 }
 
-/// What glass stands over is in its shadow.
+/// Glass casts a full shadow.
 #[test]
 fn glass_stops_light() {
     let mut scene = Scene {

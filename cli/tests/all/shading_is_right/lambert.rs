@@ -1,4 +1,4 @@
-//! A floor and a board above it: light, shadow, falloff.
+//! A floor and a board above it: light, shadow and falloff.
 
 use super::{
     ambient, diffuse, distance, is_inside, meet, pixel_ray, pixels, quads, render, settings, sky,
@@ -10,14 +10,14 @@ type Quad = (Wide, Wide, Wide);
 
 const SIZE: [u32; 2] = [320, 240];
 
-/// Faces up.
+/// The floor, which faces up.
 const FLOOR: Quad = (
     wide(-10.0, 0.0, -8.0),
     wide(0.0, 0.0, 18.0),
     wide(20.0, 0.0, 0.0),
 );
 
-/// Slants, and faces up.
+/// The board, which is tilted and faces up.
 const BOARD: Quad = (
     wide(-1.5, 1.5, -1.0),
     wide(0.25, 0.5, 2.0),
@@ -54,8 +54,8 @@ fn scene(light: Light) -> Scene {
     }
 }
 
-/// Irradiance from a light at a point, as if nothing stood between, and the way to the light. None where rounding
-/// decides whether it is in range.
+/// A light's irradiance at a point without occlusion, and the vector to the light; `None` where rounding decides whether the
+/// point is in range.
 fn unshadowed(light: &Light, point: Wide, normal: Wide) -> Option<(Wide, Wide)> {
     match *light {
         Light::Directional { direction, color } => {
@@ -83,7 +83,7 @@ fn unshadowed(light: &Light, point: Wide, normal: Wide) -> Option<(Wide, Wide)> 
     }
 }
 
-/// What kinds of pixels a picture has.
+/// Counts of a picture's pixels by kind.
 #[derive(Debug, Default)]
 struct Seen {
     sky: usize,
@@ -93,7 +93,7 @@ struct Seen {
     skipped: usize,
 }
 
-/// Compares every pixel with its closed form, but for those on borders.
+/// Compares every pixel with its closed form, except those on borders.
 fn check(scene: &Scene, tolerance: f64) -> Seen {
     let (picture, _) = render(scene, &settings(SIZE));
     let mut seen = Seen::default();
@@ -103,7 +103,7 @@ fn check(scene: &Scene, tolerance: f64) -> Seen {
             Some(expected) => {
                 let found = picture.pixels[pixel];
                 let distance = distance(found, expected);
-                // What is brighter than 1 has its error in proportion.
+                // Channels above 1 have a relative error.
                 let brightest = expected.farthest(Wide::ZERO).max(1.0);
                 assert!(
                     distance < tolerance * brightest,
@@ -118,7 +118,7 @@ fn check(scene: &Scene, tolerance: f64) -> Seen {
 }
 
 fn expected(scene: &Scene, origin: Wide, direction: Wide, seen: &mut Seen) -> Option<Wide> {
-    // Find the nearer of the two.
+    // Find the nearer of floor and board.
     let mut nearest = f64::INFINITY;
     let mut found = None;
     for (quad, material) in [FLOOR, BOARD].into_iter().zip(&scene.materials) {
@@ -135,7 +135,7 @@ fn expected(scene: &Scene, origin: Wide, direction: Wide, seen: &mut Seen) -> Op
         return Some(sky(scene.cameras[0].up, direction));
     };
 
-    // All is seen from above.
+    // The camera sees both from above.
     let normal = a.cross(b).normalize();
     let point = origin + direction * nearest;
     let (light, way) = unshadowed(&scene.lights[0], point, normal)?;
@@ -192,8 +192,8 @@ fn a_lamp() {
         ([0.5, 4.0, 0.5], f32::INFINITY, 1e-5),
         ([0.5, 4.0, 0.5], 5.0, 1e-5),
         ([-3.0, 6.0, 2.0], 8.0, 1e-5),
-        // Below the board, which hides nothing of the floor. On a floor of 20 units a point is known to some 1e-5, and
-        // at distance 1 that counts twice.
+        // Below the board, which shadows nothing of the floor. A point on a floor of 20 units is accurate to some 1e-5,
+        // and at distance 1 that counts twice.
         ([0.0, 1.0, 0.5], 3.0, 3e-5),
     ] {
         let scene = scene(Light::Point {
@@ -209,7 +209,7 @@ fn a_lamp() {
     }
 }
 
-/// Lights add up, in any number, and none is counted twice.
+/// Lights add up, in any number, and no light counts twice.
 #[test]
 fn many_lights() {
     let lights = [

@@ -1,4 +1,4 @@
-//! An edge between two colors, before, in and behind what is in focus, against the closed form of its blur.
+//! An edge between two colors, before, at and behind the focus distance, compared with the closed form of its blur.
 
 use super::{ambient, diffuse, quads, render};
 use crate::wide::{Wide, wide};
@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 const SIZE: [u32; 2] = [41, 1];
 
-/// Full width of the picture, one ahead.
+/// The width of the picture at distance 1.
 const WIDTH: f64 = 0.41;
 
 const RADIUS: f64 = 0.2;
@@ -28,7 +28,7 @@ const COLORS: [Material; 2] = [
     },
 ];
 
-/// A wall at a distance, of one color on the left of its edge at `x`, and of another on the right.
+/// A wall at a distance, with one color on the left of `x` and another on the right.
 fn wall(distance: f64, x: f64, projection: Projection) -> Scene {
     let part = |from: f64| {
         (
@@ -46,7 +46,7 @@ fn wall(distance: f64, x: f64, projection: Projection) -> Scene {
             up: [0.0, 1.0, 0.0],
             projection,
         }],
-        // It shines away.
+        // The light shines away from the wall.
         lights: vec![Light::Directional {
             direction: [0.0, 0.0, 1.0],
             color: [0.0; 3],
@@ -68,13 +68,13 @@ fn lens(radius: f64) -> Projection {
     }
 }
 
-/// The share of the unit disc with x below this.
+/// The share of the unit disc whose x is below this.
 fn below(x: f64) -> f64 {
     let x = x.clamp(-1.0, 1.0);
     0.5 + (x * (1.0 - x * x).sqrt() + x.asin()) / PI
 }
 
-/// The share of what is left of the edge in a pixel: a mean over its width.
+/// The share of the left color in a pixel: a mean over the pixel's width.
 fn left_share(distance: f64, edge: f64, pixel: u32) -> f64 {
     const STEPS: u32 = 400;
     let share = |step: u32| {
@@ -92,7 +92,7 @@ fn left_share(distance: f64, edge: f64, pixel: u32) -> f64 {
     (0..STEPS).map(share).sum::<f64>() / f64::from(STEPS)
 }
 
-/// The largest difference from the closed form, and how many pixels see both colors.
+/// The largest difference from the closed form, and the number of pixels that see both colors.
 fn error(distance: f64, edge: f64, sample_count: u32) -> (f64, usize) {
     let settings = RenderSettings {
         size: SIZE,
@@ -113,7 +113,7 @@ fn error(distance: f64, edge: f64, sample_count: u32) -> (f64, usize) {
 
 #[test]
 fn edges_blur_by_their_distance_from_the_focus() {
-    // The blur is 0.2 / 2 each way before the focus, none in it, and 0.2 at twice the distance.
+    // The radius of the blur on the wall is 0.1 at half the focus distance, 0 at it, and 0.2 at twice it.
     for (distance, edge, pixels) in [
         (2.0, 0.013, 9..=11),
         (4.0, 0.013, 1..=1),
@@ -126,7 +126,7 @@ fn edges_blur_by_their_distance_from_the_focus() {
     }
 }
 
-/// A lens of no size is a pinhole: the same picture, to the bit.
+/// A lens of radius 0 makes the picture of a pinhole, bit for bit.
 #[test]
 fn a_closed_lens_is_a_pinhole() {
     let settings = RenderSettings {
@@ -142,7 +142,7 @@ fn a_closed_lens_is_a_pinhole() {
     assert!(picture(pinhole) != picture(lens(0.1)));
 }
 
-/// Depths are along the view, whatever point of the lens a ray left: those of a wall are all the same.
+/// Depth is measured along the view from any point of the lens, so that a wall has one depth.
 #[test]
 fn depth_does_not_depend_on_the_lens() {
     let settings = RenderSettings {

@@ -1,4 +1,4 @@
-//! Mirrors against the world behind them.
+//! Mirrors, compared with the reflected scene.
 
 use super::{ambient, diffuse, distance, quads, render, settings};
 use crate::wide::{Wide, wide};
@@ -8,11 +8,11 @@ use slimbvh::{Camera, Light, Material, Mesh, Picture, Projection, RenderSettings
 
 const SIZE: [u32; 2] = [240, 180];
 
-/// The sun comes from above: no light passes through the mirror's plane.
+/// The sun shines from above, so that no light passes through the mirror's plane.
 const SUN: Wide = wide(0.4, -0.8, -0.3);
 const SUN_COLOR: [f32; 3] = [2.0, 1.8, 1.5];
 
-/// Two things above the plane y = 0, out of sight of the camera but for their reflections.
+/// Two objects above the plane y = 0, of which the camera sees only the reflections.
 fn things() -> Scene {
     let mut scene = Scene {
         materials: vec![
@@ -44,7 +44,7 @@ fn things() -> Scene {
         }],
         ..Scene::default()
     };
-    // Shadows of the one fall on the other, and none on the plane where it is seen.
+    // Each object may shadow the other, and neither shadows the visible part of the plane.
     let brick = cuboid(Vec3::new(-1.5, 1.5, -1.5), Vec3::new(0.0, 2.5, -0.5));
     append(&mut scene.mesh, brick, "brick", 1);
     append(
@@ -56,7 +56,7 @@ fn things() -> Scene {
     scene
 }
 
-/// A mirror in the plane y = 0, as wide as the camera sees.
+/// A mirror in the plane y = 0 that fills the view.
 fn plane() -> Mesh {
     quads(&[(
         wide(-20.0, 0.0, -0.6),
@@ -71,7 +71,7 @@ fn with_plane(mut scene: Scene, mirror: f32) -> Scene {
     scene
 }
 
-/// Everything reflected at the plane y = 0, the camera's up too: its picture is upside down and left to right.
+/// The scene reflected at y = 0, the camera's up included, which turns its picture by 180°.
 fn behind_the_mirror(mut scene: Scene) -> Scene {
     for y in scene
         .mesh
@@ -105,7 +105,7 @@ fn picture(scene: &Scene, mirror_depth: u32) -> (Picture, u64) {
     (picture, report.mirror_ray_count)
 }
 
-/// What the plane sends back by itself.
+/// The light that the plane reflects diffusely.
 fn own_light(mirror: f32) -> Wide {
     let material = Material {
         mirror,
@@ -123,7 +123,7 @@ fn a_mirror_shows_the_mirrored_things() {
         let own_light = own_light(mirror);
         for depth in [1, 2, 9] {
             let (found, rays) = picture(&scene, depth);
-            // The plane fills the picture, and nothing that it shows is a mirror.
+            // The plane fills the picture, and no mirror is visible in it.
             assert_eq!(rays, u64::from(SIZE[0] * SIZE[1]));
             for (pixel, (&found, beyond)) in found.pixels.iter().zip(turned(&beyond)).enumerate() {
                 let expected = beyond * f64::from(mirror) + own_light;
@@ -134,7 +134,7 @@ fn a_mirror_shows_the_mirrored_things() {
             }
         }
     }
-    // There is much to see.
+    // The picture has many colors.
     let colors: std::collections::BTreeSet<_> =
         beyond.to_srgb().chunks(3).map(<[u8]>::to_vec).collect();
     assert!(colors.len() > 100, "{}", colors.len());
@@ -152,8 +152,7 @@ fn without_depth_no_reflection() {
     }
 }
 
-/// Between two mirrors that face each other every step of depth adds one reflection, and each is weaker by the mirror's
-/// share.
+/// Between two facing mirrors, every step of depth adds one reflection, which is weaker by the mirror's share.
 #[test]
 fn mirrors_in_mirrors() {
     let mut scene = with_plane(
@@ -173,7 +172,7 @@ fn mirrors_in_mirrors() {
         direction: [0.0, -1.0, 0.0],
         color: [0.0; 3],
     }];
-    // Straight down, so that reflections go to and fro.
+    // The camera looks straight down, so that reflections go back and forth.
     scene.cameras[0] = Camera {
         eye: [0.0, 4.0, 5.0],
         target: [0.0, 0.0, 5.0],

@@ -1,4 +1,4 @@
-//! Pictures against closed forms, worked out here in f64 from the scene alone.
+//! Pictures compared with closed forms, which are computed here in f64 from the scene alone.
 
 mod area;
 mod camera;
@@ -17,7 +17,7 @@ use slimbvh::{
 };
 use std::f64::consts::PI;
 
-/// Builds and renders.
+/// Builds a scene's tree and renders it.
 pub fn render(scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
     let mut bvh = Bvh::default();
     let build = Builder::new(BuildConfig::default()).build_into(&scene.mesh, &mut bvh);
@@ -27,7 +27,7 @@ pub fn render(scene: &Scene, settings: &RenderSettings) -> (Picture, RenderRepor
     (picture, report.expect("the view is sound"))
 }
 
-/// One sample a pixel.
+/// One sample per pixel.
 fn settings(size: [u32; 2]) -> RenderSettings {
     RenderSettings {
         size,
@@ -35,8 +35,8 @@ fn settings(size: [u32; 2]) -> RenderSettings {
     }
 }
 
-/// A mesh of flat parallelograms, each with a material: a corner, and the edges that leave it. The front is where they
-/// turn counter-clockwise.
+/// A mesh of parallelograms with one material each, given as a corner and the two edges that leave it. The edges turn
+/// counter-clockwise as seen from the front.
 fn quads(quads: &[(Wide, Wide, Wide)]) -> Mesh {
     let mut mesh = Mesh::default();
     for (material, &(corner, a, b)) in quads.iter().enumerate() {
@@ -50,7 +50,7 @@ fn quads(quads: &[(Wide, Wide, Wide)]) -> Mesh {
     mesh
 }
 
-/// A pixel's ray: origin and direction. A perspective direction advances by one along the view, as does a parallel one.
+/// The origin and the direction of a pixel's ray. The direction advances by one along the view.
 fn pixel_ray(camera: &Camera, [width, height]: [u32; 2], [x, y]: [f64; 2]) -> (Wide, Wide) {
     let forward = (Wide::from(camera.target) - Wide::from(camera.eye)).normalize();
     let right = forward.cross(Wide::from(camera.up)).normalize();
@@ -72,7 +72,7 @@ fn pixel_ray(camera: &Camera, [width, height]: [u32; 2], [x, y]: [f64; 2]) -> (W
     }
 }
 
-/// Where a ray meets a parallelogram: the ray's parameter, and the place on both edges, inside from 0 to 1.
+/// Where a ray meets a parallelogram: the ray's parameter, and the coordinates along both edges, 0 to 1 inside.
 fn meet((corner, a, b): (Wide, Wide, Wide), origin: Wide, direction: Wide) -> Option<[f64; 3]> {
     let normal = a.cross(b);
     let t = (corner - origin).dot(normal) / direction.dot(normal);
@@ -82,25 +82,25 @@ fn meet((corner, a, b): (Wide, Wide, Wide), origin: Wide, direction: Wide) -> Op
     (t > 0.0).then_some([t, u / area, v / area])
 }
 
-/// Whether a place on both edges is inside; None near the border, where rounding decides.
+/// Whether these coordinates are inside; `None` near the border, where rounding decides.
 fn is_inside([_, u, v]: [f64; 3]) -> Option<bool> {
     const NEAR: f64 = 1e-4;
     let depth = u.min(v).min(1.0 - u).min(1.0 - v);
     (depth.abs() > NEAR).then_some(depth > 0.0)
 }
 
-/// The color of a surface under light of this irradiance, without the mirror's share.
+/// The color of a surface with this irradiance, without the mirror's share.
 fn diffuse(material: &Material, irradiance: Wide) -> Wide {
     let base_color = Wide::from(material.base_color);
     base_color * irradiance * ((1.0 - f64::from(material.mirror)) / PI)
 }
 
-/// The irradiance that every surface has.
+/// The ambient irradiance of every surface.
 fn ambient() -> Wide {
     Scene::environment([0.0, 1.0, 0.0]).ambient.into()
 }
 
-/// What is seen in a direction that meets nothing.
+/// The color of the sky in a direction.
 fn sky(up: [f32; 3], direction: Wide) -> Wide {
     let environment = Scene::environment(up);
     let height = direction

@@ -1,10 +1,10 @@
-//! The unit does not matter: a scene in another power of two makes the same picture, to the last bit.
+//! The unit does not matter: a scene scaled by a power of two makes the same picture, bit for bit.
 
 use super::render;
 use slimbvh::generate::default_scene;
 use slimbvh::{Camera, Light, Projection, RenderSettings, Scene, View};
 
-/// Everything times a power of two. Of a light at a place the color too, twice: it is irradiance at distance 1.
+/// The scene scaled by a power of two. The color of a positional light scales twice: it is the irradiance at distance 1.
 fn scaled(mut scene: Scene, factor: f32) -> Scene {
     let scale = |v: [f32; 3]| v.map(|x| x * factor);
     for vertex in &mut scene.mesh.vertices {
@@ -65,7 +65,7 @@ fn scaled(mut scene: Scene, factor: f32) -> Scene {
 #[test]
 fn any_power_of_two_makes_the_same_picture() {
     let mut scene = default_scene();
-    // A range that ends in the picture.
+    // The range of this light ends in the picture.
     scene.lights.push(Light::Point {
         position: [-1.0, 2.0, 3.0],
         color: [3.0, 4.0, 5.0],
@@ -112,7 +112,7 @@ fn any_power_of_two_makes_the_same_picture() {
             }
         }
     }
-    // The negative control: another factor rounds.
+    // Negative control: a factor other than a power of two rounds.
     let settings = RenderSettings {
         size: [160, 90],
         ..RenderSettings::default()
@@ -120,7 +120,7 @@ fn any_power_of_two_makes_the_same_picture() {
     assert!(render(&scene, &settings).0 != render(&scaled(scene.clone(), 1.1), &settings).0);
 }
 
-/// The last samples of a large picture are its own, and not the first wave's again.
+/// The last samples of a large picture are its own, not those of the first wave.
 #[test]
 fn waves_join_without_a_seam() {
     let scene = default_scene();
@@ -133,7 +133,7 @@ fn waves_join_without_a_seam() {
         };
         render(&scene, &settings).0
     };
-    // 16 samples a pixel are the centers of a picture of four times the size; several waves each.
+    // 16 samples per pixel are the pixel centers of a picture of four times the size. Both pictures take several waves.
     let (coarse, fine) = (picture(16, [320, 180]), picture(1, [1280, 720]));
     for (pixel, &found) in coarse.pixels.iter().enumerate() {
         let (x, y) = (pixel % 320, pixel / 320);

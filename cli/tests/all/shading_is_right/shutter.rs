@@ -1,4 +1,4 @@
-//! What moves while the shutter is open leaves a streak, with all of its light.
+//! An object that moves while the shutter is open leaves a streak that holds all of its light.
 
 use super::{render, settings};
 use glam::Vec3;
@@ -8,7 +8,7 @@ use slimbvh::{Camera, Light, Picture, PictureMean, Projection, Scene};
 
 const SIZE: [u32; 2] = [120, 40];
 
-/// Two balls that go round each other before an even sky, lit from everywhere.
+/// Two balls before a uniform sky under ambient light. They move as the camera orbits.
 fn scene() -> Scene {
     let mut mesh = icosphere(Vec3::new(1.0, 0.0, 0.0), 0.1, 3);
     append(
@@ -33,7 +33,7 @@ fn scene() -> Scene {
     }
 }
 
-/// A frame, an eighth of the way round.
+/// Frame 3 of 24: an eighth of the orbit.
 fn frame(shutter: Shutter) -> Picture {
     let mut scene = scene();
     let motion = Motion {
@@ -50,7 +50,7 @@ fn frame(shutter: Shutter) -> Picture {
     mean.take()
 }
 
-/// What a picture has more than its sky, in one channel: the sum, the pixels that have any, and the most.
+/// How a picture differs from its sky in the red channel: the sum, the number of pixels that differ, and the maximum.
 fn light_in(picture: &Picture) -> (f64, usize, f64) {
     let sky = f64::from(picture.pixels[0][0]);
     let more: Vec<f64> = picture
@@ -75,10 +75,10 @@ fn a_streak_has_all_the_light_of_what_made_it() {
     };
     let streak = light_in(&frame(shutter));
     println!("{sharp:?} {streak:?}");
-    // Whole pixels are lit or not, one sample each: what a ball covers of 314 varies by a few.
+    // Each pixel has one sample: the number of pixels that the balls cover varies by a few.
     assert!((streak.0 / sharp.0 - 1.0).abs() < 0.02);
     assert!(streak.1 as f64 > 1.5 * sharp.1 as f64);
-    // Where the streak is broadest the ball is for a part of the time only.
+    // A ball covers a pixel of the streak for only part of the time.
     assert!(sharp.2 > 0.0 && streak.2 <= sharp.2 * (1.0 + 1e-6));
     let full = |picture: &Picture, most: f64| {
         let sky = f64::from(picture.pixels[0][0]);
@@ -90,7 +90,7 @@ fn a_streak_has_all_the_light_of_what_made_it() {
     assert!(full(&frame(shutter), sharp.2) < sharp.1 / 2);
 }
 
-/// With a shutter that closes at once, all times are one: that picture, to the bit.
+/// A shutter that closes at once makes all times equal, and their mean is the sharp picture, bit for bit.
 #[test]
 fn equal_times_make_the_picture_of_one() {
     let sharp = frame(Shutter::default());
@@ -106,7 +106,7 @@ fn equal_times_make_the_picture_of_one() {
         time_count: 3,
     };
     assert!(frame(open) != sharp);
-    // Without a shutter, it is what it was before there were any.
+    // `pose`, which knows no shutter, makes the same picture.
     let mut scene = scene();
     let motion = Motion {
         frame_count: 24,

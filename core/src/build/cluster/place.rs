@@ -1,8 +1,8 @@
 //! From the root down: where nodes and triangles come.
 //!
 //! They are numbered as `topology` numbers them. In the order of the leaves, below a node come first all nodes on its left,
-//! the left child as the last of them, then the right child and all below it. So where a node's run begins and how many nodes
-//! are in its parts tells where its children are.
+//! the left child as the last of them, then the right child and all below it. So the places of a node's children follow from
+//! where its run begins and how many nodes its parts have.
 
 use super::{DEEPENING_ROUNDS, Merges, ROUNDS, Size};
 use crate::build::node::{Node, NodeRef};

@@ -6,7 +6,7 @@ use slimbvh_core::encode::{
     BoxCodec, Paper10Box, Paper10Codec, Paper10Node, Paper10Triangle, encode_paper10_triangle,
 };
 
-/// Codes a tree's nodes, and its triangles where the slice has room for them. Returns the root's box.
+/// Encodes a tree's nodes, and its triangles where `triangles` has room for them. Returns the root's box.
 pub(super) fn encode_paper10(
     tree: &Tree,
     nodes: &mut Vec<Paper10Node>,
@@ -23,13 +23,13 @@ pub(super) fn encode_paper10(
         first_triangle: 0,
         per_triangle: 1,
     };
-    encode(tree, part);
+    encode_part(tree, part);
     root
 }
 
 const CODEC: Paper10Codec = Paper10Codec { opaque_zero: 0 };
 
-fn encode(tree: &Tree, part: Part<Paper10Node, Paper10Triangle, Paper10Box>) {
+fn encode_part(tree: &Tree, part: Part<Paper10Node, Paper10Triangle, Paper10Box>) {
     let node = tree.node(part.node);
     let coded = CODEC.encode(&part.bounds, &node);
     part.nodes[part.node as usize - part.first_node] = coded.node;
@@ -38,7 +38,7 @@ fn encode(tree: &Tree, part: Part<Paper10Node, Paper10Triangle, Paper10Box>) {
     both(&node, parts, |part| {
         let child = NodeRef(part.node);
         if !child.is_leaf() {
-            encode(tree, part);
+            encode_part(tree, part);
             return;
         }
         let leaves = tree.leaves.iter().skip(child.first() as usize);

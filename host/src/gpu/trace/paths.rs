@@ -3,7 +3,7 @@
 use crate::gpu::Kernel;
 use crate::gpu::buffer::Range;
 use crate::gpu::bvh::Coded;
-use crate::gpu::coding::traces;
+use crate::gpu::kernel::traces;
 use crate::gpu::program::{Groups, Recorder, Uniform};
 use crate::gpu::trees::TreeRanges;
 
@@ -80,8 +80,8 @@ impl TreeRanges {
         }
     }
 
-    /// What kernels of coded trees read of the rule, which they always ask: the exponent, the target and the root, then the
-    /// components and their sides.
+    /// What kernels of coded trees read for their filter, which they always have: the root, the exponent and the target, then
+    /// the components and their sides.
     fn coded_rule<'a>(
         &'a self,
         coded: &'a Coded,
@@ -94,6 +94,6 @@ impl TreeRanges {
                 (Uniform::Stored(nothing), [nothing, nothing])
             }
         };
-        ([exponent, target, Uniform::Stored(&coded.root)], ranges)
+        ([Uniform::Stored(&coded.root), exponent, target], ranges)
     }
 }

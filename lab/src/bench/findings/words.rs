@@ -1,17 +1,17 @@
-//! Parts of sentences.
+//! Phrases of the findings.
 
 use super::super::measure::SetupRecord;
 use super::super::times::{Round, Times};
 use super::Verdict;
 
-/// A sentence, and what it says of slimbvh.
-pub type Told = (Verdict, String);
+/// A sentence with its verdict.
+pub type Sentence = (Verdict, String);
 
-/// Less than this share of a time is not told from none, whatever the spread.
-pub const NOTHING: f64 = 0.03;
+/// Times that differ by less than this share count as equal, whatever the spread.
+pub const MIN_DIFFERENCE: f64 = 0.03;
 
-/// What a part of the time does, beside the default's.
-pub fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -> Told {
+/// A sentence that compares a part of the time with the default's.
+pub fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -> Sentence {
     let ratio = own.ratio(of);
     let clear = match is_clear(own, of) {
         true => "",
@@ -24,7 +24,7 @@ pub fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -
     (win_if(ratio < 1.0 && clear.is_empty()), text)
 }
 
-/// How many times as much; as much where there is nothing.
+/// `own / usual`, or 1 if `usual` is 0.
 pub fn quotient(own: f64, usual: f64) -> f64 {
     match usual > 0.0 {
         true => own / usual,
@@ -32,19 +32,19 @@ pub fn quotient(own: f64, usual: f64) -> f64 {
     }
 }
 
-/// Whether all rounds say the same of a time.
+/// Whether all rounds agree that a time is shorter than the default's, or that it is longer.
 pub fn is_clear(own: &SetupRecord, of: fn(&Times) -> f64) -> bool {
     let ratio = |round: &Round| of(&round.own) / of(&round.usual);
     let faster = own
         .rounds
         .0
         .iter()
-        .all(|round| ratio(round) < 1.0 - NOTHING);
+        .all(|round| ratio(round) < 1.0 - MIN_DIFFERENCE);
     let slower = own
         .rounds
         .0
         .iter()
-        .all(|round| ratio(round) > 1.0 + NOTHING);
+        .all(|round| ratio(round) > 1.0 + MIN_DIFFERENCE);
     faster || slower
 }
 
@@ -55,7 +55,7 @@ pub fn win_if(wins: bool) -> Verdict {
     }
 }
 
-/// How long a part takes beside the default's, in words.
+/// A part of the time compared with the default's, in words.
 pub fn compared(own: &SetupRecord, of: fn(&Times) -> f64) -> String {
     match is_clear(own, of) {
         true => in_words(own.ratio(of)),
@@ -66,18 +66,18 @@ pub fn compared(own: &SetupRecord, of: fn(&Times) -> f64) -> String {
 /// A ratio of times in words.
 pub fn in_words(ratio: f64) -> String {
     match ratio {
-        ratio if ratio < 1.0 - NOTHING => format!("in {} of the time", percent(ratio)),
-        ratio if ratio > 1.0 + NOTHING => format!("in {ratio:.2} times the time"),
+        ratio if ratio < 1.0 - MIN_DIFFERENCE => format!("in {} of the time", percent(ratio)),
+        ratio if ratio > 1.0 + MIN_DIFFERENCE => format!("in {ratio:.2} times the time"),
         _ => "in the same time".into(),
     }
 }
 
-/// A share that is not small.
+/// A share in whole percent.
 pub fn percent(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
 }
 
-/// A share that may be small.
+/// A share in percent, with an exponent if it is small.
 pub fn share(share: f64) -> String {
     match 100.0 * share {
         0.0 => "0 %".into(),

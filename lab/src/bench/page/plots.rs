@@ -1,4 +1,4 @@
-//! Plots as SVG, in colors that the page chooses.
+//! Plots as SVG, in the colors of the page.
 
 mod bars;
 mod growth;
@@ -13,21 +13,21 @@ use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// Units of a drawing. About as wide as a phone, so that letters can be read on one.
+/// The size of a drawing. It is about as wide as a phone, so that its letters are legible there.
 const WIDTH: u32 = 360;
 const HEIGHT: u32 = 280;
 
-/// Colors that stand for others until the page puts its own in their place.
+/// Placeholder colors, which [`themed`] replaces by the page's.
 const INK: RGBColor = RGBColor(1, 2, 3);
 const FAINT: RGBColor = RGBColor(4, 5, 6);
 const FRONT: RGBColor = RGBColor(7, 8, 9);
 
-/// Of the parts of a picture.
+/// The placeholder color of a part of a picture's time.
 const fn part_color(part: usize) -> RGBColor {
     RGBColor(16, 16, part as u8)
 }
 
-/// What is drawn along an axis.
+/// An axis: its name, its values and its scale.
 #[derive(Clone, Copy)]
 pub struct Axis {
     pub name: &'static str,
@@ -37,13 +37,13 @@ pub struct Axis {
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// From 0 on.
+    /// From 0.
     Linear,
-    /// Powers of ten, and 0 beside the least.
+    /// Powers of ten, and 0 below the least.
     PowersAndZero,
 }
 
-/// Setups that are on the front of two axes, each with the number that it has in the plot, from 1, along the first.
+/// The setups on the Pareto front of two axes, in the order of their numbers in the plot: along the first axis, from 1.
 pub fn numbered<'a>(records: &[&'a SetupRecord], axes: [Axis; 2]) -> Vec<&'a SetupRecord> {
     let points: Vec<[f64; 2]> = records
         .iter()
@@ -59,7 +59,7 @@ pub fn numbered<'a>(records: &[&'a SetupRecord], axes: [Axis; 2]) -> Vec<&'a Set
     on_front
 }
 
-/// All setups as dots, those on the front with numbers and a line through them.
+/// A plot of all setups as dots, those on the front with numbers and a line through them.
 pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
     let on_front = numbered(records, axes);
     let spans = axes.map(|axis| Span::new(axis, records));
@@ -94,7 +94,7 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
             .iter()
             .map(|record| Circle::new(place(record), 4, FAINT.filled()));
         chart.draw_series(dots)?;
-        // Along a front one thing gets better only at the next step.
+        // The line is a staircase: the second value improves only at the next setup of the front.
         let mut steps: Vec<(f64, f64)> = Vec::new();
         for record in &on_front {
             let (x, y) = place(record);
@@ -120,10 +120,10 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
     Ok(themed(&svg))
 }
 
-/// Where values are on an axis.
+/// The places of values on an axis.
 struct Span {
     scale: Scale,
-    /// Of the least power of ten.
+    /// The exponent of the least power of ten.
     least: f64,
     end: f64,
 }
@@ -182,7 +182,7 @@ impl Span {
     }
 }
 
-/// The page's colors, and nothing that only files of their own need.
+/// Puts in the page's colors, and removes the namespace, which only SVG files need.
 fn themed(svg: &str) -> String {
     let hex = |RGBColor(r, g, b): RGBColor| format!("#{r:02X}{g:02X}{b:02X}");
     let mut svg = svg

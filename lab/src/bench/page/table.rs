@@ -1,4 +1,4 @@
-//! All figures of a scene, a setup a line.
+//! The table of all measurements of a scene, one setup per row.
 
 use super::super::findings::share;
 use super::super::row::Row;
@@ -6,7 +6,7 @@ use super::super::scaling::{COSTS, Exponent, Series};
 use super::escaped;
 use std::fmt::Write;
 
-/// What a column is of, in a word and in a sentence.
+/// A column: its name, its description and its cells.
 type Column = (&'static str, &'static str, fn(&Row) -> String);
 
 const COLUMNS: [Column; 26] = [
@@ -20,20 +20,22 @@ const COLUMNS: [Column; 26] = [
     ),
     (
         "× default",
-        "median over rounds of how many times the default's time of the same round",
+        "ratio to the default's time in the same round, median over rounds",
         |r| format!("{:.2}", r.frame_ratio),
     ),
-    (
-        "plan",
-        "milliseconds to find out what may be left out",
-        |r| ms(r.plan_ms),
-    ),
+    ("plan", "milliseconds to plan the reduction", |r| {
+        ms(r.plan_ms)
+    }),
     (
         "build",
         "milliseconds of all other stages of the build",
         |r| ms(r.build_ms),
     ),
-    ("encode", "milliseconds for codecs", |r| ms(r.encode_ms)),
+    (
+        "encode",
+        "milliseconds to encode nodes and triangles",
+        |r| ms(r.encode_ms),
+    ),
     ("primary", "milliseconds for rays from the eye", |r| {
         ms(r.primary_ms)
     }),
@@ -48,12 +50,12 @@ const COLUMNS: [Column; 26] = [
     ("rest", "milliseconds for shading and pixels", |r| {
         ms(r.rest_ms)
     }),
-    ("trees", "how many", |r| r.trees.to_string()),
+    ("trees", "number of trees", |r| r.trees.to_string()),
     ("node KiB", "of all trees", |r| kib(r.node_bytes)),
     ("triangle KiB", "of all leaves", |r| kib(r.triangle_bytes)),
     (
         "peak KiB",
-        "all memory that was needed for the picture, the mesh included",
+        "peak memory for the picture, the mesh included",
         |r| kib(r.peak_bytes),
     ),
     (
@@ -72,31 +74,31 @@ const COLUMNS: [Column; 26] = [
     }),
     (
         "moved, most",
-        "how far a vertex moved, in the scene's unit",
+        "largest move of a vertex, in the scene's unit",
         |r| small(r.vertex_moved_most),
     ),
     ("moved, RMS", "over all vertices", |r| {
         small(r.vertex_moved_rms)
     }),
-    ("bound", "how far a vertex may move", |r| {
+    ("bound", "largest possible move of a vertex", |r| {
         small(r.vertex_moved_bound)
     }),
     (
         "distance off",
-        "the most that a hit is nearer or farther, in the scene's unit",
+        "largest difference of hit distances, in the scene's unit",
         |r| small(r.distance_error_most),
     ),
     ("other triangle", "samples that see another triangle", |r| {
         share(r.changed_primitives)
     }),
-    ("other pixels", "pixels of which any byte differs", |r| {
+    ("other pixels", "pixels with a differing byte", |r| {
         share(r.changed_pixels)
     }),
     ("RMSE", "of 255", |r| small(r.image_rmse)),
     ("SSIM", "1 for equal pictures", |r| format!("{:.5}", r.ssim)),
 ];
 
-/// The table in a box that scrolls. A dot marks what nothing is better than in time, bytes and error.
+/// The table in a scrolling box. A dot marks the Pareto front of time, bytes and error.
 pub fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     let mut html = String::from("<div class=\"table\"><table><thead><tr><th>setup</th>");
     // Writing to a string cannot fail.
@@ -121,7 +123,7 @@ pub fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     html
 }
 
-/// The powers that costs grow by.
+/// The table of the exponents of growth.
 pub fn exponents(all: &[Series]) -> String {
     let mut html = String::from("<div class=\"table\"><table><thead><tr><th>with more</th>");
     for (cost, _) in COSTS {
@@ -153,7 +155,7 @@ fn kib(bytes: usize) -> String {
     format!("{:.0}", bytes as f64 / 1024.0)
 }
 
-/// Three digits of what may be small.
+/// A value with three digits, also if it is small.
 fn small(value: f64) -> String {
     match value {
         0.0 => "0".into(),

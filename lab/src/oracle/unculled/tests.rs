@@ -1,6 +1,6 @@
 use super::*;
 
-/// One step of the float grid to either side of an edge, far away.
+/// Beside a long edge, one step of the float grid separates hit and miss.
 #[test]
 fn one_step_beside_an_edge_is_outside() {
     let far = 1e7_f32;
@@ -11,7 +11,7 @@ fn one_step_beside_an_edge_is_outside() {
     }
 }
 
-/// Both ends of a range belong to it, to the bit, wherever they are.
+/// Both ends of a range belong to it exactly, wherever they are.
 #[test]
 fn ranges_end_exactly() {
     let oracle = Unculled::new(vec![[[0.0, 0.0, 3.0], [4.0, 0.0, 3.0], [0.0, 2.0, 3.0]]]);
@@ -27,7 +27,7 @@ fn ranges_end_exactly() {
     assert!(!at(0.0, 0.0, 6.0_f32.next_down()) && !at(0.0, 6.0_f32.next_up(), f32::MAX));
     assert!(at(4.0, -2.0, -1.0) && at(4.0, -2.0, -2.0));
     assert!(!at(4.0, (-2.0_f32).next_up(), 9.0) && !at(4.0, -9.0, (-2.0_f32).next_down()));
-    // In front of its back, and the other way.
+    // The first ray meets the back, the second one the front.
     let ray = Ray::new([1.0, 0.5, 0.0], [0.0, 0.0, 0.5]);
     let back = Ray::new([1.0, 0.5, 9.0], [0.0, 1e-30, -2.0]);
     assert_eq!((oracle.facing(&ray, 0), oracle.facing(&back, 0)), (-1, 1));
@@ -35,7 +35,7 @@ fn ranges_end_exactly() {
     assert_eq!(oracle.facing(&along, 0), 0);
 }
 
-/// The largest and the smallest numbers that there are.
+/// The largest and the smallest numbers are exact, too.
 #[test]
 fn nothing_overflows_or_underflows() {
     let (huge, tiny) = (f32::MAX, f32::from_bits(1));

@@ -1,4 +1,4 @@
-//! Where frames are timed: on cores, or on a GPU beside which the cores count.
+//! The machines that time frames: the CPU, or a GPU. Counts come from the CPU in either case.
 
 #[cfg(feature = "gpu")]
 pub mod likeness;
@@ -14,7 +14,7 @@ use serde::Serialize;
 use slimbvh::{Cpu, RenderSettings};
 use slimbvh_cli::backend::Chosen;
 
-/// What kind of machine times.
+/// The kind of machine that times frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     not(feature = "gpu"),
@@ -22,21 +22,21 @@ use slimbvh_cli::backend::Chosen;
 )]
 pub enum Place {
     Cores,
-    /// A GPU that computes in software.
+    /// A software GPU.
     Software,
     Gpu,
 }
 
-/// What times a scene's methods.
+/// A machine that times the methods on a scene.
 pub trait Bench {
-    /// What there is of the plain tree beside the times; the reference is the same on cores, with its picture.
+    /// The GPU's record of the plain tree, if a GPU times. `reference` is the same tree on the CPU, with its picture.
     fn plain(
         &mut self,
         reference: &Steps<Cpu>,
         settings: &RenderSettings,
     ) -> Result<Option<GpuRecord>>;
 
-    /// Times a method in turn with the plain tree; both are on cores already.
+    /// Times a method, alternating with the plain tree. Both are on the CPU already.
     fn time(
         &mut self,
         both: (&mut Steps<Cpu>, &mut Steps<Cpu>),
@@ -46,7 +46,7 @@ pub trait Bench {
     ) -> Result<Timed>;
 }
 
-/// Brings the plain tree to what was chosen, so that what is too large for it is told at once.
+/// Brings the plain tree to the chosen machine, so that a scene too large for it is reported at once.
 pub fn open<'a>(chosen: &'a Chosen, plain: &'a Prepared) -> Result<Box<dyn Bench + 'a>> {
     #[cfg(not(feature = "gpu"))]
     let _ = plain;
@@ -57,7 +57,7 @@ pub fn open<'a>(chosen: &'a Chosen, plain: &'a Prepared) -> Result<Box<dyn Bench
     })
 }
 
-/// The trees that counts are taken from.
+/// The CPU, which times the trees that it counts.
 struct Cores;
 
 impl Bench for Cores {
@@ -79,42 +79,42 @@ impl Bench for Cores {
     }
 }
 
-/// What was timed of a method, and where.
+/// The times of a method, and its record on the GPU.
 #[derive(Default)]
 pub struct Timed {
-    /// None where the GPU does not have the codecs.
+    /// Empty if the GPU does not have the codecs.
     pub rounds: Rounds<Round>,
     pub on_gpu: Option<GpuRecord>,
 }
 
-/// What is on the GPU beside the times.
+/// Buffers on the GPU, and its agreement with the CPU.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct GpuRecord {
     pub buffers: Buffers,
     pub likeness: Likeness,
 }
 
-/// Bytes of buffers. They are kept and only grow, so that these are the most there ever were; parameters, the view, and what is
-/// read back are not among them.
+/// Bytes of buffers. Buffers are kept and only grow, so that these are their maxima. Parameters, the view and read-back
+/// buffers are not included.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Buffers {
-    /// The tree and its triangles, with room for as many nodes and as long triangles as there could be.
+    /// The tree and its triangles, with room for the largest number of nodes and the largest triangles possible.
     pub tree: u64,
-    /// Of what is between the stages of a build; with a codec also nodes and triangles in full.
+    /// Buffers between the stages of a build; with a codec also nodes and triangles in full precision.
     pub builder: u64,
     pub renderer: u64,
-    /// The caller's mesh, and its materials.
+    /// The caller's mesh and materials.
     pub scene: u64,
 }
 
-/// How like the CPU's all is that the GPU made.
+/// Agreement of the GPU's results with the CPU's.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Likeness {
     /// Rays whose nodes and triangles were counted on both.
     pub rays: usize,
     pub counted_otherwise: usize,
     pub pixels: usize,
-    /// By more than one of 255 in any channel.
+    /// Pixels that differ by more than 1 of 255 in any channel.
     pub pixels_unlike: usize,
 }
 

@@ -1,29 +1,29 @@
-//! Holes in surfaces: rays that are aimed at vertices and edges of a closed mesh, and get in.
+//! Cracks in surfaces: rays that are aimed at vertices and edges of a closed mesh, and get inside.
 
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 use serde::Serialize;
 use slimbvh::{Bvh, Ray, Scene};
 
-/// What became of the rays.
+/// The outcomes of the aimed rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Cracks {
     pub aimed: usize,
-    /// Met nothing at all.
+    /// Rays that hit nothing.
     pub lost: usize,
-    /// Passed their target, and met a triangle from behind first: they got in between two.
+    /// Rays that passed their target and first hit a triangle from behind: they got in between two triangles.
     pub leaked: usize,
 }
 
-/// A triangle is one that faces the eye if the cosine of its normal is above this, and is met from behind if it is below minus
-/// that.
+/// A triangle faces the eye if the cosine of its normal is above this, and is hit from behind if the cosine is below the
+/// negative of this.
 const COSINE: f64 = 0.05;
 
-/// A ray passed its target if it meets something so far behind it, as a share of the way.
+/// A ray passed its target if its hit is farther behind the target than this share of the way.
 const BEHIND: f32 = 1e-4;
 
-/// Aims from the eye at the corners and at the middles of the edges of so many triangles, spread evenly, that face it. The mesh
-/// must be closed, with the eye outside.
+/// Aims about `ray_count` rays from the eye at corners and middles of edges of triangles that face it, spread evenly. The
+/// mesh must be closed, with the eye outside.
 pub fn aim(scene: &Scene, bvh: &Bvh, ray_count: usize) -> Result<Cracks> {
     let eye = scene
         .cameras
@@ -42,7 +42,7 @@ pub fn aim(scene: &Scene, bvh: &Bvh, ray_count: usize) -> Result<Cracks> {
         let middle = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| 0.5 * a[i] + 0.5 * b[i]);
         [a, middle(a, b), middle(b, c), middle(c, a)]
     };
-    // About half of them face the eye.
+    // About half of the triangles face the eye, and each is the target of four rays.
     let stride = (2 * mesh.indices.len() / ray_count.max(1)).max(1);
     let triangles = (0..mesh.indices.len()).into_par_iter().step_by(stride);
     let cracks = triangles.map(|triangle| {

@@ -1,4 +1,4 @@
-//! What a frame takes with a method, and with the plain tree in turn with it.
+//! Times of frames, with a method and with the plain tree in turn.
 
 use crate::measure::rounds::Rounds;
 use crate::reproduce::steps::Steps;
@@ -7,27 +7,27 @@ use serde::Serialize;
 use slimbvh::{Backend, RenderSettings, Stages};
 use std::collections::BTreeMap;
 
-/// A frame with a plain tree, and the same with another.
+/// A frame with the plain tree, and the same frame with a method.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Round {
     pub plain: Frame,
     pub own: Frame,
 }
 
-/// Milliseconds.
+/// Milliseconds of a frame's parts.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Frame {
-    /// All stages of the build but the next.
+    /// All stages of the build except encoding.
     pub construction: f64,
-    /// Nodes and triangles in codecs; on cores also the boxes of trees in codecs.
+    /// Encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
     pub encoding: f64,
     pub rendering: f64,
-    /// The same by stage.
+    /// The same times by stage.
     pub stages: BTreeMap<&'static str, f64>,
 }
 
 impl Frame {
-    /// Builds and renders.
+    /// Builds a tree and renders a picture.
     fn take<B: Backend>(steps: &mut Steps<B>, settings: &RenderSettings) -> Result<Self> {
         let build = steps.build_all()?;
         let render = steps.render_all(settings)?;
@@ -55,27 +55,27 @@ impl Frame {
         self.construction + self.encoding + self.rendering
     }
 
-    /// Of a stage; 0 where there is none.
+    /// The time of a stage; 0 if the frame has no such stage.
     pub fn stage(&self, stage: &str) -> f64 {
         self.stages.get(stage).copied().unwrap_or(0.0)
     }
 }
 
 impl Round {
-    /// What the codec adds to building, as a share of building the plain tree. On cores, boxes are found while coding, so that
-    /// neither is there without the other.
+    /// The time that the codec adds to the build, as a share of building the plain tree. On the CPU encoding also finds the
+    /// boxes, so that the two cannot be separated.
     pub fn added(&self) -> f64 {
         let built = |frame: &Frame| frame.construction + frame.encoding;
         built(&self.own) / built(&self.plain) - 1.0
     }
 
-    /// Encoding, as a share of all else that the build does.
+    /// The time of encoding, as a share of the rest of the build.
     pub fn encoding_share(&self) -> f64 {
         self.own.encoding / self.own.construction
     }
 }
 
-/// Builds and renders in turn. One round before does not count.
+/// Alternates frames of both. One round before the others is not counted.
 pub fn take_turns<B: Backend>(
     (plain, own): (&mut Steps<B>, &mut Steps<B>),
     settings: &RenderSettings,

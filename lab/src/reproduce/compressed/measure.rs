@@ -1,4 +1,4 @@
-//! Everything that is measured of a scene.
+//! Measurements of a scene.
 
 use super::bench::{self, GpuRecord, Timed};
 use super::cracks::{Cracks, aim};
@@ -19,58 +19,58 @@ use serde::Serialize;
 use slimbvh::{Cpu, Picture, RenderSettings, Trees};
 use slimbvh_cli::backend::Chosen;
 
-/// What was measured of one scene.
+/// The measurements of one scene.
 #[derive(Serialize)]
 pub struct SceneRecord {
     pub name: &'static str,
     #[serde(skip)]
     pub printed: Option<Printed>,
     pub stand_in: Option<String>,
-    /// Whether a tree has little to gain.
+    /// Whether this is the smallest scene, where a codec has little to gain.
     #[serde(skip)]
     pub is_smallest: bool,
     pub triangles: usize,
-    /// Of the scene's box.
+    /// The diagonal of the scene's bounding box.
     pub diagonal: f32,
-    /// The plain tree first.
+    /// The plain tree comes first.
     pub methods: Vec<MethodRecord>,
 }
 
-/// What was measured with one method.
+/// The measurements of one method.
 #[derive(Serialize)]
 pub struct MethodRecord {
     #[serde(skip)]
     pub method: Method,
     pub name: String,
-    /// Of the tree and of the triangles in its leaves.
+    /// Bytes of the nodes, and of the triangles in the leaves.
     pub node_bytes: usize,
     pub triangle_bytes: usize,
     pub counts: Counts,
-    /// Beside the plain tree's picture.
+    /// The differences from the plain tree's picture.
     pub differences: Differences,
-    /// How far a vertex moved, and how far it might have, in the scene's unit.
+    /// The largest move of a vertex and its bound, in the scene's unit.
     pub moved: Option<[f32; 2]>,
-    /// Of closed scenes.
+    /// Only for closed scenes.
     pub cracks: Option<Cracks>,
-    /// None where a GPU was to time what it does not have.
+    /// Empty if the GPU does not have the codecs.
     pub rounds: Rounds<Round>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub on_gpu: Option<GpuRecord>,
 }
 
-/// Pixels of two pictures.
+/// Numbers of pixels that differ between two pictures.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Differences {
-    /// There is nothing any more.
+    /// Pixels that miss where the plain tree's picture hits.
     pub lost: usize,
-    /// There was nothing.
+    /// Pixels that hit where the plain tree's picture misses.
     pub gained: usize,
     pub changed: usize,
-    /// By more than [`STRONG`] of 255.
+    /// Pixels that differ by more than [`STRONG`] of 255.
     pub strongly: usize,
 }
 
-/// A change that may be seen.
+/// A difference above this may be visible.
 pub const STRONG: u8 = 16;
 
 impl SceneRecord {
@@ -85,13 +85,13 @@ impl SceneRecord {
 }
 
 impl MethodRecord {
-    /// Of tree and triangles.
+    /// Bytes of nodes and triangles.
     pub fn bytes(&self) -> usize {
         self.node_bytes + self.triangle_bytes
     }
 }
 
-/// Measures one scene with each method. What is timed takes turns with the plain tree; what is counted is counted on cores.
+/// Measures one scene with each method. Timed frames alternate with the plain tree; counts come from the CPU.
 pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result<SceneRecord> {
     let scene = &subject.scene;
     let settings = RenderSettings {
@@ -124,7 +124,7 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
         (record.rounds, record.on_gpu) = (rounds, on_gpu);
         methods.push(record);
     }
-    // All that was timed of the plain tree.
+    // The plain tree's rounds are those beside all methods.
     let all = methods.iter().flat_map(|record| &record.rounds.0);
     let all = all.map(|round| Round {
         plain: round.plain.clone(),
@@ -144,7 +144,7 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
     })
 }
 
-/// What needs no clock, of a tree that was built and a picture that was made. `seen` is what the reference sees.
+/// Measures a built tree and its picture, except for times. `seen` are the first hits of the reference.
 fn facts(
     prepared: &Prepared,
     (own, reference): (&Steps<Cpu>, &Steps<Cpu>),
@@ -181,7 +181,7 @@ fn facts(
     })
 }
 
-/// How many pixels were so, and are not any more.
+/// The number of samples whose hit (`were`) or miss became the opposite.
 fn differ(before: Option<&[Seen]>, after: &[Seen], were: bool) -> usize {
     let pairs = before.unwrap_or(after).iter().zip(after);
     pairs
@@ -190,7 +190,7 @@ fn differ(before: Option<&[Seen]>, after: &[Seen], were: bool) -> usize {
         .count()
 }
 
-/// How many pixels differ by more than this in any channel.
+/// The number of pixels that differ by more than `most` in any channel.
 pub fn changed(a: &Picture, b: &Picture, most: u8) -> usize {
     let (a, b) = (a.to_srgb(), b.to_srgb());
     let pixels = a.chunks(3).zip(b.chunks(3));

@@ -1,4 +1,4 @@
-//! In which codecs trees are measured.
+//! The methods of storing trees that are measured.
 
 use crate::measure::step::Step;
 use crate::stress::snapped;
@@ -8,30 +8,30 @@ use std::borrow::Cow;
 /// How nodes and triangles are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method {
-    /// In full.
+    /// Nodes and triangles in full precision.
     Plain,
-    /// Nodes as printed.
+    /// Nodes in the paper's codec.
     Node,
-    /// Nodes and triangles as printed.
+    /// Nodes and triangles in the paper's codecs.
     NodeMesh,
-    /// Nodes on a lattice, triangles in full.
+    /// Nodes on a lattice, triangles in full precision.
     Lattice(LatticeBits),
-    /// Both on a lattice, nodes in 10 bits.
+    /// Both on a lattice, with nodes of 10 bits.
     LatticeMesh(Step),
 }
 
-/// A scene made ready for a method.
+/// A scene that is ready for a method.
 pub struct Prepared<'a> {
     pub method: Method,
-    /// Its vertices moved onto the lattice, where there is one.
+    /// The scene, with its vertices moved onto the lattice if the method has one.
     pub scene: Cow<'a, Scene>,
     pub config: BuildConfig,
-    /// How far a vertex moved, and how far it might have.
+    /// The largest move of a vertex, and its bound.
     pub moved: Option<[f32; 2]>,
 }
 
 impl Method {
-    /// All that is compared with [`Self::Plain`]: the printed ones, ours, and ours with nodes of other widths.
+    /// All methods that are compared with [`Self::Plain`]: the paper's, ours, and ours with nodes of other widths.
     pub fn all() -> Vec<Self> {
         let mut all = vec![
             Self::Node,
@@ -46,15 +46,15 @@ impl Method {
         all
     }
 
-    /// The one that targets are for.
+    /// The main method that targets are for.
     pub const JUDGED: Self = Self::LatticeMesh(Step::Pixels(0.5));
 
-    /// Whether it is there only for the sake of its width.
+    /// Whether the method is measured only for the width of its nodes.
     pub fn is_other_width(&self) -> bool {
         matches!(self, Self::Lattice(bits) if *bits != LatticeBits::Q10)
     }
 
-    /// In tables.
+    /// The name in tables.
     pub fn name(self) -> String {
         match self {
             Self::Plain => "plain".into(),
@@ -75,12 +75,12 @@ impl Method {
         }
     }
 
-    /// Bytes of a node.
+    /// Bytes per node.
     pub fn node_bytes(self) -> usize {
         self.nodes().node_bytes()
     }
 
-    /// Makes a scene ready. Pixels are those of a picture with these settings.
+    /// Prepares a scene. Pixels are those of a picture with these settings.
     pub fn prepare<'a>(self, scene: &'a Scene, settings: &RenderSettings) -> Prepared<'a> {
         let mut prepared = Prepared {
             method: self,

@@ -1,18 +1,18 @@
-//! The figures of the paper on compressed hierarchies, as printed: milliseconds on a GTX 970, pictures of 1280×720 pixels.
+//! The printed figures of the paper on compressed hierarchies: milliseconds on a GTX 970, pictures of 1280×720 pixels.
 
-/// What is printed of one scene.
+/// The printed figures of one scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Printed {
-    /// As it is printed.
+    /// The number as printed.
     pub triangles: &'static str,
-    /// More box tests and triangle tests with compressed nodes, as a share.
+    /// Additional box tests and triangle tests with compressed nodes, as shares.
     pub more_tests: [f64; 2],
-    /// More memory read with compressed nodes, and with triangles compressed as well.
+    /// Additional bytes read with compressed nodes, and with compressed nodes and triangles, as shares.
     pub more_read: [f64; 2],
     pub creation: f64,
-    /// Of nodes, and of triangles.
+    /// Compression of nodes, and of triangles.
     pub compression: [f64; 2],
-    /// Plain, with compressed nodes, and with triangles compressed as well.
+    /// The plain tree, compressed nodes, and compressed nodes and triangles.
     pub rendering: [f64; 3],
 }
 
@@ -44,7 +44,7 @@ pub const ASIAN_DRAGON: Printed = Printed {
 };
 
 impl Printed {
-    /// A whole frame: plain, with compressed nodes, and with triangles compressed as well.
+    /// A whole frame: the plain tree, compressed nodes, and compressed nodes and triangles.
     pub fn frames(&self) -> [f64; 3] {
         let [nodes, triangles] = self.compression;
         let compression = [0.0, nodes, nodes + triangles];
@@ -56,8 +56,8 @@ impl Printed {
 mod tests {
     use super::*;
 
-    /// The text's headlines agree with the tables, but for two: of the bunny's 41 % less rendering there are 42, and of the
-    /// shiny scene's frame nothing is said.
+    /// The headlines of the paper's text agree with its tables, with two exceptions. The text gives 41 % less rendering for
+    /// the bunny, and the table 42 %. The text gives no figure for a frame of the shiny scene.
     #[test]
     fn headlines_are_those_of_the_tables() {
         let less = |after: f64, before: f64| (1000.0 * (1.0 - after / before)).round() / 10.0;

@@ -1,22 +1,22 @@
-//! How much is measured.
+//! Sizes and repeats of a measurement.
 
 use serde::Serialize;
 
 /// Sizes and repeats.
 #[derive(Clone, Debug, Serialize)]
 pub struct Protocol {
-    /// Width and height of pictures, one sample a pixel.
+    /// Width and height of pictures, which have one sample per pixel.
     pub size: [u32; 2],
-    /// How often trees are built and pictures made with each method, and as often without it.
+    /// Timed builds and pictures per method, alternating with as many of the plain tree.
     pub rounds: u32,
-    /// Rays that are aimed at vertices and edges.
+    /// Rays aimed at vertices and edges.
     pub aimed_rays: usize,
-    /// How many mirrors and surfaces of glass a path meets.
+    /// Maximum number of mirrors and glass surfaces along a path.
     pub mirror_depth: u32,
 }
 
 impl Protocol {
-    /// As printed: 1280×720 pixels.
+    /// The paper's size: 1280×720 pixels.
     pub const FULL: Self = Self {
         size: [1280, 720],
         rounds: 5,
@@ -24,7 +24,7 @@ impl Protocol {
         mirror_depth: 8,
     };
 
-    /// For half a minute.
+    /// Takes half a minute.
     pub const QUICK: Self = Self {
         size: [192, 108],
         rounds: 2,

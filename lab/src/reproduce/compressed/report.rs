@@ -1,4 +1,4 @@
-//! The whole report: for people, for a file, and as JSON.
+//! The report as text, as Markdown and as JSON.
 
 use super::SceneName;
 use super::bench::{Likeness, Place};
@@ -15,11 +15,11 @@ use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::output::{count, things};
 use slimbvh_core::node::LEAF_SIZE;
 
-/// Everything that was measured.
+/// All measurements, and the facts needed to read them.
 #[derive(Serialize)]
 pub struct Report {
     paper: &'static str,
-    /// The command that makes it again.
+    /// The command that reproduces the report.
     command: String,
     quick: bool,
     backend: &'static str,
@@ -34,14 +34,14 @@ pub struct Report {
     place: Place,
 }
 
-/// A scene that was not measured.
+/// A scene that was not measured, and why.
 #[derive(Serialize)]
 pub struct LeftOut {
     pub scene: String,
     pub why: String,
 }
 
-const PAPER: &str = "A paper on the compression of BVH and mesh on the GPU, after Karras 2012";
+const PAPER: &str = "The paper of the codecs NODE and NODE+MESH: compression of BVH and mesh after Karras, on a GTX 970; its authors are not known to us";
 
 impl Report {
     pub fn new(
@@ -67,7 +67,7 @@ impl Report {
         }
     }
 
-    /// As it is printed.
+    /// The report as a sheet.
     pub fn sheet(&self) -> Sheet<'_> {
         Sheet {
             title: "Compressed trees, beside the figures of the paper",
@@ -79,7 +79,7 @@ impl Report {
         }
     }
 
-    /// What must be known to read the tables.
+    /// The facts needed to read the tables.
     fn head(&self) -> Vec<(&'static str, String)> {
         let Protocol {
             size: [width, height],
@@ -97,32 +97,32 @@ impl Report {
         }
         head.push((
             "pictures",
-            format!("{width}x{height} pixels, one sample each; paths meet up to {mirror_depth} mirrors and surfaces of glass"),
+            format!("{width}x{height} pixels, one sample each; paths meet up to {mirror_depth} mirrors and glass surfaces"),
         ));
         head.push((
             "times",
             format!(
-                "medians of {rounds} rounds; within each the method and the plain tree take turns. Spread: from the fastest to the slowest, \
+                "medians of {rounds} rounds, in each of which the method alternates with the plain tree. Spread: slowest minus fastest, \
                  as a share of the median"
             ),
         ));
         head.push((
             "plain",
             format!(
-                "nodes of 64 bytes with both children's boxes, leaves of up to {LEAF_SIZE} triangles, 40 bytes a triangle: what all else is \
-                 compared with"
+                "nodes of 64 bytes with both children's boxes, leaves of up to {LEAF_SIZE} triangles, 40 bytes a triangle: the reference of \
+                 all comparisons"
             ),
         ));
         head.push((
             "NODE",
-            "the printed codec: planes in 10 bits between those of the decoded parent, by floats. +MESH: triangles in 10 bits a \
-             coordinate in their leaf's box"
+            "the paper's codec: planes of 10 bits within the decoded parent's box, in floats. +MESH: triangles with 10 bits per \
+             coordinate within their leaf's box"
                 .into(),
         ));
         head.push((
             "q4 to q21",
-            "ours: planes on one lattice of the scene, by integers, in so many bits. With mesh, vertices are moved onto a lattice first, \
-             and triangles take 16, 28 or 40 bytes as each leaf needs"
+            "ours: planes of N bits on one lattice of the scene, in integers. With mesh, vertices are moved onto a lattice first, \
+             and triangles take 16, 28 or 40 bytes, depending on their leaf"
                 .into(),
         ));
         head.push(("printed", self.printed()));
@@ -134,11 +134,9 @@ impl Report {
                 .stand_in
                 .as_ref()
                 .map_or(String::new(), |text| format!("; {text}"));
-            let printed = scene
-                .printed
-                .map_or("nothing is printed of it".into(), |printed| {
-                    format!("printed: {}", printed.triangles)
-                });
+            let printed = scene.printed.map_or("not in the paper".into(), |printed| {
+                format!("printed: {}", printed.triangles)
+            });
             let text = format!(
                 "{} ({printed}){stand_in}",
                 things(scene.triangles, "triangle")
@@ -152,17 +150,17 @@ impl Report {
         head
     }
 
-    /// What the paper's figures are, beside ours.
+    /// The conditions of the paper's figures and of ours.
     fn printed(&self) -> String {
         let (ours, whose, what) = match self.place {
             Place::Cores => (
-                ", which reads what its caches miss; ours are of this machine's cores, which have little to gain from less traffic and \
-                 decode without help",
+                ", which reads from memory what its caches miss; ours are from this machine's cores, which gain little from less traffic and \
+                 decode in software",
                 "Its",
                 "ratios of counts",
             ),
             Place::Software => (
-                "; ours are of a CPU that plays a GPU, which has little to gain from less traffic, and whose times say little: rendering \
+                "; ours are from a CPU that emulates a GPU, which gains little from less traffic and whose times say little: rendering \
                  is not judged",
                 "The paper's",
                 "ratios of counts",
@@ -170,20 +168,20 @@ impl Report {
             Place::Gpu => ("", "Its", "ratios"),
         };
         format!(
-            "figures of the paper, on a GTX 970 of 2014{ours}. {whose} tree has one triangle a leaf, so most of what it reads is nodes; \
+            "figures of the paper, on a GTX 970 of 2014{ours}. {whose} tree has one triangle per leaf, so that it mostly reads nodes; \
              ours has a quarter as many nodes, and reads triangles as well. Compare {what}, not times"
         )
     }
 
-    /// What was counted where, and how far both agree.
+    /// Where counts were taken, and how far CPU and GPU agree.
     fn counted(&self) -> String {
         let methods = self.scenes.iter().flat_map(|scene| &scene.methods);
         let all: Vec<_> = methods.filter_map(|own| own.on_gpu).collect();
         let likeness = all.iter().map(|on_gpu| on_gpu.likeness);
         let sum = |of: fn(&Likeness) -> usize| likeness.clone().map(|it| of(&it)).sum::<usize>();
         format!(
-            "on the CPU: tests, bytes read, changed pixels and cracks, which are the same on both. The GPU counted as well what {} from \
-             the eye touch: {} of these counts differ. Its trees take as many bytes, and of {} in its pictures {} differ from the CPU's \
+            "on the CPU: tests, bytes read, changed pixels and cracks, which are the same on both. The GPU also counted the nodes and triangles of {} from \
+             the eye, of which {} differ. Its trees take as many bytes, and of {} in its pictures {} differ from the CPU's \
              by more than one of 255",
             things(sum(|it| it.rays), "ray"),
             count(sum(|it| it.counted_otherwise)),

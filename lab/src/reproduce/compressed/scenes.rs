@@ -1,27 +1,27 @@
-//! The scenes, each with about as many triangles as are printed.
+//! The scenes, with about the paper's numbers of triangles.
 
 use super::super::scenes::{DRAGON, DRAGON_TRIANGLES, Source, dented_ball};
 use super::SceneName;
 use super::printed::{self, Printed};
 use anyhow::Result;
-use slimbvh::generate::{self, TorusKnot, smooth_normals, split_longest, torus_knot};
+use slimbvh::generate::{TorusKnot, smooth_normals, split_longest, torus_knot};
 use slimbvh::{Mesh, Scene};
 use std::path::Path;
 
-/// A scene that is ready to be measured.
+/// A scene that is ready for measurement.
 pub struct Subject {
     pub name: &'static str,
     pub printed: Option<Printed>,
     pub scene: Scene,
-    /// What stands in for what is not there, and why.
+    /// The stand-in for a missing file, and why it is used.
     pub stand_in: Option<String>,
-    /// Whether its surfaces are closed and seen from outside.
+    /// Whether the surfaces are closed and seen from outside.
     pub is_closed: bool,
-    /// Whether it is the one whose rays open few nodes, so that a codec has little to gain.
+    /// Whether this is the smallest scene, whose rays open few nodes, so that a codec has little to gain.
     pub is_smallest: bool,
 }
 
-/// As printed, about 70 000 triangles.
+/// About 70 000 triangles, as in the paper.
 const BUNNY: Source = Source {
     file: "bunny00.off",
     stand_in: || split_longest(&dented_ball(5), 70_000),
@@ -32,7 +32,7 @@ impl Subject {
     pub fn new(name: SceneName, folder: Option<&Path>, size: [u32; 2]) -> Result<Self> {
         let mut stand_in = None;
         let (shown, mut scene, printed) = match name {
-            SceneName::Shiny => ("shiny", generate::shiny(), Some(printed::SHINY)),
+            SceneName::Shiny => ("shiny", crate::scenes::shiny(), Some(printed::SHINY)),
             SceneName::Bunny => {
                 let scene = BUNNY.load(folder, &mut stand_in)?;
                 ("bunny", scene, Some(printed::BUNNY))
@@ -65,7 +65,7 @@ impl Subject {
     }
 }
 
-/// A closed surface of `2 * segments * sides` triangles, rough all over.
+/// A closed, rough surface of `2 * segments * sides` triangles.
 fn dented_knot(segments: u32, sides: u32) -> Mesh {
     let mut mesh = torus_knot(&TorusKnot {
         segments,

@@ -1,4 +1,4 @@
-//! The paper's figures with ours below them.
+//! Tables of the paper's figures, with ours below them.
 
 mod memory;
 mod times;
@@ -26,21 +26,21 @@ pub fn tables(records: &[SceneRecord], place: Place) -> Vec<Table> {
     tables
 }
 
-/// Stands where a GPU was to time what it does not have.
+/// The cell of a time whose codec the GPU does not have.
 const CPU_ONLY: &str = "CPU only";
 
-/// More or less than before, as a share.
+/// A ratio as a signed change in percent.
 fn change(ratio: f64) -> String {
     format!("{:+.1} %", 100.0 * (ratio - 1.0))
 }
 
-/// As many empty cells as are needed.
+/// Fills a row with empty cells.
 fn filled(mut row: Vec<String>, columns: usize) -> Vec<String> {
     row.resize(columns, NOTHING.to_owned());
     row
 }
 
-/// The methods that are not there for their width alone.
+/// The methods that are not measured for their width alone.
 fn main_methods(record: &SceneRecord) -> impl Iterator<Item = &MethodRecord> {
     record
         .methods
@@ -98,14 +98,14 @@ fn touched(records: &[SceneRecord]) -> Table {
     Table {
         title: "What a ray touches".into(),
         notes: vec![
-            "Means a ray of the picture, of rays that miss as well: boxes tested (two for each node that is opened), triangles tested, and \
-             bytes of the nodes opened and triangles tested, each counted as often as it is touched, as if there were no cache. Moved \
-             vertices make another picture, whose rays these are. Printed: beside Karras' tree with a box and links of a node each, one \
-             triangle a leaf; ours is another tree to begin with (see plain)."
+            "Means per ray of the picture, including rays that miss: boxes tested (two per opened node), triangles tested, and \
+             bytes of the opened nodes and tested triangles, each counted as often as it is touched, as if there were no cache. Moved \
+             vertices make another picture, whose rays these are. Printed: compared with Karras' tree, with one box and links per node and \
+             one triangle per leaf; ours is a different tree (see plain)."
                 .into(),
-            "A box grows by less than a cell on each side, 1 of 1023 of its parent's, which explains the few more tests of NODE here; why the \
-             paper found more is not said. Flat boxes in larger ones become a cell thick on the lattice, so that rays which start on such \
-             a surface test its triangles again (shiny). Where vertices come to lie in one place, triangles vanish, and are not met."
+            "A box grows by less than a cell on each side, 1 of 1023 of its parent's, which explains the few additional tests of NODE here; the \
+             paper does not say why it found more. Flat boxes in larger ones become a cell thick on the lattice, so that rays which start on such \
+             a surface test its triangles again (shiny). Triangles whose vertices coincide vanish, and are not hit."
                 .into(),
         ],
         word_columns: 3,
@@ -144,13 +144,13 @@ fn pictures(records: &[SceneRecord]) -> Table {
         }
     }
     Table {
-        title: "What becomes of the picture".into(),
+        title: "Changes of the picture".into(),
         notes: vec![format!(
-            "Pixels beside the plain tree's picture: those with nothing where there was something, with something where there was nothing, \
-             changed at all, changed by more than {STRONG} of 255. The farthest that a vertex moved, and its bound, in millionths of the \
-             scene's diagonal: of the printed codec, the bound of the largest leaf. Cracks, of closed scenes: rays aimed from the eye at \
-             vertices and middles of edges of triangles that face it; those that meet nothing (of the plain tree: rounded past a \
-             silhouette), and those that pass their target and meet a triangle from behind first: they got in between two."
+            "Pixels compared with the plain tree's picture: those that lost their hit, those that gained one, those that \
+             changed at all, and those that changed by more than {STRONG} of 255. The largest move of a vertex and its bound, in millionths of the \
+             scene's diagonal; for the paper's codec, the bound of the largest leaf. Cracks, for closed scenes: rays aimed from the eye at \
+             vertices and middles of edges of triangles that face it; those that hit nothing (for the plain tree: rounded past a \
+             silhouette), and those that pass their target and first hit a triangle from behind: they got in between two."
         )],
         word_columns: 2,
         head: vec![
@@ -189,7 +189,7 @@ fn kinds(records: &[SceneRecord]) -> Table {
         }
     }
     Table {
-        title: "The same by kind of rays".into(),
+        title: "What a ray touches, by kind of ray".into(),
         notes: vec!["Eye rays, shadow rays, and rays from mirrors and through glass.".into()],
         word_columns: 3,
         head: vec![
@@ -246,18 +246,18 @@ fn widths(records: &[SceneRecord], place: Place) -> Table {
         }
     }
     let mut notes = vec![
-        "Nodes on the lattice in so many bits a plane, triangles in full: what more bits cost, and what fewer let through. Pictures must \
+        "Nodes on the lattice with N bits per plane, triangles in full precision: more bits take more bytes, fewer bits more tests. Pictures must \
          not change."
             .to_owned(),
     ];
     if place.is_gpu() {
         notes.push(
-            "CPU only: the GPU has no kernels for that many bits; what rays touch is the same on both."
+            "CPU only: the GPU has no kernels for this many bits; counts are the same on both."
                 .into(),
         );
     }
     Table {
-        title: "How many bits".into(),
+        title: "Bits per plane".into(),
         notes,
         word_columns: 2,
         head: vec![

@@ -1,4 +1,4 @@
-//! Which targets are met.
+//! The targets, and whether they are met.
 
 use super::bench::Place;
 use super::frames::{Frame, Round};
@@ -10,11 +10,11 @@ use crate::reproduce::verdicts::{Measured, Verdict};
 /// A target.
 struct Target {
     what: &'static str,
-    /// At most.
+    /// The maximum.
     bound: f64,
-    /// Of a method, beside the plain tree.
+    /// The figure, from the records of a method and of the plain tree.
     of: fn(&MethodRecord, &MethodRecord) -> f64,
-    /// Whether it is for the smallest scene as well.
+    /// Whether the target holds for the smallest scene as well.
     is_for_smallest: bool,
 }
 
@@ -45,7 +45,7 @@ const COUNTED: [Target; 4] = [
     },
 ];
 
-/// On cores, where boxes are found while coding.
+/// For the CPU, where encoding also finds the boxes.
 const ADDED: Target = Target {
     what: "what encoding adds to construction",
     bound: 0.1,
@@ -53,7 +53,7 @@ const ADDED: Target = Target {
     is_for_smallest: true,
 };
 
-/// On a GPU, where encoding is a stage by itself.
+/// For a GPU, where encoding is a stage by itself.
 const ENCODING: Target = Target {
     what: "encoding / construction",
     bound: 0.1,
@@ -61,7 +61,7 @@ const ENCODING: Target = Target {
     is_for_smallest: true,
 };
 
-/// On a real GPU, which waits for memory.
+/// For a hardware GPU, which is limited by memory.
 const FASTER: [Target; 2] = [
     Target {
         what: "rendering / plain, but for the smallest scene",
@@ -77,7 +77,7 @@ const FASTER: [Target; 2] = [
     },
 ];
 
-/// What is asked of a place.
+/// The targets for a kind of machine.
 fn targets(place: Place) -> Vec<&'static Target> {
     let counted = COUNTED.iter();
     match place {

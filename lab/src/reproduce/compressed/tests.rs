@@ -13,7 +13,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     dark_rays: false,
 };
 
-/// As many rays are counted as are rendered, of every kind.
+/// The counted rays are as many as the rendered ones, of every kind.
 #[test]
 fn the_rays_counted_are_those_of_the_picture() {
     let subject = Subject::new(SceneName::Shiny, None, SETTINGS.size).unwrap();
@@ -39,7 +39,7 @@ fn the_rays_counted_are_those_of_the_picture() {
     }
 }
 
-/// What is read of triangles on the lattice is between the least and the most that a leaf takes, and less the coarser it is.
+/// Bytes read per lattice triangle lie between those of the smallest and the largest leaf, and fall with a coarser step.
 #[test]
 fn coarser_meshes_are_less_to_read() {
     let protocol = Protocol {
@@ -63,7 +63,7 @@ fn coarser_meshes_are_less_to_read() {
     assert_eq!(read(Method::Plain), 40.0);
     assert_eq!(read(Method::NodeMesh), 16.0);
 
-    // Nodes change nothing, in whatever bits, and nothing of ours lets rays in.
+    // Nodes of any bits change no pixel, and our codecs leave no cracks.
     let is_same = |own: &measure::MethodRecord| {
         own.differences.changed + own.differences.lost + own.differences.gained == 0
     };
@@ -87,14 +87,14 @@ fn coarser_meshes_are_less_to_read() {
             );
         }
     }
-    // Fewer bits let more through.
+    // Fewer bits open more nodes.
     let nodes = |bits| of(Method::Lattice(bits)).counts.all().nodes;
     assert!(nodes(LatticeBits::Q4) > nodes(LatticeBits::Q10));
     assert!(nodes(LatticeBits::Q10) >= nodes(LatticeBits::Q21));
 }
 
-/// An adapter, any, of which kernels see no more than a mebibyte of a buffer. Without one the test is skipped, loudly, unless
-/// `REQUIRE_GPU` forbids it.
+/// Any adapter, limited to bindings of one mebibyte. Without one the test is skipped with a notice, or fails under
+/// `REQUIRE_GPU`.
 #[cfg(feature = "gpu")]
 fn short_sighted() -> Option<slimbvh::gpu::Gpu> {
     use slimbvh::gpu::{Gpu, wgpu};
@@ -118,7 +118,7 @@ fn short_sighted() -> Option<slimbvh::gpu::Gpu> {
     Some(Gpu::from_device(device, queue).unwrap())
 }
 
-/// Scenes that nobody named are left out where the GPU does not take them; those that somebody did are not, without a word.
+/// A scene that the GPU cannot hold is left out if it was not named, and is an error if it was.
 #[cfg(feature = "gpu")]
 #[test]
 fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
@@ -148,7 +148,7 @@ fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
     assert_eq!((records.len(), scenes), (1, vec!["bunny", "dragon"]));
     assert!(left_out[0].why.contains("1048576"), "{}", left_out[0].why);
     for own in &records[0].methods {
-        // What the GPU has is timed, and nothing else.
+        // Only methods that the GPU has are timed.
         let is_on_gpu = match own.method {
             Method::Lattice(bits) => matches!(bits, LatticeBits::Q10 | LatticeBits::Q21),
             _ => true,
@@ -173,7 +173,7 @@ fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
     assert!(!text.contains("NaN"), "{text}");
 }
 
-/// The control: a tree in another codec, and a tree over a scene that lies a little elsewhere, are not what was counted.
+/// Negative control: a tree in another codec, and a tree over a scene that was moved a little, differ from the counted one.
 #[cfg(feature = "gpu")]
 #[test]
 fn what_the_gpu_timed_is_compared_with_what_was_counted() {
@@ -205,6 +205,6 @@ fn what_the_gpu_timed_is_compared_with_what_was_counted() {
     let bytes = said(compare((q10, &scene), (Method::Plain, &scene)));
     assert!(bytes.contains("bytes on the GPU"), "{bytes}");
     let either = said(compare((q10, &other), (q10, &scene)));
-    let is_told = ["bytes on the GPU", "counts otherwise"];
+    let is_told = ["bytes on the GPU", "count different"];
     assert!(is_told.iter().any(|part| either.contains(part)), "{either}");
 }

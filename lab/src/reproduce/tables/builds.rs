@@ -1,4 +1,4 @@
-//! Tables III and IV, and what sorting once is worth.
+//! Tables III and IV, and the gain of sorting once.
 
 use super::{NOTHING, nothing, percent, ratio, time};
 use crate::measure::table::Table;
@@ -53,9 +53,9 @@ pub fn construction(records: &[SceneRecord]) -> Table {
     Table {
         title: "Table III: construction, ms".into(),
         notes: vec![
-            "Sorted alone, as in the paper: each set's triangles are put in order by themselves. Sorted once: all triangles are (column \
-             sort), and each set's tree is built from that order; the last ratio is then that of the trees without the sort. The division, of \
-             C+, is not included in the sets. Spread: from the fastest to the slowest construction over all, as a share of the median."
+            "Sorted alone, as in the paper: each set's triangles are sorted by themselves. Sorted once: all triangles are sorted (column \
+             sort), and each set's tree is built from that order; the last ratio then compares the trees without the sort. The division, of \
+             C+, is not included in the sets. Spread: slowest minus fastest construction over all, as a share of the median."
                 .into(),
         ],
         word_columns: 2,
@@ -125,8 +125,8 @@ pub fn division(records: &[SceneRecord]) -> Table {
     Table {
         title: "Table IV: division, µs".into(),
         notes: vec![
-            "Orientation: which way each triangle faces, and on the CPU also how many of each 32 are kept. Sums: the paper's reduction and \
-             prefix sum together. Compaction: the list of what is kept. The last column is the division as a share of the construction \
+            "Orientation: the side that each triangle faces, and on the CPU also the number kept of each 32. Sums: the paper's reduction and \
+             prefix sum together. Compaction: the list of kept triangles. The last column is the division as a share of the construction \
              over the set, sorted alone. Two printed totals differ from their parts by 10 µs."
                 .into(),
         ],
@@ -136,7 +136,7 @@ pub fn division(records: &[SceneRecord]) -> Table {
     }
 }
 
-/// One order for all sets, or one for each.
+/// Sorting once for all sets, compared with sorting each set.
 pub fn once_or_each(records: &[SceneRecord]) -> Table {
     let mut rows = Vec::new();
     for record in records {
@@ -153,7 +153,7 @@ pub fn once_or_each(records: &[SceneRecord]) -> Table {
             let each = |round: &crate::reproduce::measure::SetsRound| {
                 let sets = sets.iter().map(|&set| {
                     let times = &round.sets[set];
-                    // The GPU is given its sets ready made, the CPU divides as it builds.
+                    // The GPU gets finished sets, while the CPU divides as it builds.
                     let division = if times.alone.division > 0.0 {
                         0.0
                     } else {
@@ -176,9 +176,9 @@ pub fn once_or_each(records: &[SceneRecord]) -> Table {
     Table {
         title: "Sort once, or sort each set, ms".into(),
         notes: vec![
-            "Division and construction of some sets: one order of all triangles with a compaction for each set, against an order for each set. \
-             A ratio below 1 speaks for sorting once. The last column is the one whole tree that the default builds instead. Not in the \
-             paper, which sorts each."
+            "Division and construction of several sets: one order of all triangles with a compaction per set, against one order per set. \
+             A ratio below 1 favours sorting once. The last column is the one whole tree that the default builds instead. Not in the \
+             paper, which sorts each set."
                 .into(),
         ],
         word_columns: 2,

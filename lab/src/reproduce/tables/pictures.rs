@@ -9,7 +9,7 @@ use crate::reproduce::printed;
 use crate::reproduce::times::Picture;
 use slimbvh_cli::output::count;
 
-/// How sets were sorted, and the pictures made with them.
+/// The pictures with reduced trees, by way of sorting.
 fn ways(pictures: &Pictures) -> Vec<(&'static str, &Rounds<Picture>)> {
     let name = |sorting: Sorting| match sorting {
         Sorting::Once => "ours, sorted once",
@@ -70,10 +70,10 @@ pub fn primary_and_one_light(records: &[SceneRecord]) -> Table {
     Table {
         title: "Table II: primary rays, and primary rays with one light, ms".into(),
         notes: vec![
-            "Construction included. Default: one tree over everything. Reduced: a set for the camera, and one for the light. Ratios are \
-             default / reduced, above 1 where reduced is faster. One light: shadow rays and shading as well. The light's set is named: L- where \
-             the camera is outside of all that is closed, as rays to the light then leave behind what they start on (see What a ray meets); \
-             the paper takes the smaller one."
+            "Construction included. Default: one tree over everything. Reduced: a set for the camera and one for the light. Ratios are \
+             default / reduced, above 1 if reduced is faster. One light: shadow rays and shading as well. The light's set is named: L- if \
+             the camera is outside of all closed surfaces, as L- then omits the triangles that rays to the light start on (see What a ray meets); \
+             the paper takes the smaller set."
                 .into(),
         ],
         word_columns: 2,
@@ -84,7 +84,7 @@ pub fn primary_and_one_light(records: &[SceneRecord]) -> Table {
     }
 }
 
-/// One table for each number of lights.
+/// One table per number of lights.
 pub fn near_lights(record: &SceneRecord) -> Vec<Table> {
     record
         .lights
@@ -148,8 +148,8 @@ fn near_lights_of(record: &SceneRecord, lights: &LightsRecord) -> Table {
         ),
         notes: vec![
             format!(
-                "Lights stand in a square above the model, {:.0} units apart. They share a set by the R rule, which keeps what faces any point of \
-                 the ball around them: {:.1} % of the triangles, as is printed. Triangles: of all trees for shadow rays. Division and \
+                "Lights stand in a square above the model, {:.0} units apart. They share a set by the R rule, which keeps triangles that face any point of \
+                 the ball around them: {:.1} % of the triangles, as printed. Triangles: of all trees for shadow rays. Division and \
                  construction: camera + lights; all sets come from one order, whose time is the camera's. Ratio: default / this row.",
                 lights.spacing,
                 100.0 * lights.share
@@ -225,9 +225,14 @@ pub fn supersampling(records: &[SceneRecord]) -> Table {
     }
     Table {
         title: "Table VI: supersampling, primary and shadow rays, ms".into(),
-        notes: vec!["Construction included, as in Table II. The more rays, the less it matters how trees are built.".into()],
+        notes: vec![
+            "Construction included, as in Table II. With more rays the construction matters less."
+                .into(),
+        ],
         word_columns: 3,
-        head: vec!["scene", "samples", "by", "default", "reduced", "ratio", "spread", "rounds"],
+        head: vec![
+            "scene", "samples", "by", "default", "reduced", "ratio", "spread", "rounds",
+        ],
         rows,
     }
 }

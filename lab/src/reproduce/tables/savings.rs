@@ -1,4 +1,4 @@
-//! What each saving saves.
+//! The table of the savings.
 
 use super::{ratio, time};
 use crate::measure::table::Table;
@@ -6,17 +6,17 @@ use crate::reproduce::measure::SceneRecord;
 use crate::reproduce::savings::{Frame, SavingRecord};
 use slimbvh_cli::output::{bytes, count};
 
-/// A row for each saving, where they were measured.
+/// One row per saving, if they were measured.
 pub fn table(record: &SceneRecord) -> Option<Table> {
     if record.savings.is_empty() {
         return None;
     }
     Some(Table {
-        title: format!("What each saving saves, on the {}", record.name),
+        title: format!("Savings, on the {}", record.name),
         notes: vec![
-            "The same picture with all savings, and without one of them (`slimbvh render --reduce on --without SAVING`), in a scene in which that \
-             one matters; the last row is without and with `--dark-rays`. Both pictures are equal. Triangles: of all sets that a frame builds. \
-             Trees: their memory, as much as there is at once. Ms: trees and rays, without the plan itself. Ratio: without / with, above 1 where \
+            "The same picture with all savings, and without one of them (`slimbvh render --reduce on --without SAVING`), in a scene in which that saving \
+             matters; the last row is without and with `--dark-rays`. Both pictures are equal. Triangles: of all sets that a frame builds. \
+             Trees: their memory at its peak. Ms: trees and rays, without the plan itself. Ratio: without / with, above 1 if \
              the saving is faster."
                 .into(),
         ],

@@ -1,4 +1,4 @@
-//! The whole report: for people, and as JSON.
+//! The report as text and as JSON.
 
 use super::StressArguments;
 use super::tables::tables;
@@ -10,21 +10,21 @@ use serde::{Deserialize, Serialize};
 use slimbvh_cli::output::{count, things};
 use std::path::Path;
 
-/// Everything that was measured.
+/// All measurements, and the facts needed to read them.
 #[derive(Serialize)]
 pub struct Report {
-    /// The command that makes it again.
+    /// The command that reproduces the report.
     command: String,
     quick: bool,
     machine: String,
     threads: usize,
-    /// What slimbvh is judged by, in ulps of the largest coordinate of origin and triangle.
+    /// The bound that slimbvh is judged by, in ulps of the largest coordinate of origin and triangle.
     bound_ulps: f64,
-    /// One a tracer, family, magnitude, backend, codec and reduction.
+    /// One row per tracer, family, magnitude, backend, codec and reduction.
     rows: Vec<Row>,
 }
 
-/// What is read of other reports.
+/// The part of another report that is read.
 #[derive(Deserialize)]
 pub struct Others {
     pub rows: Vec<Row>,
@@ -36,7 +36,7 @@ impl Others {
         let text =
             std::fs::read_to_string(path).with_context(|| format!("cannot read {shown:?}"))?;
         let rows = serde_json::from_str(&text);
-        rows.with_context(|| format!("{shown:?} has no rows as --json writes them"))
+        rows.with_context(|| format!("{shown:?} has no rows in the format of --json"))
     }
 }
 
@@ -57,7 +57,7 @@ impl Report {
         self.rows.iter().filter(|row| row.tracer == "slimbvh")
     }
 
-    /// Whether our own answers are right, and all vertices kept to their bounds.
+    /// Whether all answers of slimbvh are right, and all vertices kept to their bounds.
     pub fn is_clean(&self) -> bool {
         self.own()
             .all(|row| row.faults() == 0 && row.keeps_its_bound())
@@ -76,24 +76,24 @@ impl Report {
         };
         match faults {
             0 => format!(
-                "of {} of slimbvh's nothing is missed, false or the wrong one{moved}",
+                "{} of slimbvh: none missed, false or wrong{moved}",
                 things(rays, "answer")
             ),
             _ => format!(
-                "of {} of slimbvh's {} at fault{moved}",
+                "{} of slimbvh: {} at fault{moved}",
                 things(rays, "answer"),
                 count(faults)
             ),
         }
     }
 
-    /// As it is printed.
+    /// The report as text.
     pub fn text(&self) -> String {
-        let mut text = String::from("Rays that break tracers, against exact answers\n");
+        let mut text = String::from("Rays that are hard for tracers, judged by exact answers\n");
         let bound = format!(
             "a ray that passes farther than {BOUND_ULPS} ulps of the largest coordinate of its origin and the triangle from every border and \
-             silhouette must meet what the exact ray meets, and what is reported must be no farther off its triangle. From inside of closed \
-             surfaces something is met, without any tolerance. Codecs are judged by the triangles that they store"
+             silhouette must hit what the exact ray hits, and a reported hit must be no farther off its triangle. From inside a closed \
+             surface every ray must hit something, without tolerance. Codecs are judged by the triangles that they store"
         );
         let head = [
             ("command", format!("`{}`", self.command)),

@@ -1,13 +1,13 @@
-//! Rows, summed up.
+//! Tables that sum the rows.
 
 use crate::measure::table::Table;
 use crate::stress::Row;
 use slimbvh_cli::output::count;
 
-/// Faults are listed up to this many rows.
+/// The number of rows with faults that are listed at most.
 const MOST_LISTED: usize = 30;
 
-/// By family, by codec, and each row with a fault.
+/// The tables by family, by codec, and of the rows with faults.
 pub fn tables(rows: &[Row]) -> Vec<Table> {
     let mut tables = vec![families(rows), codecs(rows)];
     let faulty: Vec<&Row> = rows.iter().filter(|row| row.faults() > 0).collect();
@@ -17,7 +17,7 @@ pub fn tables(rows: &[Row]) -> Vec<Table> {
     tables
 }
 
-/// Rows with the same key, added up, in the order of the first of each.
+/// Sums the rows with the same key, in the order of the first row of each.
 fn merged(rows: &[Row], key: impl Fn(&Row) -> [String; 4]) -> Vec<([String; 4], Row, usize)> {
     let mut sums: Vec<([String; 4], Row, usize)> = Vec::new();
     for row in rows {
@@ -50,14 +50,14 @@ fn families(rows: &[Row]) -> Table {
         ]);
         cells
     };
-    // A family's tracers stand together, though the rows of others come after all of ours.
+    // A family's tracers stand together, although the rows of other tracers come after all of ours.
     let mut sums = merged(rows, by);
     let place = |family: &str| rows.iter().position(|row| row.family == family);
     sums.sort_by_key(|([family, ..], ..)| place(family));
     Table {
         title: "By family".into(),
         notes: vec![
-            "All codecs, whole and reduced, added up. Adrift: the ray passes its triangle, but t is off by more than the bound, as where it \
+            "All codecs, whole and reduced, summed. Adrift: the ray hits its triangle, but t is off by more than the bound, as for a ray that \
              runs almost in the triangle's plane. t, plane: the largest error along the ray and across the triangle, in ulps of the largest \
              coordinate. ms: to build and trace."
                 .into(),
@@ -87,7 +87,7 @@ fn codecs(rows: &[Row]) -> Table {
     Table {
         title: "By codec".into(),
         notes: vec![
-            "Moved: the farthest that a vertex moved onto the codec's grid, as a share of what its bound allows, at the largest share of all \
+            "Moved: the largest move of a vertex onto the codec's grid, as a share of its bound; the largest share of all \
              scenes."
                 .into(),
         ],
@@ -107,19 +107,19 @@ fn faults(rows: &[&Row]) -> Table {
         cells.extend(figures(row));
         cells
     };
-    let mut notes = vec!["One of the rays of each is in the JSON, as `example`.".to_owned()];
+    let mut notes = vec!["The JSON has one of the rays of each row, as `example`.".to_owned()];
     if rows.len() > MOST_LISTED {
         notes.push(format!("The first {MOST_LISTED} of {}.", rows.len()));
     }
     let is_cut_short = |row: &&Row| row.backend == "gpu" && row.family == "equal centroids";
     if rows.iter().any(is_cut_short) {
         notes.push(
-            "Mesa's llvmpipe, a CPU that plays a GPU, ends a thread's loops after 65,535 rounds, whatever it has found: too few for so many triangles in one place."
+            "Mesa's llvmpipe, a software GPU, ends a thread's loops after 65,535 iterations, which are too few for so many triangles in one place."
                 .into(),
         );
     }
     Table {
-        title: "What is wrong".into(),
+        title: "Faults".into(),
         notes,
         word_columns: 4,
         head: vec![
@@ -137,7 +137,7 @@ fn faults(rows: &[&Row]) -> Table {
     }
 }
 
-/// Rays, and what is wrong with them.
+/// The number of rays, and of their faults by kind.
 fn figures(row: &Row) -> [String; 5] {
     let figures = [
         row.rays,

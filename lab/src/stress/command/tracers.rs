@@ -1,10 +1,10 @@
-//! Who is asked.
+//! The tracers to judge.
 
 use super::{Backend, StressArguments};
 use crate::stress::{Cpu, Tracer};
 use anyhow::{Result, bail};
 
-/// One tracer a backend, in the order that they were named.
+/// One tracer per backend, in the order of the arguments.
 pub fn tracers(arguments: &StressArguments) -> Result<Vec<Box<dyn Tracer + Send>>> {
     if arguments.adapter.is_some() && !arguments.backend.contains(&Backend::Gpu) {
         bail!("--adapter names a GPU; it goes with --backend gpu or cpu,gpu");
@@ -19,7 +19,7 @@ pub fn tracers(arguments: &StressArguments) -> Result<Vec<Box<dyn Tracer + Send>
     arguments.backend.iter().map(tracer).collect()
 }
 
-/// As there is none.
+/// Fails: this build has no GPU backend.
 #[cfg(not(feature = "gpu"))]
 fn gpu(_: &StressArguments) -> Result<Box<dyn Tracer + Send>> {
     bail!("this build has no GPU backend; use --backend cpu, or build with the feature gpu")

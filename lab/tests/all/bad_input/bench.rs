@@ -1,4 +1,4 @@
-//! Scenes that there are none of, nothing to measure, reports with no place to go.
+//! Unknown scenes, empty scenes, and reports that cannot be written.
 
 use super::{folder, refuses, refuses_usage};
 
@@ -11,7 +11,7 @@ fn scenes_that_there_are_none_of() {
     for (scene, expected) in [
         (
             "spher",
-            "there is neither a file \"spher\" nor a scene of that name: default, shiny",
+            "there is neither a file \"spher\" nor a generated scene of that name; those are default, shiny",
         ),
         ("missing.ply", "missing.ply"),
         ("empty.obj", "empty.obj"),
@@ -40,7 +40,7 @@ fn backends_and_threads() {
     refuses(
         &folder,
         &[&QUICK[..], &["--adapter", "some"]].concat(),
-        &["--adapter \"some\" asks for a GPU, but --backend for none"],
+        &["--adapter \"some\" needs a GPU, but --backend names none"],
     );
 }
 

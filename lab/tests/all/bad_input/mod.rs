@@ -1,4 +1,4 @@
-//! Whatever is wrong with the input, the answer is exit code 2 and one sentence that names it. Nothing else is written.
+//! Bad input: the binary exits with code 2 and one sentence that names the fault, and writes no file.
 
 mod bench;
 mod reproduce;

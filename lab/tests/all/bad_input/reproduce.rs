@@ -1,4 +1,4 @@
-//! Papers that nobody wrote, scenes that nobody made, reports with no place to go.
+//! Unknown papers, unknown scenes, and reports that cannot be written.
 
 use super::{folder, refuses, refuses_usage};
 
@@ -36,7 +36,7 @@ fn folders_of_scenes() {
     );
 }
 
-/// A file that is there, but broken, is not stood in for.
+/// A broken scene file is an error, and no stand-in replaces it.
 #[test]
 fn broken_scenes_are_told() {
     let folder = folder();
@@ -80,7 +80,7 @@ fn gpus_that_are_not_there() {
     }
 }
 
-/// The same is refused of either paper.
+/// Both papers refuse the same input.
 #[test]
 fn compressed_trees_without_a_place_or_scenes() {
     const COMPRESSED: [&str; 3] = ["reproduce", "compressed", "--quick"];

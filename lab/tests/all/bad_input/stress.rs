@@ -1,4 +1,4 @@
-//! Families that there are none of, rows that are none, GPUs that nobody asked for.
+//! Unknown families, unreadable rows, and adapters without a GPU backend.
 
 use super::{folder, refuses, refuses_usage};
 

@@ -1,4 +1,4 @@
-//! Every knob measured, and the report on it.
+//! Every knob is measured and reported.
 
 use super::{decode, keys, number, parse};
 use crate::files::TwoTriangles;
@@ -61,7 +61,7 @@ fn a_page_a_table_and_json_of_a_tiny_scene() {
     }
     assert!(rows.len() >= 18, "{}", rows.len());
 
-    // Pictures are in the page, and names are text.
+    // The page embeds its pictures, and names are escaped.
     let page = String::from_utf8(folder.read("report/index.html")).unwrap();
     assert!(page.contains("two &lt;b&gt;.obj") && !page.contains("two <b>"));
     let (_, picture) = page.split_once("data:image/png;base64,").unwrap();
@@ -71,7 +71,7 @@ fn a_page_a_table_and_json_of_a_tiny_scene() {
     assert!(pixels.iter().any(|byte| *byte != pixels[0]));
 }
 
-/// Where no scene is named, only growth is measured.
+/// If `--scaling` is given and no scene is named, only growth is measured.
 #[test]
 fn growth_by_itself() {
     let folder = Folder::new();

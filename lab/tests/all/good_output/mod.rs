@@ -1,4 +1,4 @@
-//! What the binary writes when all is well.
+//! Output of commands that succeed.
 
 mod bench;
 mod help;

@@ -55,8 +55,8 @@ fn tables_of_one_scene_as_text_markdown_and_json() {
     ] {
         assert!(text.contains(part), "{part} is not in {text}");
     }
-    // Lights near each other are printed of the armadillo alone, and so is nothing of others. Savings are tried on it alone.
-    assert!(!text.contains("What each saving saves"), "{text}");
+    // The paper has figures of near lights only for the armadillo, and savings are measured only on it.
+    assert!(!text.contains("Savings, on the"), "{text}");
     assert!(
         !text.contains("Table V:") && !text.contains("toasters") && !text.contains("NaN"),
         "{text}"
@@ -103,7 +103,7 @@ fn tables_of_one_scene_as_text_markdown_and_json() {
             ) > 0.0
         );
     }
-    // The smaller tree is no deeper to walk, and what faces away from a light does not hold what its rays leave.
+    // A smaller tree opens fewer nodes, and L- does not include the triangles that the light's rays start on.
     let visits = &scene["visits"];
     let nodes = |of: &str| number(&visits[of], "nodes");
     assert!(
@@ -112,7 +112,7 @@ fn tables_of_one_scene_as_text_markdown_and_json() {
     );
     assert!(nodes("shadow_away") < nodes("shadow_reduced"), "{visits}");
 
-    // The file has the same tables, all rows of them as long as their heads.
+    // The file has the same tables, and all their rows are as long as their heads.
     let file = String::from_utf8(folder.read("doll.md")).unwrap();
     for title in [
         "Table I:",
@@ -132,7 +132,7 @@ fn tables_of_one_scene_as_text_markdown_and_json() {
     assert_eq!(sizes[3][..3], ["doll", "ours", "71,450"]);
 }
 
-/// Without the file of the armadillo, something like it is measured, and the report says so.
+/// Without the file of the armadillo a stand-in is measured, and the report says so.
 #[test]
 fn what_is_missing_is_stood_in_for() {
     let folder = Folder::new();
@@ -184,14 +184,14 @@ fn what_is_missing_is_stood_in_for() {
     let rays = |way: &str| number(&savings[6][way], "shadow_rays");
     assert!(rays("with") < 0.5 * rays("without"), "{}", savings[6]);
     let file = String::from_utf8(folder.read("armadillo.md")).unwrap();
-    let rows = rows(&file, "What each saving saves");
+    let rows = rows(&file, "Savings, on the");
     assert_eq!(rows.len(), 2 + expected.len());
     assert!(rows.iter().all(|row| row.len() == rows[0].len()));
 }
 
 const QUICK_COMPRESSED: [&str; 5] = ["reproduce", "compressed", "--quick", "--backend", "cpu"];
 
-/// What is printed beside what is measured, with a stand-in where there is no file; verdicts are those of the figures.
+/// The report has printed and measured figures, stand-ins for missing files, and verdicts that agree with the figures.
 #[test]
 fn compressed_trees_as_text_markdown_and_json() {
     let folder = Folder::new();
@@ -214,9 +214,9 @@ fn compressed_trees_as_text_markdown_and_json() {
         "Bytes of tree and triangles",
         "Times, ms",
         "Times by stage, ms",
-        "What becomes of the picture",
-        "The same by kind of rays",
-        "How many bits",
+        "Changes of the picture",
+        "What a ray touches, by kind of ray",
+        "Bits per plane",
         "Targets",
         "stands in for bunny00.off",
         "2 threads",
@@ -242,7 +242,7 @@ fn compressed_trees_as_text_markdown_and_json() {
     check_scene(&scenes[0], "shiny");
     check_scene(&scenes[1], "bunny");
 
-    // Nothing of ours lets rays in between triangles; the paper10 codec of triangles does.
+    // Only the paper's codec of triangles lets rays in between triangles.
     let got_in = |method: usize| number(&scenes[1]["methods"][method]["cracks"], "leaked");
     assert!(got_in(2) > 500.0);
     assert!(
@@ -271,9 +271,9 @@ fn compressed_trees_as_text_markdown_and_json() {
         ("Bytes of tree and triangles", 2 * 7),
         ("Times, ms", 2 * (3 + 7)),
         ("Times by stage, ms", 2 * 7),
-        ("What becomes of the picture", 2 * 7),
-        ("The same by kind of rays", 3 * 7 + 2 * 7),
-        ("How many bits", 2 * 7),
+        ("Changes of the picture", 2 * 7),
+        ("What a ray touches, by kind of ray", 3 * 7 + 2 * 7),
+        ("Bits per plane", 2 * 7),
     ] {
         let rows = rows(&file, &format!("## {title}"));
         assert_eq!(rows.len(), 2 + count, "{title}");
@@ -283,7 +283,7 @@ fn compressed_trees_as_text_markdown_and_json() {
     assert_eq!(touched[2][..5], ["shiny", "printed", "NODE", "–", "+9.0 %"]);
 }
 
-/// The methods of a scene, in order, and what each must have.
+/// Checks the methods of a scene, in order, and the figures of each.
 fn check_scene(scene: &Value, name: &str) {
     let is_shiny = name == "shiny";
     assert_eq!(scene["name"], name);
@@ -312,7 +312,7 @@ fn check_scene(scene: &Value, name: &str) {
     for (method, name) in methods.iter().zip(names) {
         let has_mesh = name.to_lowercase().contains("mesh");
         assert_eq!(method["moved"].is_null(), !has_mesh, "{method}");
-        // Boxes that grow change nothing.
+        // Larger boxes change no pixel.
         if !has_mesh {
             assert_eq!(number(&method["differences"], "changed"), 0.0);
         }

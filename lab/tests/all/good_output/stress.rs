@@ -1,4 +1,4 @@
-//! Rays that break tracers.
+//! The report of `stress`.
 
 use super::{keys, parse};
 use crate::process::Folder;
@@ -11,7 +11,7 @@ fn one_family_as_text_and_json() {
     for part in [
         "By family",
         "By codec",
-        "nothing is missed",
+        "none missed, false or wrong",
         "40 ulps",
         "q10+lattice",
     ] {
@@ -48,7 +48,7 @@ fn one_family_as_text_and_json() {
     assert_eq!(keys(&rows[0]), expected);
 }
 
-/// They are shown, and only ours decide.
+/// Rows of other tracers are shown, and only slimbvh's rows decide the exit code.
 #[test]
 fn rows_of_others_are_shown_beside_ours() {
     let folder = Folder::new();
@@ -67,7 +67,7 @@ fn rows_of_others_are_shown_beside_ours() {
     ];
     let text = folder.succeed(arguments);
     assert!(
-        text.contains("other cpu") && text.contains("What is wrong"),
+        text.contains("other cpu") && text.contains("Faults"),
         "{text}"
     );
 

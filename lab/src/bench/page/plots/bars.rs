@@ -1,4 +1,4 @@
-//! Parts of times as bars.
+//! The parts of times as bars.
 
 use super::super::super::measure::SetupRecord;
 use super::{INK, WIDTH, part_color, themed};
@@ -6,7 +6,7 @@ use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// The parts of each setup's picture, side by side.
+/// One bar per setup, made of the parts of its time.
 pub fn bars(records: &[&SetupRecord]) -> Result<String> {
     const NAMES: i32 = 178;
     const ROW: i32 = 22;

@@ -1,14 +1,14 @@
-//! Costs that grow.
+//! Plots of growing costs.
 
 use super::super::super::scaling::{COSTS, Series};
 use super::{FAINT, HEIGHT, INK, WIDTH, part_color, themed};
 use anyhow::Result;
 use plotters::prelude::*;
 
-/// What is drawn as it grows: a part's color, and its name among the costs.
+/// The plotted costs: the color of a part, and the name in [`COSTS`].
 pub const GROWING: [(usize, &str); 3] = [(1, "build"), (3, "primary"), (4, "shadow")];
 
-/// Times along powers of ten of what grows.
+/// The times over the growing amount, with logarithmic axes.
 pub fn growth(series: &Series) -> Result<String> {
     let line = |name: &str| {
         let cost = COSTS.iter().find(|(cost, _)| *cost == name);
@@ -62,7 +62,7 @@ pub fn growth(series: &Series) -> Result<String> {
     Ok(themed(&svg))
 }
 
-/// All values with a little room, or something where there are none.
+/// The range of all values with a small margin, or 0 to 1 without values.
 fn around(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for value in values {
@@ -74,7 +74,7 @@ fn around(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
     }
 }
 
-/// Two digits, with thousands and millions as letters.
+/// A value with two digits, in thousands (k) or millions (M) if it is large.
 fn rounded(value: f64) -> String {
     let (value, letter) = match value {
         value if value >= 1e6 => (value / 1e6, "M"),

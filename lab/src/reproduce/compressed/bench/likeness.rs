@@ -1,4 +1,4 @@
-//! That the GPU timed what the CPU counted: trees of as many bytes, searches that touch as much, pictures alike.
+//! Checks that the GPU timed what the CPU counted: trees of equal bytes, rays that touch the same nodes, similar pictures.
 
 use super::{Buffers, GpuRecord, Likeness};
 use crate::reproduce::compressed::measure::changed;
@@ -10,17 +10,17 @@ use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};
 use wgpu::BufferUsages;
 
-/// Of how many rays at least counts are compared, and at most of three times as many, where the picture has them.
+/// The least number of rays whose counts are compared, if the picture has as many. At most three times as many are compared.
 const SAMPLED_RAYS: u32 = 2048;
 
-/// One ray in so many may be counted otherwise on a real GPU, whose last bits are its own.
+/// One ray in this many may be counted differently on a hardware GPU, whose last bits differ.
 const GRAZING: usize = 100;
 
-/// What the GPU has of a method after its last round, beside the same on cores.
+/// The GPU's record of a method after its last round, compared with the same method on the CPU.
 ///
 /// # Errors
-/// If trees have not as many bytes, or a search touches other nodes and triangles: on a GPU in software any, on a real one more
-/// than one in a hundred.
+/// If the trees differ in bytes, or if rays touch other nodes and triangles: any ray on a software GPU, more than one in a
+/// hundred on a hardware GPU.
 pub fn record(
     steps: &Steps<&Gpu>,
     own: &Steps<Cpu>,
@@ -44,7 +44,7 @@ pub fn record(
     };
     ensure!(
         counted_otherwise <= most,
-        "the GPU counts otherwise than the CPU what {counted_otherwise} of {} rays touch",
+        "the GPU and the CPU count different nodes or triangles for {counted_otherwise} of {} rays",
         rays.len()
     );
 
@@ -66,24 +66,24 @@ pub fn record(
     })
 }
 
-/// Whether a GPU computes on the CPU.
+/// Whether this is a software GPU.
 pub fn is_software(gpu: &Gpu) -> bool {
     gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu
 }
 
-/// Some of the picture's rays from the eye, evenly.
+/// A sample of the picture's rays from the eye, evenly spaced.
 fn sample(scene: &Scene, settings: &RenderSettings) -> Result<Vec<Ray>> {
     let camera = scene.cameras.first().context("the scene has no camera")?;
     let camera = camera.to_core(settings.size, settings.sample_count)?;
     let [width, height] = settings.size;
     let count = width * height * settings.sample_count;
-    // An odd step goes through all columns of pictures whose width is even.
+    // An odd step visits all columns of a picture whose width is even.
     let step = ((count / SAMPLED_RAYS).max(1) - 1) | 1;
     let samples = (0..count).step_by(step as usize);
     Ok(samples.map(|sample| camera.ray(sample)).collect())
 }
 
-/// Nodes and triangles that each ray's search for the closest hit touches.
+/// The numbers of nodes and triangles that the search for each ray's closest hit touches.
 fn count(bvh: &slimbvh::Bvh, rays: &[Ray]) -> Vec<[u32; 2]> {
     let count = |ray: &Ray| {
         let ray = PreparedRay::new(ray, bvh.scene_exponent());
@@ -122,7 +122,7 @@ fn count_on_gpu(gpu: &Gpu, bvh: &Bvh, rays: &[Ray]) -> Result<Vec<[u32; 2]>> {
     Ok(counts.read(gpu)?)
 }
 
-/// How many differ.
+/// The number of counts that differ.
 fn unlike(a: &[[u32; 2]], b: &[[u32; 2]]) -> usize {
     let pairs = a.iter().zip(b);
     pairs.filter(|(a, b)| a != b).count() + a.len().abs_diff(b.len())
@@ -131,7 +131,7 @@ fn unlike(a: &[[u32; 2]], b: &[[u32; 2]]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slimbvh::{BuildConfig, LatticeBits, NodeCodec, generate};
+    use slimbvh::{BuildConfig, LatticeBits, NodeCodec};
 
     #[test]
     fn one_count_that_differs_is_found() {
@@ -148,10 +148,10 @@ mod tests {
         }
     }
 
-    /// Trees of other bits are told apart by the rays that are taken.
+    /// The sampled rays distinguish trees with nodes of other bits.
     #[test]
     fn counts_of_sampled_rays_tell_codecs_apart() {
-        let mut scene = generate::shiny();
+        let mut scene = crate::scenes::shiny();
         scene.complete(scene.mesh.bounds(), [192, 108]);
         let settings = RenderSettings {
             size: [192, 108],

@@ -1,4 +1,4 @@
-//! Frames that a GPU times.
+//! Timing of frames on a GPU.
 
 use super::{Bench, GpuRecord, Timed, likeness};
 use crate::reproduce::compressed::frames::take_turns;
@@ -9,7 +9,7 @@ use slimbvh::gpu::{Gpu, GpuError};
 use slimbvh::{Cpu, RenderSettings};
 use std::time::{Duration, Instant};
 
-/// The plain tree on the GPU, in turn with which all others are timed.
+/// The plain tree on the GPU. All other trees are timed in turn with it.
 pub struct GpuBench<'a>(Steps<'a, &'a Gpu>);
 
 impl<'a> GpuBench<'a> {
@@ -52,7 +52,7 @@ impl Bench for GpuBench<'_> {
     }
 }
 
-/// Keeps a real GPU busy until its clock is up: what idles is a few times slower at first.
+/// Keeps a hardware GPU busy until its clock is up: an idle GPU is a few times slower at first.
 fn raise_clock(steps: &mut Steps<&Gpu>, settings: &RenderSettings) -> Result<()> {
     let start = Instant::now();
     while !likeness::is_software(steps.backend) && start.elapsed() < Duration::from_millis(500) {

@@ -1,4 +1,4 @@
-//! How much memory trees and triangles take, and all that the GPU has of them.
+//! Tables of the memory of trees and triangles, and of the GPU's buffers.
 
 use super::super::measure::SceneRecord;
 use super::main_methods;
@@ -6,7 +6,7 @@ use crate::measure::table::Table;
 use crate::reproduce::tables::percent;
 use slimbvh_cli::output::count;
 
-/// What is stored.
+/// The bytes of nodes and triangles.
 pub fn bytes(records: &[SceneRecord]) -> Table {
     let mut rows = Vec::new();
     for record in records {
@@ -29,7 +29,7 @@ pub fn bytes(records: &[SceneRecord]) -> Table {
     Table {
         title: "Bytes of tree and triangles".into(),
         notes: vec![
-            "A node, all nodes, those a triangle of the scene, all triangles in leaves with their index, both together. The caller's mesh is \
+            "Bytes per node; of all nodes, and of these per triangle of the scene; of all triangles in leaves with their index; of both. The caller's mesh is \
              not included. The paper says that up to 40 % less memory is needed."
                 .into(),
         ],
@@ -41,7 +41,7 @@ pub fn bytes(records: &[SceneRecord]) -> Table {
     }
 }
 
-/// How much memory of the GPU is taken.
+/// The bytes of the GPU's buffers.
 pub fn buffers(records: &[SceneRecord]) -> Table {
     let mut rows = Vec::new();
     for record in records {
@@ -69,9 +69,9 @@ pub fn buffers(records: &[SceneRecord]) -> Table {
     Table {
         title: "Bytes of the GPU's buffers, at most".into(),
         notes: vec![
-            "What tree and triangles take; the room that they have, as only the GPU knows how many nodes there are and how long \
-             triangles; the builder's buffers between stages, in which nodes and triangles are in full before they are coded; the \
-             renderer's, for rays and the picture; the caller's mesh and materials; all of these, which are there at once. A tree that \
+            "The bytes that tree and triangles take; the room reserved for them, as only the GPU knows the number of nodes and the sizes of \
+             triangles; the builder's buffers between stages, which hold nodes and triangles in full precision before they are coded; the \
+             renderer's, for rays and the picture; the caller's mesh and materials; the sum of all these, which exist at once. A tree that \
              was uploaded has no more room than it takes, and no builder."
                 .into(),
         ],

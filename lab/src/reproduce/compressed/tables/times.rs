@@ -1,4 +1,4 @@
-//! What frames take, whole and by stage.
+//! Tables of the times of frames, whole and by stage.
 
 use super::super::bench::Place;
 use super::super::frames::{Frame, Round};
@@ -10,7 +10,7 @@ use crate::measure::table::Table;
 use crate::reproduce::tables::{NOTHING, percent, ratio, time};
 use std::collections::BTreeSet;
 
-/// A frame, beside the paper's.
+/// The times of frames, with the paper's.
 pub fn frames(records: &[SceneRecord], place: Place) -> Table {
     let mut rows = Vec::new();
     for record in records {
@@ -39,16 +39,16 @@ pub fn frames(records: &[SceneRecord], place: Place) -> Table {
         }
     }
     let parts = if place.is_gpu() {
-        "By the GPU's own clock: construction with all boxes, stage encode, which codes nodes and triangles"
+        "By the GPU's own clock: construction with all boxes, stage encode, which encodes nodes and triangles"
     } else {
-        "Construction up to the boxes, stage encode, which finds boxes and codes nodes and triangles"
+        "Construction up to the boxes, stage encode, which finds boxes and encodes nodes and triangles"
     };
     Table {
         title: "Times, ms".into(),
         notes: vec![format!(
-            "{parts}, what both add to the construction of the plain tree, rendering, and a whole frame with a full rebuild. Moving the \
-             vertices onto the lattice is not included: it is done once, before anything is built. Ratios are medians over rounds in which \
-             the method and the plain tree took turns: below 1, the method is faster."
+            "{parts}, the time that both add to the construction of the plain tree, rendering, and a whole frame with a full rebuild. Moving the \
+             vertices onto the lattice is not included: it happens once, before any build. Ratios are medians over rounds in which \
+             the method alternates with the plain tree: below 1, the method is faster."
         )],
         word_columns: 3,
         head: vec![
@@ -90,7 +90,7 @@ fn printed_times(name: &'static str, printed: &Printed) -> [Vec<String>; 3] {
     })
 }
 
-/// Stages of builds and of pictures, in the order in which they run.
+/// The stages of builds and of pictures, in the order of execution.
 const STAGES: [&str; 15] = [
     "validate",
     "bounds",
@@ -109,7 +109,7 @@ const STAGES: [&str; 15] = [
     "resolve",
 ];
 
-/// The same by stage.
+/// The times by stage.
 pub fn stages(records: &[SceneRecord]) -> Table {
     let all = || records.iter().flat_map(main_methods);
     let frames = all().flat_map(|own| own.rounds.0.iter().map(|round| &round.own));

@@ -1,0 +1,119 @@
+//! The list of entry points: as the source text declares it, and as `host/shaders/kernels.rs` lists it for the library.
+
+use crate::source_hash::each_file;
+use anyhow::{Context, Result};
+use proc_macro2::{TokenStream, TokenTree};
+use std::collections::BTreeSet;
+use std::path::Path;
+use syn::{File, Item, ItemFn};
+
+/// Kernels that only the laboratory asks for, by parts of their names: those of the codec that ours is measured against, and
+/// questions about trees in codecs that no picture needs.
+const LAB: [&str; 3] = ["_paper10_", "trace_nearest_", "trace_counted_"];
+
+/// The kernels that trace one kind of tree in a codec, in the order of a row; each name ends in the codec's.
+const QUESTIONS: [&str; 6] = [
+    "trace_rays",
+    "trace_nearest",
+    "trace_counted",
+    "trace_paths",
+    "trace_paths_counted",
+    "trace_shadows",
+];
+
+/// The entry points that the source text of a crate declares.
+///
+/// # Errors
+/// Where a file cannot be read or is no Rust.
+pub fn declared(folder: &Path) -> Result<BTreeSet<String>> {
+    let mut names = BTreeSet::new();
+    let source = folder.join("src");
+    each_file(&source, "lib", &source, &mut |file| {
+        collect(file, &mut names)
+    })?;
+    Ok(names)
+}
+
+/// Adds the functions of a file that have `#[spirv(compute(…))]`, and those that macro calls name as `pub fn name;`.
+fn collect(file: &File, names: &mut BTreeSet<String>) {
+    for item in &file.items {
+        match item {
+            Item::Fn(function) if is_entry_point(function) => {
+                names.insert(function.sig.ident.to_string());
+            }
+            Item::Macro(call) => collect_from_call(call.mac.tokens.clone(), names),
+            _ => {}
+        }
+    }
+}
+
+fn is_entry_point(function: &ItemFn) -> bool {
+    function.attrs.iter().any(|attribute| {
+        attribute.path().is_ident("spirv")
+            && attribute.meta.require_list().is_ok_and(|list| {
+                let first = list.tokens.clone().into_iter().next();
+                matches!(first, Some(TokenTree::Ident(ident)) if ident == "compute")
+            })
+    })
+}
+
+fn collect_from_call(tokens: TokenStream, names: &mut BTreeSet<String>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for window in tokens.windows(3) {
+        if let [
+            TokenTree::Ident(keyword),
+            TokenTree::Ident(name),
+            TokenTree::Punct(end),
+        ] = window
+            && keyword == "fn"
+            && end.as_char() == ';'
+        {
+            names.insert(name.to_string());
+        }
+    }
+}
+
+/// The text of `host/shaders/kernels.rs`: the kernels by name, those of the laboratory apart, and a row of kernels for trees in
+/// full and for each codec.
+///
+/// # Errors
+/// Where a codec has no kernel for a question.
+pub fn table(names: &BTreeSet<String>) -> Result<String> {
+    let is_lab = |name: &&String| LAB.iter().any(|part| name.contains(part));
+    let (lab, shipped): (Vec<_>, Vec<_>) = names.iter().partition(is_lab);
+    let list = |names: &[&String]| -> String {
+        names
+            .iter()
+            .map(|name| format!("        {name},\n"))
+            .collect()
+    };
+    let mut text = format!(
+        "// Written by the shader builder from the entry points of `gpu-shaders`; do not edit.\n\n\
+         kernels! {{\n    shipped {{\n{}    }}\n    lab {{\n{}    }}\n}}\n\ntraces! {{\n",
+        list(&shipped),
+        list(&lab)
+    );
+    let [first, ..] = QUESTIONS;
+    for codec in names.iter().filter_map(|name| name.strip_prefix(first)) {
+        let kernels = QUESTIONS.map(|question| format!("{question}{codec}"));
+        for name in &kernels {
+            names
+                .get(name)
+                .with_context(|| format!("gpu-shaders has no {name}, but {first}{codec}"))?;
+        }
+        let pattern = if codec.is_empty() {
+            "None".to_owned()
+        } else {
+            format!("Some(Coding::{})", camel_case(codec))
+        };
+        text += &format!("    {pattern} => {};\n", kernels.join(", "));
+    }
+    Ok(text + "}\n")
+}
+
+/// `_q10_f32` as the name of a variant: `Q10F32`.
+fn camel_case(name: &str) -> String {
+    let capitalized = |word: &str| word[..1].to_uppercase() + &word[1..];
+    let words = name.split('_').filter(|word| !word.is_empty());
+    words.map(capitalized).collect()
+}
