@@ -4,7 +4,6 @@ mod buckets;
 mod collinear;
 mod components;
 pub(crate) mod edges;
-mod expansion;
 mod labels;
 mod predicates;
 mod union_find;
