@@ -2,7 +2,7 @@
 
 use crate::measure::median;
 use slimbvh::gpu::{
-    Answer, Builder, Decisions, TargetSides, Frame, Gpu, GpuError, Mesh as GpuMesh, Work,
+    Answer, Builder, Decisions, Frame, Gpu, GpuError, Mesh as GpuMesh, TargetSides, Work,
 };
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Mesh};
