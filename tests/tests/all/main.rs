@@ -22,6 +22,7 @@ mod reduced_scenes;
 mod refits;
 mod rejecting;
 mod repeatable;
+mod rooms;
 mod saved;
 mod trees;
 mod unculled;
