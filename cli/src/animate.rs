@@ -187,7 +187,7 @@ fn animate(
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match work.frames(gpu, scene) {
             Err(error) if super::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{error:#}; the CPU does it"));
+                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
                 work.frames(Cpu, scene)
             }
             done => done,

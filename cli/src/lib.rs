@@ -162,7 +162,7 @@ pub fn exit_code(outcome: Result<ExitCode>) -> ExitCode {
         Ok(code) => code,
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {}", printable(&format!("{error:#}")));
+            eprintln!("error: {}", printable(&output::sentence(&error)));
             ExitCode::from(2)
         }
     }

@@ -223,6 +223,18 @@ impl Drop for Progress {
     }
 }
 
+/// An error and its causes, each once: some errors include the sentence of their cause.
+#[must_use]
+pub fn sentence(error: &anyhow::Error) -> String {
+    let mut sentence = error.to_string();
+    for cause in error.chain().skip(1).map(ToString::to_string) {
+        if !sentence.contains(&cause) {
+            sentence = format!("{sentence}: {cause}");
+        }
+    }
+    sentence
+}
+
 /// A count with thousands separators: 871,414.
 pub fn count(n: impl TryInto<u64>) -> String {
     let digits = n.try_into().unwrap_or(u64::MAX).to_string();
@@ -260,5 +272,14 @@ mod tests {
         assert_eq!(count(871_414u32), "871,414");
         assert_eq!(things(1u32, "camera"), "1 camera");
         assert_eq!(things(1200u32, "camera"), "1,200 cameras");
+    }
+
+    #[test]
+    fn causes_are_said_once() {
+        let cause = || std::io::Error::other("disk full");
+        let included = anyhow::anyhow!(cause()).context("cannot write: disk full");
+        assert_eq!(sentence(&included), "cannot write: disk full");
+        let added = anyhow::anyhow!(cause()).context("cannot write");
+        assert_eq!(sentence(&added), "cannot write: disk full");
     }
 }

@@ -97,25 +97,25 @@ struct TargetSummary {
 }
 
 pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)]) -> PlanSummary {
-    let target = |aim: &ViewTarget| {
-        let name = aim.name();
+    let target = |view: &ViewTarget| {
+        let name = view.name();
         let set = sets.iter().find(|(set, _)| *set == name);
-        let (tree, triangles) = match aim.choice {
+        let (tree, triangles) = match view.choice {
             TreeChoice::Set => ("set", set.map(|(_, count)| *count)),
             TreeChoice::Whole => ("whole", Some(plan.triangle_count)),
             TreeChoice::Unused => ("none", None),
         };
         TargetSummary {
             name,
-            lights: aim.lights.iter().map(|light| light + 1).collect(),
-            half: match aim.half {
+            lights: view.lights.iter().map(|light| light + 1).collect(),
+            half: match view.half {
                 FacingSet::Front => "toward",
                 FacingSet::Back => "away",
             },
             tree,
             triangles,
-            estimated_share: aim.share,
-            estimated_saving_ms: aim.saving_ms,
+            estimated_share: view.share,
+            estimated_saving_ms: view.saving_ms,
         }
     };
     let times = survey.into_iter().flat_map(|survey| survey.stages.iter());

@@ -164,7 +164,7 @@ fn render(
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match job.render_on(gpu, &mut picture) {
             Err(error) if super::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{error:#}; the CPU does it"));
+                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
                 job.render_on(Cpu, &mut picture)?
             }
             outcome => outcome?,

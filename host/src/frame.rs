@@ -184,6 +184,19 @@ impl<B: Backend> Frames<B> {
         request: &FrameRequest,
         output: Output,
     ) -> Result<FrameReport<B>, B::Error> {
+        let rendered = self.try_render(request, output);
+        if rendered.is_err() {
+            // What was recorded was not run: the next frame builds all there is.
+            self.upkeep = Upkeep::new(self.config.update);
+        }
+        rendered
+    }
+
+    fn try_render(
+        &mut self,
+        request: &FrameRequest,
+        output: Output,
+    ) -> Result<FrameReport<B>, B::Error> {
         let begin = Instant::now();
         let FrameRequest {
             scene,
@@ -222,8 +235,8 @@ impl<B: Backend> Frames<B> {
             settings,
             begin,
         };
-        let in_turn = plan.in_turn.then_some(&mut deferred as _);
-        let (build, render) = backend.render(recording, renderer, &shot, in_turn, output)?;
+        let deferring = plan.defers_lights.then_some(&mut deferred as _);
+        let (build, render) = backend.render(recording, renderer, &shot, deferring, output)?;
         let mut sizes = Vec::new();
         for (place, size) in deferred.sizes() {
             sizes.push((place, backend.pending_size(size)?));
@@ -246,9 +259,14 @@ impl<B: Backend> Frames<B> {
     /// For an unfit mesh, and one that is larger than the backend takes.
     pub fn build(&mut self, scene: &Scene, plan: &Plan) -> Result<Stages, B::Error> {
         let action = self.next_action(Change::Scene);
-        let recording = self.update(scene, plan, (Change::Scene, action), None)?;
         self.deferred.clear();
-        self.backend.submit(recording)
+        let built = self
+            .update(scene, plan, (Change::Scene, action), None)
+            .and_then(|recording| self.backend.submit(recording));
+        if built.is_err() {
+            self.upkeep = Upkeep::new(self.config.update);
+        }
+        built
     }
 
     /// What is to be done to the trees now.
@@ -274,7 +292,7 @@ impl<B: Backend> Frames<B> {
             topology: plan.topology,
             may_turn_away: plan.may_turn_away,
         };
-        let loaded = self.backend.load(&mut self.held, &self.builder, &load);
+        self.backend.load(&mut self.held, &self.builder, &load)?;
         let mut recording = self.backend.begin();
         let mut work = Work {
             recording: &mut recording,
@@ -282,12 +300,7 @@ impl<B: Backend> Frames<B> {
             held: &mut self.held,
             mesh: &scene.mesh,
         };
-        let updated = loaded.and_then(|()| self.hierarchies.update(&mut work, plan, action));
-        if let Err(error) = updated {
-            // The next frame builds all there is.
-            self.upkeep = Upkeep::new(self.config.update);
-            return Err(error);
-        }
+        self.hierarchies.update(&mut work, plan, action)?;
         Ok(recording)
     }
 
@@ -356,5 +369,84 @@ impl<B: Backend> Frames<B> {
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         self.hierarchies.held_bytes() + self.scratch_bytes()
+    }
+}
+
+#[cfg(all(test, feature = "scenes"))]
+mod tests {
+    use super::*;
+    use crate::animate::{Animation, Deform, Motion};
+    use crate::generate::default_scene;
+    use crate::{Cpu, CpuError, Picture};
+
+    const SETTINGS: RenderSettings = RenderSettings {
+        size: [48, 27],
+        sample_count: 1,
+        view: crate::View::Color,
+        mirror_depth: 1,
+        dark_rays: false,
+    };
+
+    fn frame(frames: &mut Frames<Cpu>, scene: &Scene, change: Change) -> (Action, Picture) {
+        let mut picture = Picture::default();
+        let report = frames.render(scene, &SETTINGS, change, Output::new(&mut picture));
+        let report = report.unwrap_or_else(|error| panic!("{error}"));
+        (report.action, picture)
+    }
+
+    #[test]
+    fn trees_that_follow_give_the_pictures_of_new_ones() {
+        let config = FrameConfig {
+            update: Update::Auto,
+            finds_cost: true,
+            ..FrameConfig::default()
+        };
+        let mut scene = default_scene();
+        let motion = Motion {
+            frame_count: 64,
+            deform: Some(Deform::Twist),
+            ..Motion::default()
+        };
+        let animation = Animation::new(&scene, motion);
+        let mut frames = Frames::new(Cpu, config);
+        let mut actions = Vec::new();
+        for (time, change) in [
+            (0, Change::Scene),
+            (0, Change::View),
+            (1, Change::Vertices),
+            (1, Change::Scene),
+        ] {
+            animation.pose(time, &mut scene);
+            let (action, picture) = frame(&mut frames, &scene, change);
+            let (_, expected) = frame(&mut Frames::new(Cpu, config), &scene, Change::Scene);
+            assert!(picture == expected, "{change:?}");
+            actions.push(action);
+        }
+        use Action::{Kept, Rebuilt, Refitted};
+        assert_eq!(actions, [Rebuilt, Kept, Refitted, Rebuilt]);
+    }
+
+    #[test]
+    fn after_an_error_the_next_frame_builds_all() {
+        let scene = default_scene();
+        let mut frames = Frames::new(Cpu, FrameConfig::default());
+        frame(&mut frames, &scene, Change::Scene);
+        assert_eq!(frame(&mut frames, &scene, Change::View).0, Action::Kept);
+        let blind = Scene {
+            cameras: Vec::new(),
+            ..scene.clone()
+        };
+        let planner = Planner::default();
+        let plan = planner.plan(&scene, &SETTINGS).unwrap();
+        let request = FrameRequest {
+            scene: &blind,
+            plan: &plan,
+            settings: &SETTINGS,
+            change: Change::View,
+        };
+        let mut picture = Picture::default();
+        let failed = frames.render_planned(&request, Output::new(&mut picture));
+        assert!(matches!(failed, Err(CpuError::View(_))));
+        assert_eq!(frame(&mut frames, &scene, Change::View).0, Action::Rebuilt);
     }
 }

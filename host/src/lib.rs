@@ -4,6 +4,7 @@
 pub mod analysis;
 pub mod animate;
 pub mod backend;
+mod config;
 mod cpu;
 mod dvec3;
 mod frame;
@@ -29,10 +30,8 @@ pub mod topology;
 mod tree;
 
 pub use backend::{Backend, Change, Output};
-pub use cpu::{
-    BuildConfig, Builder, CodeBits, Cpu, CpuError, Decisions, Division, RefitError, Renderer,
-    Subset, Tree, TreeKind, Trees,
-};
+pub use config::{BuildConfig, CodeBits, TreeKind};
+pub use cpu::{Builder, Cpu, CpuError, Decisions, Division, Renderer, Subset, Tree, Trees};
 pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
@@ -41,7 +40,8 @@ pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
 pub use tree::{
-    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, TreeError, check_codecs, sah_cost,
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, RefitError, TreeError, check_codecs,
+    sah_cost,
 };
 
 /// The examples of the repository's README.

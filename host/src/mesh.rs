@@ -66,13 +66,6 @@ impl Mesh {
         }
     }
 
-    /// The box around all triangles; `None` where there are none. The mesh must be sound.
-    #[must_use]
-    pub fn bounds(&self) -> Option<slimbvh_core::Aabb> {
-        let bounds = crate::cpu::scene_bounds(&self.triangles());
-        (!bounds.is_empty()).then_some(bounds)
-    }
-
     /// Drops every face with an index out of range or a corner that is not finite, and says how many those were.
     pub fn drop_unsound_faces(&mut self) -> usize {
         let sound: Vec<bool> = (0..self.indices.len())

@@ -9,6 +9,7 @@ mod bench;
 pub mod measure;
 pub mod oracle;
 mod reproduce;
+pub mod scenes;
 pub mod stress;
 
 use anyhow::Result;

@@ -50,12 +50,12 @@ pub struct Summary {
     plan: Vec<String>,
     shutter: f64,
     shutter_times: u32,
-    frames: Vec<Frame>,
+    frames: Vec<FrameSummary>,
     totals: Totals,
 }
 
 #[derive(Debug, Serialize)]
-struct Frame {
+struct FrameSummary {
     tree: &'static str,
     sah_cost: Option<f64>,
     pose_ms: f64,
@@ -131,8 +131,8 @@ pub fn summarize(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> Summ
     }
 }
 
-fn frame(record: &Record) -> Frame {
-    Frame {
+fn frame(record: &Record) -> FrameSummary {
+    FrameSummary {
         tree: done(record.actions.most()),
         sah_cost: record.cost,
         pose_ms: ms(record.pose),

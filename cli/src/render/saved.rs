@@ -65,7 +65,7 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match saved.on_gpu(gpu, &mut picture) {
             Err(error) if crate::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{error:#}; the CPU does it"));
+                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
                 saved.on_cpu(&mut picture)?
             }
             outcome => outcome?,

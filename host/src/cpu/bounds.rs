@@ -1,6 +1,7 @@
 //! Stage `bounds` on the CPU.
 
 use super::BLOCK;
+use crate::Mesh;
 use rayon::prelude::*;
 use slimbvh_core::bounds::run_bounds;
 use slimbvh_core::{Aabb, IndexedTriangles};
@@ -15,4 +16,13 @@ pub fn scene_bounds(triangles: &IndexedTriangles) -> Aabb {
             run_bounds(first as u32, BLOCK.min(count - first) as u32, triangles)
         })
         .reduce(|| Aabb::EMPTY, Aabb::union)
+}
+
+impl Mesh {
+    /// The box around all triangles; `None` where there are none. The mesh must be sound.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Aabb> {
+        let bounds = scene_bounds(&self.triangles());
+        (!bounds.is_empty()).then_some(bounds)
+    }
 }

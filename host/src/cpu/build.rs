@@ -8,8 +8,8 @@ use super::order::Order;
 use super::refit::fill_pyramid;
 use super::snap::gather_again;
 use super::topology::Connections;
-use crate::tree::{Bvh, MeshCodec, NodeCodec, most_triangles};
-use crate::{Mesh, MeshError, Stages};
+use crate::tree::{Bvh, NodeCodec, most_triangles};
+use crate::{BuildConfig, CodeBits, Mesh, MeshError, RefitError, Stages, TreeKind};
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::VisibleSet;
 use slimbvh_core::cluster;
@@ -19,70 +19,6 @@ use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
 use slimbvh_core::{Aabb, LeafTriangle};
-use thiserror::Error;
-
-/// How finely triangles are told apart along the space-filling curve.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CodeBits {
-    /// 10 bits an axis: 1024 cells along the longest side.
-    #[default]
-    Bits30,
-    /// 21 bits an axis, for scenes with small details: a teapot in a stadium.
-    Bits63,
-}
-
-/// How a tree is found over triangles in the order of the space-filling curve.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TreeKind {
-    /// A node for each common prefix of codes (Karras 2012): every node is found by itself.
-    #[default]
-    Radix,
-    /// From the leaves up, neighbours that suit each other best first, with rotations: fewer nodes to open for a ray, most
-    /// of all where triangles differ much in size.
-    Clustered,
-}
-
-/// How to build.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct BuildConfig {
-    /// Length of the Morton codes.
-    pub code_bits: CodeBits,
-    /// How the tree is found.
-    pub tree: TreeKind,
-    /// How inner nodes are stored.
-    pub nodes: NodeCodec,
-    /// How triangles are stored. Must go with the nodes ([`crate::check_codecs`]).
-    pub mesh: MeshCodec,
-}
-
-impl From<CodeBits> for BuildConfig {
-    /// Codes of this length, and everything stored in full.
-    fn from(code_bits: CodeBits) -> Self {
-        Self {
-            code_bits,
-            ..Self::default()
-        }
-    }
-}
-
-/// Why a hierarchy cannot be moved to a mesh.
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum RefitError {
-    /// The mesh itself is unfit.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// It is another mesh.
-    #[error("the mesh has {triangle_count} triangles, the hierarchy {expected}; build a new one")]
-    TriangleCount {
-        /// Triangles of the mesh.
-        triangle_count: usize,
-        /// Triangles of the hierarchy.
-        expected: usize,
-    },
-    /// It leaves out triangles that may be needed now.
-    #[error("the hierarchy is reduced; build it again when the triangles have moved")]
-    Reduced,
-}
 
 /// Which triangles a hierarchy is built over.
 #[derive(Clone, Copy, Debug)]

@@ -23,8 +23,7 @@ mod trees;
 mod view;
 
 pub use backend::{Cpu, CpuError};
-pub(crate) use bounds::scene_bounds;
-pub use build::{BuildConfig, Builder, CodeBits, RefitError, Subset, TreeKind};
+pub use build::{Builder, Subset};
 pub use classify::Division;
 pub use decide::Decisions;
 pub use render::Renderer;

@@ -39,7 +39,7 @@ pub fn transformed(mut mesh: Mesh, scale: f32, rotation: Quat, translation: Vec3
 ///
 /// # Panics
 /// If the vertices of both are more than a `u32` can number.
-pub(super) fn concatenate(mesh: &mut Mesh, other: &Mesh) {
+pub fn concatenate(mesh: &mut Mesh, other: &Mesh) {
     let vertex_count = mesh.vertices.len();
     assert!(
         u32::try_from(vertex_count + other.vertices.len()).is_ok(),

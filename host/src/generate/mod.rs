@@ -6,17 +6,15 @@
 mod compose;
 mod cuboid;
 mod default_scene;
-mod doll;
 mod grid_of_objects;
 mod ground;
 mod huge_and_tiny;
 mod icosphere;
 mod midpoints;
 pub(crate) mod random;
-mod rings;
+pub(crate) mod rings;
 mod round_cone;
 mod rounded_box;
-mod shiny;
 mod slivers;
 mod smooth_normals;
 mod soup;
@@ -25,21 +23,17 @@ mod split_longest;
 mod subdivide;
 mod teapot;
 mod terrain;
-mod toasters;
 mod torus_knot;
-mod twenty_four_cell;
 
-pub use compose::{append, transformed};
+pub use compose::{append, concatenate, transformed};
 pub use cuboid::cuboid;
 pub use default_scene::default_scene;
-pub use doll::doll;
 pub use grid_of_objects::grid_of_objects;
 pub use ground::ground;
 pub use huge_and_tiny::huge_and_tiny;
 pub use icosphere::icosphere;
 pub use round_cone::{RoundCone, round_cone};
 pub use rounded_box::{RoundedBox, Sides, rounded_box};
-pub use shiny::shiny;
 pub use slivers::slivers;
 pub use smooth_normals::smooth_normals;
 pub use soup::soup;
@@ -48,19 +42,21 @@ pub use split_longest::split_longest;
 pub use subdivide::{subdivide, subdivide_curved};
 pub use teapot::teapot;
 pub use terrain::terrain;
-pub use toasters::toasters;
 pub use torus_knot::{TorusKnot, torus_knot};
-pub use twenty_four_cell::{TwentyFourCell, twenty_four_cell};
 
-/// What the tests of all solids ask for.
-#[cfg(test)]
+/// What the tests of all solids check.
+#[cfg(any(test, feature = "lab"))]
 pub(crate) mod checks {
     use crate::Mesh;
     use crate::analysis::{Component, analyze};
 
     /// Asserts that a mesh is sound and without faults, and that each of its components is closed and faces out.
     /// Returns the components, largest first.
-    pub(crate) fn assert_solid(mesh: &Mesh) -> Vec<Component> {
+    ///
+    /// # Panics
+    /// Where one of these does not hold.
+    #[must_use]
+    pub fn assert_solid(mesh: &Mesh) -> Vec<Component> {
         assert_eq!(mesh.validate(), Ok(()));
         let analysis = analyze(mesh);
         assert_eq!(analysis.degenerate_triangle_count, 0);
@@ -74,7 +70,10 @@ pub(crate) mod checks {
     }
 
     /// Asserts that there is one unit normal a vertex.
-    pub(crate) fn assert_unit_normals(mesh: &Mesh) {
+    ///
+    /// # Panics
+    /// Where one is missing, or is no unit vector.
+    pub fn assert_unit_normals(mesh: &Mesh) {
         assert_eq!(mesh.normals.len(), mesh.vertices.len());
         for &normal in &mesh.normals {
             assert!((glam::Vec3::from(normal).length() - 1.0).abs() < 1e-6);

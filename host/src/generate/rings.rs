@@ -4,11 +4,11 @@ use crate::Mesh;
 use glam::Vec3;
 
 /// A position and its normal.
-pub(super) type Vertex = (Vec3, Vec3);
+pub type Vertex = (Vec3, Vec3);
 
 /// The solid between two points with rings of `sides` vertices between them, at least 3, each counter-clockwise as seen
 /// from the last point: `2 * sides * rings` triangles. No rings give nothing.
-pub(super) fn close_rings(first: Vertex, rings: &[Vec<Vertex>], last: Vertex) -> Mesh {
+pub fn close_rings(first: Vertex, rings: &[Vec<Vertex>], last: Vertex) -> Mesh {
     let sides = rings.first().map_or(0, Vec::len) as u32;
     if sides == 0 {
         return Mesh::default();

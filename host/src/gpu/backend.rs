@@ -47,9 +47,9 @@ impl HeldScene {
 
 impl TargetSet<'_, '_, &Gpu> {
     const fn subset(&self) -> Subset<'_> {
-        Subset::Facing {
+        Subset::Of {
             components: self.components,
-            facing: self.sides,
+            sides: self.sides,
         }
     }
 }

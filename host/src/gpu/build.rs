@@ -48,7 +48,7 @@ enum Task {
     /// Builds over all of them.
     Build(Built),
     /// Builds over those that face a target.
-    BuildFacing(Built, Components, Box<TargetRanges>),
+    BuildSet(Built, Components, Box<TargetRanges>),
     /// Moves boxes to where the triangles are now.
     Refit(Built),
 }
@@ -129,8 +129,8 @@ impl Builder {
         self.check(gpu, count)?;
         let target = match subset {
             Subset::All => None,
-            Subset::Facing { components, facing } => {
-                Some((components.clone(), Box::new(facing.ranges()?.clone())))
+            Subset::Of { components, sides } => {
+                Some((components.clone(), Box::new(sides.ranges()?.clone())))
             }
         };
         self.make_room(count);
@@ -140,7 +140,7 @@ impl Builder {
             let built = self.reserve_for(gpu, count, is_reduced, bvh)?;
             let task = match target {
                 None => Task::Build(built),
-                Some((components, ranges)) => Task::BuildFacing(built, components, ranges),
+                Some((components, ranges)) => Task::BuildSet(built, components, ranges),
             };
             self.encode(frame, task, mesh)?;
             bvh.stamp = next_stamp();
@@ -180,9 +180,9 @@ impl Builder {
         let built = bvh.built()?.clone();
         let task = match subset {
             Subset::All => Task::Build(built),
-            Subset::Facing { components, facing } => {
-                let ranges = Box::new(facing.ranges()?.clone());
-                Task::BuildFacing(built, components.clone(), ranges)
+            Subset::Of { components, sides } => {
+                let ranges = Box::new(sides.ranges()?.clone());
+                Task::BuildSet(built, components.clone(), ranges)
             }
         };
         self.plain_of = None;
@@ -339,14 +339,14 @@ impl Builder {
                 let to = &mut recorder;
                 match &key.task {
                     Task::Sort => self.record_sort(gpu, to, mesh),
-                    Task::Build(bvh) | Task::BuildFacing(bvh, ..) | Task::Refit(bvh)
+                    Task::Build(bvh) | Task::BuildSet(bvh, ..) | Task::Refit(bvh)
                         if mesh.triangle_count == 0 =>
                     {
                         self.record_empty(gpu, to, bvh);
                     }
                     Task::Build(bvh) => self.record_build(gpu, to, mesh, bvh),
-                    Task::BuildFacing(bvh, components, facing) => {
-                        self.record_build_facing(gpu, to, mesh, bvh, (components, facing));
+                    Task::BuildSet(bvh, components, sides) => {
+                        self.record_build_set(gpu, to, mesh, bvh, (components, sides));
                     }
                     Task::Refit(bvh) => self.record_refit(gpu, to, mesh, bvh),
                 }

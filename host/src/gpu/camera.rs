@@ -2,13 +2,13 @@
 
 use super::buffer::Range;
 use super::program::{Recorder, Uniform, threads};
-use super::render::{Plan, TEXEL_BYTES, Wave, row_texels};
+use super::render::{PicturePlan, TEXEL_BYTES, Wave, row_texels};
 use super::{Frame, GpuError, Kernel, Renderer};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::shade::Path;
 use wgpu::TextureFormat;
 
-impl Plan<'_> {
+impl PicturePlan<'_> {
     /// Records a wave's rays from the eye.
     pub(super) fn record_rays(&self, recorder: &mut Recorder, wave: &Wave) {
         let all = &self.buffers;

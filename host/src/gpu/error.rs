@@ -6,10 +6,11 @@ use thiserror::Error;
 
 /// Why a GPU did not do what it was asked for.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum GpuError {
     /// There is no GPU, or none of that name.
-    #[error("{0}")]
-    NoAdapter(AdapterError),
+    #[error(transparent)]
+    NoAdapter(#[from] AdapterError),
     /// The driver refused to open the adapter.
     #[error("cannot open the GPU {adapter:?}: {reason}")]
     Refused {
@@ -109,6 +110,7 @@ pub enum GpuError {
 
 /// Why no adapter was chosen.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum AdapterError {
     /// None at all.
     #[error(
@@ -129,10 +131,4 @@ pub enum AdapterError {
         /// What there is.
         names: String,
     },
-}
-
-impl From<AdapterError> for GpuError {
-    fn from(error: AdapterError) -> Self {
-        Self::NoAdapter(error)
-    }
 }

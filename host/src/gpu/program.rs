@@ -222,7 +222,7 @@ impl Recorder {
     }
 }
 
-/// What comes into a stage from outside, and what it leaves: for a later stage, or as nobody here reads it.
+/// The ranges that a stage reads from outside, and those that it leaves for a later stage or for the caller.
 fn least(stage: usize, accesses: &[Access]) -> Traffic {
     let own = |access: &&Access| access.stage == stage;
     let mut inputs: Vec<&Range> = Vec::new();

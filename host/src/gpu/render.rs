@@ -75,7 +75,7 @@ struct Key {
 }
 
 /// All that the waves of one picture need.
-pub(super) struct Plan<'a> {
+pub(super) struct PicturePlan<'a> {
     pub(super) scene: &'a Scene,
     pub(super) trees: TreesRanges,
     pub(super) deferrals: Vec<DeferralRange>,
@@ -195,7 +195,7 @@ impl Renderer {
         trees: &Trees,
         (camera, lights): (&Camera, &[Light]),
         settings: &RenderSettings,
-    ) -> Result<Plan<'a>, GpuError> {
+    ) -> Result<PicturePlan<'a>, GpuError> {
         let gpu = frame.gpu();
         assert_eq!(trees.lights.len(), lights.len(), "a tree for each light");
         let trees = trees.ranges()?;
@@ -233,7 +233,7 @@ impl Renderer {
             frame
                 .encoder()
                 .clear_buffer(&buffers.counters.buffer, 0, None);
-            Ok(Plan {
+            Ok(PicturePlan {
                 scene,
                 trees,
                 deferrals: vec![DeferralRange::Ready; core_lights.len()],
@@ -251,7 +251,7 @@ impl Renderer {
     pub(super) fn encode<'g>(
         &mut self,
         frame: &mut Frame<'g>,
-        plan: &Plan,
+        plan: &PicturePlan,
         which: std::ops::Range<usize>,
         mut deferred: Option<&mut dyn DeferredTrees<&'g Gpu>>,
     ) -> Result<(), GpuError> {
@@ -397,7 +397,7 @@ impl Renderer {
         Ok(self.picture.range(gpu, picture_bytes(self.size)))
     }
 
-    fn key(&self, plan: &Plan) -> Key {
+    fn key(&self, plan: &PicturePlan) -> Key {
         let scene = plan.scene;
         Key {
             settings: plan.settings,
@@ -445,7 +445,12 @@ impl Renderer {
         }
     }
 
-    fn wave_program(&self, gpu: &Gpu, plan: &Plan, wave: usize) -> Result<Program, GpuError> {
+    fn wave_program(
+        &self,
+        gpu: &Gpu,
+        plan: &PicturePlan,
+        wave: usize,
+    ) -> Result<Program, GpuError> {
         let mut recorder = Recorder::default();
         plan.record_wave(&mut recorder, &plan.waves[wave]);
         recorder.finish(gpu)

@@ -2,12 +2,12 @@
 
 use super::Kernel;
 use super::program::{Recorder, Uniform, threads};
-use super::render::{ENVIRONMENT, LIGHTS, Plan, SHADOW_BYTES, VIEW_STEP, Wave, counters};
+use super::render::{ENVIRONMENT, LIGHTS, PicturePlan, SHADOW_BYTES, VIEW_STEP, Wave, counters};
 use super::trees::DeferralRange;
 use slimbvh_core::Hit;
 use slimbvh_core::shade::{Environment, Light, Path};
 
-impl Plan<'_> {
+impl PicturePlan<'_> {
     /// Gathers light, and follows mirrors and glass.
     pub(super) fn record_light(&self, recorder: &mut Recorder, wave: &Wave) {
         let samples = u64::from(wave.sample_count);

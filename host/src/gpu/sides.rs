@@ -128,7 +128,7 @@ impl TargetSides {
         })
     }
 
-    /// Makes room for a target and so many sides, and records that later commands find this frustum, and the set needed.
+    /// Makes room for a target and its sides, and records that later commands find this frustum and the set needed.
     pub(super) fn reserve(
         &mut self,
         frame: &mut Frame,
@@ -150,7 +150,7 @@ impl TargetSides {
     /// Records that bytes be put into a range.
     pub(super) fn put(frame: &mut Frame, bytes: &[u8], to: &Range) {
         let usage = BufferUsages::COPY_SRC;
-        let from = upload(frame.gpu(), "slimbvh facing to upload", usage, bytes);
+        let from = upload(frame.gpu(), "slimbvh sides to upload", usage, bytes);
         let encoder = frame.encoder();
         encoder.copy_buffer_to_buffer(&from, 0, &to.buffer, to.offset, to.size);
     }
@@ -169,10 +169,10 @@ pub enum Subset<'a> {
     /// All of the mesh.
     All,
     /// Those that rays from or to a target may hit.
-    Facing {
+    Of {
         /// The component of each triangle.
         components: &'a Components,
         /// The target, and which sides of which components face out.
-        facing: &'a TargetSides,
+        sides: &'a TargetSides,
     },
 }

@@ -1,14 +1,14 @@
 //! Stage `view` on the GPU: normals, primitives, depth and heat.
 
 use super::program::{Program, Recorder, Uniform, groups, threads};
-use super::render::{Plan, Wave, row_texels};
+use super::render::{PicturePlan, Wave, row_texels};
 use super::sort::Keys;
 use super::{Gpu, GpuError, Kernel, Renderer};
 use crate::picture::View;
 use slimbvh_core::Hit;
 use slimbvh_core::shade::Path;
 
-impl Plan<'_> {
+impl PicturePlan<'_> {
     /// Records what a wave's first hits show; heat is counted by the trace.
     pub(super) fn record_view(&self, recorder: &mut Recorder, wave: &Wave, view: View) {
         let samples = u64::from(wave.sample_count);
@@ -52,7 +52,11 @@ impl Plan<'_> {
 
 impl Renderer {
     /// What needs all samples of the picture.
-    pub(super) fn last_program(&mut self, gpu: &Gpu, plan: &Plan) -> Result<Program, GpuError> {
+    pub(super) fn last_program(
+        &mut self,
+        gpu: &Gpu,
+        plan: &PicturePlan,
+    ) -> Result<Program, GpuError> {
         let mut recorder = Recorder::default();
         let (find_range, paint) = match plan.settings.view {
             View::Depth => (Kernel::view_depth_range, Kernel::view_depth),

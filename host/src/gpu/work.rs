@@ -12,7 +12,7 @@ pub struct Traffic {
 }
 
 impl Traffic {
-    /// All bytes, for so many nodes.
+    /// All bytes, for N nodes.
     #[must_use]
     pub const fn total(self, node_count: u64) -> u64 {
         self.bytes + self.bytes_per_node * node_count

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// What makes a mesh unfit to build from.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum MeshError {
     /// More triangles than a `u32` or a node reference can number.
     #[error("{triangle_count} triangles are too many: at most {limit} can be numbered")]

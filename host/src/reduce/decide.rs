@@ -31,20 +31,20 @@ pub struct Candidate {
 }
 
 /// Fills in what each set saves.
-pub fn estimate(candidates: &mut [Candidate], asked: &PlanRequest) {
-    let count = asked.scene.mesh.indices.len() as f64;
-    let rays = primary_rays(asked);
+pub fn estimate(candidates: &mut [Candidate], request: &PlanRequest) {
+    let count = request.scene.mesh.indices.len() as f64;
+    let rays = primary_rays(request);
     for candidate in candidates.iter_mut().filter(|candidate| candidate.is_used) {
         let rays = rays * candidate.light_count.max(1) as f64;
         let whole = COSTS.trace_ms(candidate.kind, rays, count) * COSTS.rule;
-        candidate.saving_ms = whole - set_cost_ms(candidate, asked);
+        candidate.saving_ms = whole - set_cost_ms(candidate, request);
     }
 }
 
 /// What a set takes to build and to trace, sorted triangles given.
-pub fn set_cost_ms(candidate: &Candidate, asked: &PlanRequest) -> f64 {
-    let count = asked.scene.mesh.indices.len() as f64;
-    let rays = primary_rays(asked) * rays_per_sample(candidate);
+pub fn set_cost_ms(candidate: &Candidate, request: &PlanRequest) -> f64 {
+    let count = request.scene.mesh.indices.len() as f64;
+    let rays = primary_rays(request) * rays_per_sample(candidate);
     let set = COSTS.trace_ms(candidate.kind, rays, count * candidate.share);
     set + COSTS.set_ms(count, candidate.share)
 }
@@ -56,21 +56,21 @@ fn rays_per_sample(candidate: &Candidate) -> f64 {
 
 /// Which rays get a set. `auto` takes what is cheapest: those that pay by themselves, or all, where then no whole tree is
 /// built.
-pub fn choose(candidates: &[Candidate], asked: &PlanRequest, has_mirrors: bool) -> Vec<bool> {
+pub fn choose(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool) -> Vec<bool> {
     let may_be_set = |candidate: &Candidate| candidate.is_used && candidate.may_be_set;
     let pays = |candidate: &Candidate| may_be_set(candidate) && candidate.saving_ms > 0.0;
     let all = |which: &dyn Fn(&Candidate) -> bool| candidates.iter().map(which).collect();
-    match asked.switches.reduce {
+    match request.switches.reduce {
         Reduce::Off => vec![false; candidates.len()],
         Reduce::On => all(&may_be_set),
-        Reduce::Auto if best_saving(candidates, asked, has_mirrors).1 => all(&may_be_set),
+        Reduce::Auto if best_saving(candidates, request, has_mirrors).1 => all(&may_be_set),
         Reduce::Auto => all(&pays),
     }
 }
 
 /// Milliseconds a frame that the cheapest choice saves against one whole tree, and whether it is a set for all.
-fn best_saving(candidates: &[Candidate], asked: &PlanRequest, has_mirrors: bool) -> (f64, bool) {
-    let count = asked.scene.mesh.indices.len() as f64;
+fn best_saving(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool) -> (f64, bool) {
+    let count = request.scene.mesh.indices.len() as f64;
     let used = || candidates.iter().filter(|candidate| candidate.is_used);
     let possible = used().filter(|candidate| candidate.may_be_set);
     let one_by_one: f64 = possible.map(|candidate| candidate.saving_ms.max(0.0)).sum();
@@ -84,19 +84,23 @@ fn best_saving(candidates: &[Candidate], asked: &PlanRequest, has_mirrors: bool)
 }
 
 /// Why a survey is not likely to pay, if so: when half of all triangles could be left out for the camera and each light.
-pub fn decline(asked: &PlanRequest, candidates: &[Candidate], has_mirrors: bool) -> Option<String> {
-    let count = asked.scene.mesh.indices.len() as f64;
+pub fn decline(
+    request: &PlanRequest,
+    candidates: &[Candidate],
+    has_mirrors: bool,
+) -> Option<String> {
+    let count = request.scene.mesh.indices.len() as f64;
     let mut hoped: Vec<Candidate> = candidates.to_vec();
     for candidate in &mut hoped {
         candidate.may_be_set = true;
         candidate.share = LIKELY_SHARE;
     }
-    estimate(&mut hoped, asked);
-    let (saving, _) = best_saving(&hoped, asked, has_mirrors);
-    let survey = COSTS.survey_ms(count, asked.switches.seams);
-    let frame_count = f64::from(asked.frame_count);
+    estimate(&mut hoped, request);
+    let (saving, _) = best_saving(&hoped, request, has_mirrors);
+    let survey = COSTS.survey_ms(count, request.switches.seams);
+    let frame_count = f64::from(request.frame_count);
     (saving * frame_count <= CAUTION * survey).then(|| {
-        let frames = match asked.frame_count {
+        let frames = match request.frame_count {
             1 => "the one frame".to_owned(),
             count => format!("{count} frames"),
         };
@@ -107,7 +111,7 @@ pub fn decline(asked: &PlanRequest, candidates: &[Candidate], has_mirrors: bool)
     })
 }
 
-fn primary_rays(asked: &PlanRequest) -> f64 {
-    let [width, height] = asked.settings.size.map(f64::from);
-    width * height * f64::from(asked.settings.sample_count)
+fn primary_rays(request: &PlanRequest) -> f64 {
+    let [width, height] = request.settings.size.map(f64::from);
+    width * height * f64::from(request.settings.sample_count)
 }

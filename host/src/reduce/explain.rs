@@ -17,14 +17,14 @@ impl Plan<'_> {
                 for (about, text) in surfaces(topology) {
                     line(about, text);
                 }
-                for aim in &self.targets {
-                    line(&aim.name(), self.aim(aim));
+                for view in &self.targets {
+                    line(&view.name(), self.view(view));
                 }
             }
             (None, Some(reason)) => line("nothing", format!("is left out: {reason}")),
             (None, None) => {}
         }
-        if self.in_turn {
+        if self.defers_lights {
             let text = "sets are built and traced one after the other, in the same memory";
             line("lights", text.to_owned());
         }
@@ -32,25 +32,25 @@ impl Plan<'_> {
         lines
     }
 
-    fn aim(&self, aim: &ViewTarget) -> String {
+    fn view(&self, view: &ViewTarget) -> String {
         let kept = format!(
             "about {:.0} % of {}",
-            100.0 * aim.share,
+            100.0 * view.share,
             things(self.triangle_count, "triangle")
         );
-        let own = if aim.lights.len() > 1 {
+        let own = if view.lights.len() > 1 {
             "one set for all of them"
         } else {
             "a set of its own"
         };
-        let saving = if aim.saving_ms >= 0.0 {
-            format!("saves about {:.1} ms", aim.saving_ms)
+        let saving = if view.saving_ms >= 0.0 {
+            format!("saves about {:.1} ms", view.saving_ms)
         } else {
-            format!("costs about {:.1} ms more than it saves", -aim.saving_ms)
+            format!("costs about {:.1} ms more than it saves", -view.saving_ms)
         };
-        let text = match aim.choice {
+        let text = match view.choice {
             TreeChoice::Unused => return "no rays, no tree".to_owned(),
-            TreeChoice::Whole if !aim.may_be_set() => {
+            TreeChoice::Whole if !view.may_be_set() => {
                 "the whole tree: nothing may be left out".to_owned()
             }
             TreeChoice::Whole if self.reduce == Reduce::Off => {
@@ -58,7 +58,7 @@ impl Plan<'_> {
             }
             TreeChoice::Whole => format!("the whole tree: a set of {kept} {saving}"),
             TreeChoice::Set => {
-                let besides = match (aim.saving_ms < 0.0, self.reduce, self.needs_whole) {
+                let besides = match (view.saving_ms < 0.0, self.reduce, self.needs_whole) {
                     (true, Reduce::On, _) => ", but was asked for",
                     (true, _, false) => ", but no whole tree is built",
                     _ => "",
@@ -66,12 +66,12 @@ impl Plan<'_> {
                 format!("{own}: keeps {kept}, {saving}{besides}")
             }
         };
-        let text = match (aim.half, aim.frustum.is_bounded) {
+        let text = match (view.half, view.frustum.is_bounded) {
             (FacingSet::Back, _) => format!("{text}, of those that face away from it"),
             (FacingSet::Front, 1) => format!("{text}, nothing outside the picture"),
             (FacingSet::Front, _) => text,
         };
-        let inside = self.inside_count(aim);
+        let inside = self.inside_count(view);
         if inside > 0 {
             let them = if inside == 1 { "stays" } else { "stay" };
             format!(
@@ -83,17 +83,17 @@ impl Plan<'_> {
         }
     }
 
-    /// Reducible components that an aim needs whole.
-    fn inside_count(&self, aim: &ViewTarget) -> usize {
+    /// Reducible components that a target needs whole.
+    fn inside_count(&self, view: &ViewTarget) -> usize {
         let facts = self.topology.map(Topology::facts).unwrap_or_default();
-        let pairs = facts.iter().zip(&aim.sides);
+        let pairs = facts.iter().zip(&view.sides);
         pairs
             .filter(|(facts, side)| facts.reducible && **side == 0)
             .count()
     }
 
     fn whole(&self) -> String {
-        let used_by = |aim: &&ViewTarget| aim.choice == TreeChoice::Whole;
+        let used_by = |view: &&ViewTarget| view.choice == TreeChoice::Whole;
         let mut users: Vec<String> = self
             .targets
             .iter()

@@ -10,15 +10,15 @@ use std::collections::BTreeSet;
 /// Pairs that are tried, as a multiple of the number of lights.
 const TRIES: usize = 4;
 
-/// Unites aims at lights, nearest first, as long as one set costs less than two. `join` returns what the lights of both
+/// Unites targets at lights, nearest first, as long as one set costs less than two. `join` returns what the lights of both
 /// would share, if they can; `cost_ms` what a set takes to build and to trace. Suns stay alone.
 pub fn group(
-    aims: Vec<ViewTarget>,
+    targets: Vec<ViewTarget>,
     join: impl Fn(&ViewTarget, &ViewTarget) -> Option<ViewTarget>,
     cost_ms: impl Fn(&ViewTarget) -> f64,
 ) -> Vec<ViewTarget> {
-    let mut tries = TRIES * aims.len();
-    let mut groups: Vec<(usize, ViewTarget)> = aims.into_iter().enumerate().collect();
+    let mut tries = TRIES * targets.len();
+    let mut groups: Vec<(usize, ViewTarget)> = targets.into_iter().enumerate().collect();
     let mut next = groups.len();
     let mut refused = BTreeSet::new();
     while let Some([a, b]) = nearest(&groups, &refused).filter(|_| tries > 0) {
@@ -36,13 +36,13 @@ pub fn group(
             }
         }
     }
-    groups.into_iter().map(|(_, aim)| aim).collect()
+    groups.into_iter().map(|(_, view)| view).collect()
 }
 
 /// The two nearest groups of lamps that were not refused, by their places, the lower first.
 fn nearest(groups: &[(usize, ViewTarget)], refused: &BTreeSet<[usize; 2]>) -> Option<[usize; 2]> {
     let is_lamp =
-        |aim: &ViewTarget| aim.choice != TreeChoice::Unused && aim.target.is_position == 1;
+        |view: &ViewTarget| view.choice != TreeChoice::Unused && view.target.is_position == 1;
     let mut best = None;
     for (b, (id_b, second)) in groups.iter().enumerate() {
         for (a, (id_a, first)) in groups[..b].iter().enumerate() {
@@ -135,18 +135,18 @@ mod tests {
             .enumerate()
             .map(|(i, &x)| lamp(i, x))
             .collect();
-        let cost = |aim: &ViewTarget| 5.0 + f64::from(aim.target.radius).powi(3);
+        let cost = |view: &ViewTarget| 5.0 + f64::from(view.target.radius).powi(3);
         let lights = |groups: &[ViewTarget]| -> Vec<Vec<usize>> {
-            groups.iter().map(|aim| aim.lights.clone()).collect()
+            groups.iter().map(|view| view.lights.clone()).collect()
         };
         let groups = group(lamps.clone(), join, cost);
         assert_eq!(lights(&groups), [vec![0, 1, 3], vec![2, 4], vec![5]]);
         // Nothing is joined that cannot be, and suns are not asked about.
         let groups = group(lamps.clone(), |_, _| None, cost);
         assert_eq!(groups, lamps);
-        let suns = lamps.into_iter().map(|mut aim| {
-            aim.target = Target::direction([0.0, 1.0, 0.0]);
-            aim
+        let suns = lamps.into_iter().map(|mut view| {
+            view.target = Target::direction([0.0, 1.0, 0.0]);
+            view
         });
         let groups = group(suns.collect(), join, |_| 0.0);
         assert_eq!(groups.len(), places.len());

@@ -10,6 +10,7 @@ mod cost;
 mod decide;
 mod explain;
 mod group;
+mod mesh_survey;
 mod plan;
 mod planner;
 mod sample;

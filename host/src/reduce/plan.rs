@@ -2,16 +2,14 @@
 
 use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
-use super::sample::Samples;
-use super::target::{self, FacingSet, TargetKind, TreeChoice, ViewTarget};
-use super::{Costs, Cull, PlanRequest, Reduce, Saving};
-use crate::topology::{Facts, Topology};
+use super::mesh_survey::MeshSurvey;
+use super::target::{self, TargetKind, TreeChoice, ViewTarget};
+use super::{Cull, PlanRequest, Reduce, Saving};
+use crate::topology::Topology;
 use crate::{View, ViewError};
-use slimbvh_core::bounds::scene_exponent;
-use slimbvh_core::float::PowerOfTwo;
 
-/// Samples that may be in flight at once for sets in turn, 80 bytes each.
-const MOST_IN_TURN: u64 = 1 << 22;
+/// The most samples in flight at once with deferred sets, 80 bytes each.
+const MOST_IN_FLIGHT: u64 = 1 << 22;
 
 /// What is built for a picture, and why.
 #[derive(Clone, Debug)]
@@ -30,11 +28,11 @@ pub struct Plan<'a> {
     pub reduce: Reduce,
     /// Whether there is one tree, a set, whose triangles are sorted alone.
     pub sorts_alone: bool,
-    /// Whether the sets of lights are built in turn, each when the rays to its lights are traced.
-    pub in_turn: bool,
-    /// Whether a set is built in its turn even where its lights reach nothing.
+    /// Whether the sets of lights are deferred: each is built when the rays to its lights are traced.
+    pub defers_lights: bool,
+    /// Whether a deferred set is built even where its lights reach nothing.
     pub(super) builds_unseen: bool,
-    /// Whether sets for lights may hold what faces away from them, where the eye is outside.
+    /// Whether L− may stand for L+ in the sets of lights, where the eye is outside.
     pub may_turn_away: bool,
     /// Why there was no survey.
     pub(super) no_survey: Option<String>,
@@ -45,18 +43,18 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
-    pub fn without_survey(asked: &PlanRequest) -> Result<Option<Self>, ViewError> {
-        let aims = target::aims(asked)?;
-        let has_mirrors = has_mirrors(asked);
-        let switches = asked.switches;
+    pub fn without_survey(request: &PlanRequest) -> Result<Option<Self>, ViewError> {
+        let targets = target::targets(request)?;
+        let has_mirrors = has_mirrors(request);
+        let switches = request.switches;
         let reason = match (switches.cull, switches.reduce) {
             (Some(Cull::Off), _) => Some("all triangles were asked to count".to_owned()),
             (None, Reduce::Off) => Some("nobody asked for it".to_owned()),
-            (None, Reduce::Auto) => decide::decline(asked, &candidates(&aims), has_mirrors),
+            (None, Reduce::Auto) => decide::decline(request, &candidates(&targets), has_mirrors),
             (Some(Cull::On), _) | (None, Reduce::On) => None,
         };
         match reason {
-            Some(reason) => Self::plain(asked, reason).map(Some),
+            Some(reason) => Self::plain(request, reason).map(Some),
             None => Ok(None),
         }
     }
@@ -65,16 +63,16 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
-    pub fn plain(asked: &PlanRequest, reason: String) -> Result<Self, ViewError> {
+    pub fn plain(request: &PlanRequest, reason: String) -> Result<Self, ViewError> {
         Ok(Self {
             topology: None,
-            targets: target::aims(asked)?,
+            targets: target::targets(request)?,
             needs_whole: true,
-            has_mirrors: has_mirrors(asked),
-            triangle_count: asked.scene.mesh.indices.len(),
-            reduce: asked.switches.reduce,
+            has_mirrors: has_mirrors(request),
+            triangle_count: request.scene.mesh.indices.len(),
+            reduce: request.switches.reduce,
             sorts_alone: false,
-            in_turn: false,
+            defers_lights: false,
             builds_unseen: false,
             may_turn_away: false,
             no_survey: Some(reason),
@@ -86,34 +84,29 @@ impl<'a> Plan<'a> {
     ///
     /// # Errors
     /// For cameras and lights that make no picture.
-    pub fn new(topology: &'a Topology, asked: &PlanRequest) -> Result<Self, ViewError> {
-        let mesh = &asked.scene.mesh;
-        let savings = asked.switches.savings;
+    pub fn new(topology: &'a Topology, request: &PlanRequest) -> Result<Self, ViewError> {
+        let mesh = &request.scene.mesh;
+        let savings = request.switches.savings;
         let bounds = mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
-        let scale = PowerOfTwo::new(scene_exponent(&bounds));
-        let has_mirrors = has_mirrors(asked);
-        let look = MeshSurvey {
-            topology,
-            facts: topology.facts(),
-            samples: Samples::new(asked.scene, topology.components(), scale),
-        };
+        let has_mirrors = has_mirrors(request);
+        let survey = MeshSurvey::new(topology, request.scene, &bounds);
 
-        let mut aims = target::aims(asked)?;
-        let mut lights = aims.split_off(1);
-        for camera in &mut aims {
+        let mut targets = target::targets(request)?;
+        let mut lights = targets.split_off(1);
+        for camera in &mut targets {
             if savings.has(Saving::Frustum) {
-                camera.frustum = target::frustum_within(asked, &bounds)?;
+                camera.frustum = target::frustum_within(request, &bounds)?;
             }
-            look.measure(camera);
+            survey.measure(camera);
         }
-        // Where paths leave mirrors, or are inside of glass, nobody knows from where shadow rays start.
-        let eye_sides = aims.iter().map(|camera| camera.sides.clone()).next();
+        // Behind mirrors and inside of glass, the origins of shadow rays are not known.
+        let eye_sides = targets.iter().map(|camera| camera.sides.clone()).next();
         let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
-        let cost_ms = |aim: &ViewTarget| decide::set_cost_ms(&candidate(aim), asked);
-        let measure = |aim: &mut ViewTarget| {
-            look.measure(aim);
+        let cost_ms = |view: &ViewTarget| decide::set_cost_ms(&candidate(view), request);
+        let measure = |view: &mut ViewTarget| {
+            survey.measure(view);
             if let Some(eye_sides) = &eye_sides {
-                look.take_cheaper_half(aim, eye_sides, cost_ms);
+                survey.take_cheaper_set(view, eye_sides, cost_ms);
             }
         };
         for light in &mut lights {
@@ -130,57 +123,60 @@ impl<'a> Plan<'a> {
                 measure(&mut joined);
                 // Outside of all that each of them is outside of.
                 let outside =
-                    |aim: &ViewTarget| aim.sides.iter().filter(|side| **side != 0).count();
+                    |view: &ViewTarget| view.sides.iter().filter(|side| **side != 0).count();
                 let is_outside = outside(&joined) == outside(a) && outside(a) == outside(b);
                 is_outside.then_some(joined)
             };
             lights = group(lights, join, cost_ms);
         }
-        aims.append(&mut lights);
+        targets.append(&mut lights);
 
-        let mut candidates = candidates(&aims);
-        decide::estimate(&mut candidates, asked);
-        let chosen = decide::choose(&candidates, asked, has_mirrors);
+        let mut candidates = candidates(&targets);
+        decide::estimate(&mut candidates, request);
+        let chosen = decide::choose(&candidates, request, has_mirrors);
         let mut needs_whole = has_mirrors;
-        for ((aim, candidate), is_set) in aims.iter_mut().zip(&candidates).zip(chosen) {
-            aim.saving_ms = candidate.saving_ms;
-            if aim.choice == TreeChoice::Whole && is_set {
-                aim.choice = TreeChoice::Set;
+        for ((view, candidate), is_set) in targets.iter_mut().zip(&candidates).zip(chosen) {
+            view.saving_ms = candidate.saving_ms;
+            if view.choice == TreeChoice::Whole && is_set {
+                view.choice = TreeChoice::Set;
             }
-            needs_whole |= aim.choice == TreeChoice::Whole;
+            needs_whole |= view.choice == TreeChoice::Whole;
         }
-        let set_count = aims
+        let set_count = targets
             .iter()
-            .filter(|aim| aim.choice == TreeChoice::Set)
+            .filter(|view| view.choice == TreeChoice::Set)
             .count();
-        let light_sets = aims
+        let light_sets = targets
             .iter()
             .skip(1)
-            .filter(|aim| aim.choice == TreeChoice::Set);
+            .filter(|view| view.choice == TreeChoice::Set);
         let light_set_count = light_sets.count();
         let plan = Self {
             topology: Some(topology),
-            targets: aims,
+            targets,
             needs_whole,
             has_mirrors,
             triangle_count: mesh.indices.len(),
-            reduce: asked.switches.reduce,
+            reduce: request.switches.reduce,
             sorts_alone: savings.has(Saving::Alone) && !needs_whole && set_count == 1,
-            in_turn: false,
+            defers_lights: false,
             builds_unseen: !savings.has(Saving::Unseen),
             may_turn_away: eye_sides.is_some(),
             no_survey: None,
         };
-        // Each set has its turn once: all samples are in flight, no path goes on, and no light comes between two that share
-        // a set.
-        let [width, height] = asked.settings.size.map(u64::from);
-        let samples = width * height * u64::from(asked.settings.sample_count);
-        let in_turn = savings.has(Saving::Turns)
+        // Each deferred set is built once: all samples are in flight, no path goes on, and no light comes between two that
+        // share a set.
+        let [width, height] = request.settings.size.map(u64::from);
+        let samples = width * height * u64::from(request.settings.sample_count);
+        let defers_lights = savings.has(Saving::Turns)
             && light_set_count > 1
-            && samples <= MOST_IN_TURN
+            && samples <= MOST_IN_FLIGHT
             && !has_mirrors
             && plan.is_in_runs();
-        Ok(Self { in_turn, ..plan })
+        Ok(Self {
+            defers_lights,
+            ..plan
+        })
     }
 
     /// Whether lights that share a set follow each other.
@@ -201,88 +197,40 @@ impl<'a> Plan<'a> {
         self.topology.map(Topology::components)
     }
 
-    /// The place among the aims of each light.
+    /// The place among the targets of each light.
     #[must_use]
     pub fn target_of_light(&self) -> Vec<usize> {
         let places = self.targets.iter().enumerate();
         let mut pairs: Vec<(usize, usize)> = places
-            .flat_map(|(place, aim)| aim.lights.iter().map(move |&light| (light, place)))
+            .flat_map(|(place, view)| view.lights.iter().map(move |&light| (light, place)))
             .collect();
         pairs.sort_unstable();
         pairs.into_iter().map(|(_, place)| place).collect()
     }
 }
 
-/// What is known of the mesh.
-struct MeshSurvey<'a> {
-    topology: &'a Topology,
-    facts: Vec<Facts>,
-    samples: Samples<'a>,
-}
-
-impl MeshSurvey<'_> {
-    /// Which sides of which components an aim sees, and what share of all triangles.
-    fn measure(&self, aim: &mut ViewTarget) {
-        aim.sides = self.topology.sides(&(&aim.target).into());
-        let reducible = aim.sides.iter().zip(&self.facts);
-        aim.reducible_count = reducible
-            .filter(|(side, _)| **side != 0)
-            .map(|(_, facts)| facts.triangle_count - facts.seam_count)
-            .sum();
-        if aim.may_be_set() {
-            aim.share = self.samples.share(&aim.sides, &aim.target, &aim.frustum);
-        }
-    }
-
-    /// Turns an aim at lights to the half that faces away, where that costs less and the eye, too, is outside of all that
-    /// these lights are outside of: then every shadow ray starts outside, and meets as many triangles of either half.
-    fn take_cheaper_half(
-        &self,
-        aim: &mut ViewTarget,
-        eye_sides: &[i32],
-        cost_ms: impl Fn(&ViewTarget) -> f64,
-    ) {
-        let mut pairs = aim.sides.iter().zip(eye_sides);
-        if aim.reducible_count == 0 || pairs.any(|(light, eye)| *light != 0 && *eye == 0) {
-            return;
-        }
-        let sides: Vec<i32> = aim.sides.iter().map(|side| -side).collect();
-        let share = self.samples.share(&sides, &aim.target, &aim.frustum);
-        let away = ViewTarget {
-            effort: Costs::MEASURED.away_effort(aim.share + share - 1.0),
-            share,
-            half: FacingSet::Back,
-            sides,
-            ..aim.clone()
-        };
-        if cost_ms(&away) < cost_ms(aim) {
-            *aim = away;
-        }
-    }
-}
-
 /// Whether any path may go on, at a mirror or through glass.
-fn has_mirrors(asked: &PlanRequest) -> bool {
-    let mut materials = asked.scene.materials.iter();
-    let settings = asked.settings;
+fn has_mirrors(request: &PlanRequest) -> bool {
+    let mut materials = request.scene.materials.iter();
+    let settings = request.settings;
     settings.view == View::Color
         && settings.mirror_depth > 0
         && materials.any(|material| material.mirror > 0.0 || material.transmission > 0.0)
 }
 
 /// The rays that there are, for the model of costs.
-fn candidates(aims: &[ViewTarget]) -> Vec<Candidate> {
-    aims.iter().map(candidate).collect()
+fn candidates(targets: &[ViewTarget]) -> Vec<Candidate> {
+    targets.iter().map(candidate).collect()
 }
 
-fn candidate(aim: &ViewTarget) -> Candidate {
+fn candidate(view: &ViewTarget) -> Candidate {
     Candidate {
-        kind: aim.kind,
-        effort: aim.effort,
-        light_count: aim.lights.len(),
-        is_used: aim.choice != TreeChoice::Unused,
-        may_be_set: aim.may_be_set(),
-        share: aim.share,
+        kind: view.kind,
+        effort: view.effort,
+        light_count: view.lights.len(),
+        is_used: view.choice != TreeChoice::Unused,
+        may_be_set: view.may_be_set(),
+        share: view.share,
         saving_ms: 0.0,
     }
 }

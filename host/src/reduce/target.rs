@@ -123,40 +123,40 @@ impl ViewTarget {
 }
 
 /// The camera and each light, whole as long as nothing is known.
-pub fn aims(asked: &PlanRequest) -> Result<Vec<ViewTarget>, ViewError> {
+pub fn targets(request: &PlanRequest) -> Result<Vec<ViewTarget>, ViewError> {
     let RenderSettings {
         size,
         sample_count,
-        view,
+        view: shown,
         dark_rays,
         ..
-    } = *asked.settings;
+    } = *request.settings;
     let Scene {
         cameras, lights, ..
-    } = asked.scene;
+    } = request.scene;
     let camera = cameras.first().ok_or(ViewError::NoCamera)?;
     let core = camera.to_core(size, sample_count)?;
-    let mut aims = vec![ViewTarget::new(
+    let mut targets = vec![ViewTarget::new(
         TargetKind::Camera,
         Vec::new(),
         camera_target(&core),
     )];
     for (index, light) in lights.iter().enumerate() {
         let light = light.to_core(index)?;
-        let mut aim = ViewTarget::new(TargetKind::Lights, vec![index], light_target(&light));
-        let is_used = view == View::Color && (dark_rays || light.color != [0.0; 3]);
+        let mut view = ViewTarget::new(TargetKind::Lights, vec![index], light_target(&light));
+        let is_used = shown == View::Color && (dark_rays || light.color != [0.0; 3]);
         if !is_used {
-            aim.choice = TreeChoice::Unused;
+            view.choice = TreeChoice::Unused;
         }
-        aims.push(aim);
+        targets.push(view);
     }
-    Ok(aims)
+    Ok(targets)
 }
 
 /// What the camera's rays can reach of a box, which bounds nothing where that is all of it.
-pub fn frustum_within(asked: &PlanRequest, bounds: &Aabb) -> Result<Frustum, ViewError> {
-    let settings = asked.settings;
-    let camera = asked.scene.cameras.first().ok_or(ViewError::NoCamera)?;
+pub fn frustum_within(request: &PlanRequest, bounds: &Aabb) -> Result<Frustum, ViewError> {
+    let settings = request.settings;
+    let camera = request.scene.cameras.first().ok_or(ViewError::NoCamera)?;
     let frustum = frustum(&camera.to_core(settings.size, settings.sample_count)?);
     let eye = frustum.eye.map(f64::from);
     let corners = (0..8).map(|corner| -> [f64; 3] {

@@ -181,7 +181,7 @@ impl<B: Backend> Hierarchies<B> {
                 *key = Some(wanted);
             }
         }
-        if plan.in_turn {
+        if plan.defers_lights {
             B::reserve(recording, builder, source, &mut self.deferred)?;
         }
         Ok(())
@@ -262,7 +262,7 @@ impl<B: Backend> Hierarchies<B> {
 
 /// Whether a target's set is there from the beginning.
 fn has_own_place(plan: &Plan, target: &ViewTarget) -> bool {
-    target.choice == TreeChoice::Set && !(plan.in_turn && target.kind == TargetKind::Lights)
+    target.choice == TreeChoice::Set && !(plan.defers_lights && target.kind == TargetKind::Lights)
 }
 
 /// The trees that are there. Another tree stands where one is deferred, and where there are no rays.

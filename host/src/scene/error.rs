@@ -7,8 +7,10 @@ pub(super) use crate::text::excerpt;
 use std::io;
 use thiserror::Error;
 
-/// Why a scene cannot be loaded: one sentence that names the file, the place and the numbers.
+/// Why a scene cannot be loaded: one sentence that names the file, the place and the numbers. The sentence includes that of the
+/// cause, which [`source`](std::error::Error::source) returns by its type.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum LoadError {
     /// The operating system refuses the file.
     #[error("cannot read \"{file}\": {error}")]
@@ -16,6 +18,7 @@ pub enum LoadError {
         /// The path as given.
         file: String,
         /// What the operating system says.
+        #[source]
         error: io::Error,
     },
     /// The path names a directory, a device or a pipe.
@@ -160,6 +163,7 @@ pub enum LoadError {
         /// The line, counted from 1, where it is known.
         line: Option<usize>,
         /// What the reader says.
+        #[source]
         error: tobj::LoadError,
     },
     /// The PLY header is incomplete or contradicts itself.
@@ -178,6 +182,7 @@ pub enum LoadError {
         /// The face, counted from 0.
         face: usize,
         /// What the reader says.
+        #[source]
         error: io::Error,
     },
     /// An STL text stops before `endsolid`.
@@ -194,6 +199,7 @@ pub enum LoadError {
         /// The path as given.
         file: String,
         /// What is wrong.
+        #[source]
         error: GltfError,
     },
     /// A saved hierarchy is damaged, foreign, or not sound.
@@ -202,6 +208,7 @@ pub enum LoadError {
         /// The path as given.
         file: String,
         /// What is wrong.
+        #[source]
         error: FileError,
     },
     /// The faces are not fit to build from.
@@ -210,6 +217,7 @@ pub enum LoadError {
         /// The path as given.
         file: String,
         /// What is wrong.
+        #[source]
         error: MeshError,
     },
     /// There is nothing to draw.

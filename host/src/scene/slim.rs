@@ -42,7 +42,7 @@
 //! 13 triangles           in full 40, in 10 bits 16, on the lattice 4: words, of which a triangle has 4, 7 or 10
 //! ```
 //!
-//! What is in an item of the sections 12 and 13 is told in `slimbvh_core`: [`Node`](crate::Node),
+//! The items of sections 12 and 13 are specified in `slimbvh_core`: [`Node`](crate::Node),
 //! [`LeafTriangle`](crate::LeafTriangle) and `encode`. A section without items has a place all the same.
 
 mod check;
@@ -62,15 +62,15 @@ use super::{LoadError, Scene};
 use crate::{Aabb, Bvh};
 use std::path::Path;
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Debug)]
 pub struct Saved {
     /// Geometry, materials, cameras and lights.
     pub scene: Scene,
     /// A hierarchy over its mesh.
     pub bvh: Bvh,
-    /// What a camera is to see where the scene has none; none for the mesh's own bounds. It is kept where vertices were moved
-    /// onto a lattice, so that the camera stays where it was.
+    /// The box that the default camera frames; none for the mesh's bounds. It is stored where vertices were moved onto a lattice,
+    /// so that the camera does not move with them.
     pub framing: Option<Aabb>,
 }
 

@@ -11,6 +11,7 @@ use thiserror::Error;
 
 /// Why a camera or a light cannot be used.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum ViewError {
     /// A picture without pixels.
     #[error("the picture would be {width}x{height} pixels; both sides must be at least 1")]

@@ -124,7 +124,7 @@ impl Bvh {
         }
     }
 
-    /// What tracing it costs: [`sah_cost`] of its nodes, as they are decoded.
+    /// The cost of tracing it: [`sah_cost`] of its nodes, as they are decoded.
     #[must_use]
     pub fn sah_cost(&self) -> f64 {
         match self.stored.as_plain() {
@@ -152,7 +152,7 @@ impl Bvh {
         self.stored.lists().codecs(self.scene_exponent)
     }
 
-    /// Takes the bounds of the mesh, and the scale that goes with them.
+    /// Sets the bounds of the mesh, and the exponent that follows from them.
     pub(crate) fn set_bounds(&mut self, bounds: Aabb) {
         self.bounds = (!bounds.is_empty()).then_some(bounds);
         self.scene_exponent = scene_exponent(&bounds);
@@ -164,19 +164,19 @@ impl Bvh {
         self.bounds
     }
 
-    /// How many triangles there are in it.
+    /// The number of triangles in it.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
         self.stored.lists().triangle_count()
     }
 
-    /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.
+    /// The number of triangles of the mesh that it was built over. A reduced hierarchy leaves some out.
     #[must_use]
     pub fn mesh_triangle_count(&self) -> usize {
         self.mesh_triangle_count
     }
 
-    /// How many inner nodes there are.
+    /// The number of inner nodes.
     #[must_use]
     pub fn node_count(&self) -> usize {
         self.stored.lists().lists()[0].count()
@@ -194,19 +194,19 @@ impl Bvh {
         self.stored()[1].len()
     }
 
-    /// Bytes of the memory that is held for both, which a larger hierarchy may have left.
+    /// Bytes of the buffers of both lists, which may be larger than the lists.
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         self.stored.lists().held_bytes()
     }
 
-    /// No path from the root is longer than this.
+    /// An upper bound of the nodes on a path from the root.
     #[must_use]
     pub fn depth_bound(&self) -> u32 {
         self.depth_bound
     }
 
-    /// All coordinates inside are the mesh's times two to this power.
+    /// Stored coordinates are the mesh's times two to this power.
     #[must_use]
     pub fn scene_exponent(&self) -> i32 {
         self.scene_exponent

@@ -4,7 +4,7 @@ use slimbvh_core::Node;
 use slimbvh_core::encode::{LeafWidth, Paper10Node};
 use thiserror::Error;
 
-/// How inner nodes are stored. None changes an answer: boxes only grow.
+/// How inner nodes are stored. No codec changes an answer: decoded boxes contain the originals.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NodeCodec {
     /// 64 bytes: both children's boxes in full.
@@ -13,12 +13,12 @@ pub enum NodeCodec {
     /// 24 bytes: planes in 10 bits between those of the parent, by floats, as in the paper on compressed hierarchies and
     /// meshes.
     Paper10,
-    /// 12 to 28 bytes: planes counted from those of the parent, by integers.
+    /// 12 to 28 bytes: distances to the parent's planes, by integers.
     Lattice(LatticeBits),
 }
 
 impl NodeCodec {
-    /// All of them.
+    /// All codecs.
     pub const ALL: [Self; 9] = [
         Self::F32,
         Self::Paper10,
@@ -104,7 +104,7 @@ macro_rules! by_bits {
 pub(crate) use by_bits;
 
 impl LatticeBits {
-    /// All of them.
+    /// All codecs.
     pub const ALL: [Self; 7] = [
         Self::Q4,
         Self::Q6,
@@ -151,7 +151,7 @@ impl LatticeBits {
 /// How the triangles in leaves are stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MeshCodec {
-    /// 40 bytes: as they are, with their index.
+    /// 40 bytes: nine floats and the index.
     #[default]
     F32,
     /// 16 bytes: 10 bits a coordinate in the leaf's box, as in the paper on compressed hierarchies and meshes. Vertices move, each
@@ -271,7 +271,7 @@ pub(crate) fn tagged(
     Some((nodes, mesh.with_step(Some(step_exponent))))
 }
 
-/// The most triangles that can be stored so: links name a word among those of all, each of which may take ten.
+/// The largest number of triangles: links are indices of words, and a triangle may take ten.
 pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
     const MOST: usize = slimbvh_core::MAX_TRIANGLES as usize;
     match mesh {
@@ -282,19 +282,20 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
 
 /// Codecs that do not go together.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum CodecError {
-    /// Leaves are coded in boxes that other nodes do not have.
+    /// Triangles are coded in leaf boxes of the paper10 codec.
     #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]
     Leaf10WithoutPaper10,
-    /// The same.
+    /// Triangles are coded in leaf boxes of the lattice codec.
     #[error("triangles on a lattice go with nodes on a lattice only")]
     LatticeWithout,
 }
 
-/// Whether both can be had together.
+/// Checks that nodes and triangles go together.
 ///
 /// # Errors
-/// Says which cannot.
+/// If the codec of triangles needs other nodes.
 pub const fn check_codecs(nodes: NodeCodec, mesh: MeshCodec) -> Result<(), CodecError> {
     match (nodes, mesh) {
         (_, MeshCodec::F32)
@@ -341,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_go_together_is_told() {
+    fn pairs_that_do_not_go_together_are_refused() {
         let lattice = MeshCodec::Lattice { step_exponent: -9 };
         let q10 = NodeCodec::Lattice(LatticeBits::Q10);
         for (nodes, mesh, fits) in [

@@ -1,9 +1,9 @@
-//! What tracing a tree costs.
+//! The cost of tracing a tree, by the surface area heuristic.
 
 use slimbvh_core::{Node, NodeRef};
 
-/// What a ray that meets the root's box is expected to cost, at 1 for each node that it opens and 1 for each triangle that
-/// it tests: the surface area heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990).
+/// The expected cost of a ray that meets the root's box, at 1 a node opened and 1 a triangle tested: the surface area
+/// heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990).
 /// Changes with neither the place nor the scale of the tree. 0 for a tree without triangles. Where large triangles have most
 /// of the area, as wide ground has, they have most of the cost, and small things on it count for little.
 ///

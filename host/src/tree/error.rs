@@ -1,11 +1,13 @@
-//! What can be wrong with a hierarchy.
+//! Faults of a hierarchy.
 
+use crate::MeshError;
 use thiserror::Error;
 
-/// What [`Bvh::validate`](crate::Bvh::validate) finds.
+/// The faults that [`Bvh::validate`](crate::Bvh::validate) finds.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum TreeError {
-    /// There is nothing.
+    /// There is no node.
     #[error("the hierarchy has no root; build it first")]
     NoRoot,
     /// More triangles than can be numbered, or than the mesh has.
@@ -15,46 +17,46 @@ pub enum TreeError {
     TriangleCount {
         /// Triangles of the hierarchy.
         triangle_count: usize,
-        /// Triangles of the mesh that it says it was built over.
+        /// Triangles of the mesh that it was built over, as stored.
         mesh_triangle_count: usize,
-        /// The largest number for both.
+        /// The largest number of either.
         limit: usize,
     },
-    /// The bounds are not finite, or inverted, or not there though there are triangles.
+    /// The bounds are not finite, inverted, or missing though there are triangles.
     #[error("the box around the mesh is not one")]
     Bounds,
-    /// Coordinates are not at magnitude 1.
+    /// The exponent does not bring coordinates to magnitude 1.
     #[error("the scene's exponent is {exponent}; by its bounds it must be {expected}")]
     SceneExponent {
-        /// What is there.
+        /// The exponent, as stored.
         exponent: i32,
-        /// What follows from the bounds.
+        /// The exponent that follows from the bounds.
         expected: i32,
     },
-    /// The traversal's stack may be too small.
+    /// Paths may be longer than the traversal's stack.
     #[error("paths of up to {bound} nodes are announced; at most {limit} can be traced")]
     DepthBound {
-        /// What is there.
+        /// The depth bound, as stored.
         bound: u32,
-        /// The largest.
+        /// The largest depth bound.
         limit: u32,
     },
-    /// The lattice's step is no number.
+    /// The lattice's step is not a normal float.
     #[error("the lattice has a step of 2^{step_exponent}; floats reach from 2^-126 to 2^127")]
     Step {
         /// The step is 2 to this power, at the scene's magnitude.
         step_exponent: i32,
     },
-    /// The box that all others are decoded from is not in the scene, or has more steps than floats can count.
+    /// The root's box is not in the scene, or has more steps than floats can count.
     #[error("the root's box is not one that boxes can be decoded from")]
     RootBox,
-    /// A child is not where it must be: below the root, nodes lie in the order of their triangles, each left child right
-    /// before the right one. So each node has one parent.
+    /// A child is out of order. Below the root, nodes lie in the order of their triangles, each left child right before
+    /// the right one, so that each node has one parent.
     #[error("node {node} names node {child} as a child, which is not there or has another place")]
     ChildOutOfPlace {
         /// The parent.
         node: u32,
-        /// The index.
+        /// The child's index.
         child: u32,
     },
     /// No path from the root leads to a node.
@@ -68,7 +70,7 @@ pub enum TreeError {
     TooDeep {
         /// The node.
         node: u32,
-        /// What was promised.
+        /// The depth bound, as stored.
         bound: u32,
     },
     /// A leaf has too many triangles, or none.
@@ -76,9 +78,9 @@ pub enum TreeError {
     LeafSize {
         /// The parent.
         node: u32,
-        /// How many.
+        /// Its number of triangles.
         count: u32,
-        /// The most.
+        /// The largest number.
         limit: u32,
     },
     /// An inner node has so few triangles that they must be a leaf.
@@ -94,28 +96,28 @@ pub enum TreeError {
     LeafOutOfPlace {
         /// The parent.
         node: u32,
-        /// Where it begins.
+        /// Its first place.
         first: u32,
-        /// Where it should.
+        /// The place after the leaf before it.
         expected: u32,
     },
-    /// A leaf reaches beyond the triangles, or some are in no leaf.
+    /// A leaf ends beyond the list of triangles, or some triangles are in no leaf.
     #[error("leaves end at place {end}; there are {count}")]
     PlaceCount {
-        /// Where the last leaf looked at ends.
+        /// The end of the last leaf checked.
         end: u64,
-        /// How many places there are.
+        /// The number of places.
         count: usize,
     },
-    /// The leaves have another number of triangles than the hierarchy says.
+    /// The leaves hold another number of triangles than the hierarchy stores.
     #[error("there are {found} triangles in leaves, {expected} are announced")]
     LeafCount {
-        /// In leaves.
+        /// Triangles in leaves.
         found: u32,
-        /// Announced.
+        /// Triangles of the hierarchy, as stored.
         expected: usize,
     },
-    /// A node does not cover the triangles that its leaves have.
+    /// A node stores another run of triangles than that of its leaves.
     #[error("node {node} says that it covers triangles {first} to {last}, which it does not")]
     WrongRun {
         /// The node.
@@ -131,7 +133,7 @@ pub enum TreeError {
         /// The parent.
         node: u32,
     },
-    /// A child's box leaves out a part of the triangles below: rays would miss them.
+    /// A child's box does not contain the triangles below it: rays would miss them.
     #[error("a child of node {node} has a box that leaves out some of what is below it")]
     BoxTooSmall {
         /// The parent.
@@ -140,20 +142,20 @@ pub enum TreeError {
     /// A triangle in a leaf has a corner that is NaN or infinite.
     #[error("the triangle at place {place} has a corner that is not finite")]
     NotFinite {
-        /// Where, in leaf order; on the lattice in words.
+        /// Its place in leaf order; on the lattice in words.
         place: u32,
     },
-    /// A leaf's triangle is not one of the mesh, or is there twice.
+    /// A leaf's triangle is not one of the mesh, or occurs twice.
     #[error(
         "the triangle at place {place} is the mesh's number {primitive}, which is not there or there twice"
     )]
     BadPrimitive {
-        /// Where, in leaf order; on the lattice in words.
+        /// Its place in leaf order; on the lattice in words.
         place: u32,
         /// Its number in the mesh.
         primitive: u32,
     },
-    /// It is a hierarchy over another mesh.
+    /// The mesh has another number of triangles than that of the build.
     #[error("the mesh has {triangle_count} triangles, the hierarchy was built over {expected}")]
     OtherMesh {
         /// Triangles of the mesh.
@@ -161,15 +163,35 @@ pub enum TreeError {
         /// Triangles that the hierarchy was built over.
         expected: usize,
     },
-    /// The mesh has moved since.
+    /// The mesh has moved since the build.
     #[error("the mesh has other bounds than the hierarchy")]
     OtherBounds,
-    /// A leaf's triangle is not the mesh's.
+    /// A leaf's triangle has other corners than the mesh's.
     #[error("the triangle at place {place} has other corners than the mesh's number {primitive}")]
     OtherCorners {
-        /// Where, in leaf order; on the lattice in words.
+        /// Its place in leaf order; on the lattice in words.
         place: u32,
         /// Its number in the mesh.
         primitive: u32,
     },
+}
+
+/// Why a hierarchy cannot be moved to a mesh.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum RefitError {
+    /// The mesh itself is unfit.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// It is another mesh.
+    #[error("the mesh has {triangle_count} triangles, the hierarchy {expected}; build a new one")]
+    TriangleCount {
+        /// Triangles of the mesh.
+        triangle_count: usize,
+        /// Triangles of the hierarchy.
+        expected: usize,
+    },
+    /// It leaves out triangles that may be needed now.
+    #[error("the hierarchy is reduced; build it again when the triangles have moved")]
+    Reduced,
 }

@@ -25,7 +25,7 @@ pub(crate) use codec::{by_bits, most_triangles};
 #[cfg(feature = "scenes")]
 pub(crate) use codec::{tagged, tags};
 pub use cost::sah_cost;
-pub use error::TreeError;
+pub use error::{RefitError, TreeError};
 pub(crate) use packets::{PacketQuery, Question};
 #[cfg(feature = "scenes")]
 pub(crate) use stored::List;

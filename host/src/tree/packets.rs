@@ -1,4 +1,4 @@
-//! Questions of many rays, of which some walk together ([`slimbvh_core::trace::trace_packet`]).
+//! Queries of many rays, eight of which are traced together ([`slimbvh_core::trace::trace_packet`]).
 
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
@@ -26,10 +26,10 @@ pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter {
 /// The filters and collectors of a packet's rays.
 pub type Packet<'a> = [Lane<SkipAnd<'a, FacingFilter<'a>>, ClosestOrAny>; LANES];
 
-/// Rays that a task takes at once.
+/// Rays a task.
 const BLOCK: usize = 512;
 
-/// Which of its two questions each ray asks.
+/// The query of each ray: the closest hit, or any.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Question {
     Closest,
@@ -40,16 +40,16 @@ pub enum Question {
 #[derive(Clone, Copy, Debug)]
 pub struct PacketQuery<'a> {
     pub question: Question,
-    /// Of the power of two that brings rays to the scene's magnitude: 0 where they are there.
+    /// Rays are scaled by two to this power: 0 where they are at the scene's magnitude.
     pub exponent: i32,
-    /// Where there is one, what faces away from it does not count. In the scene's magnitude.
+    /// Triangles that face away from the target do not count. In the scene's magnitude.
     pub target: Option<(Sides<'a>, Target)>,
 }
 
 impl Bvh {
-    /// [`Bvh::closest_hit`] of many rays, in parallel. `hits` gets as many entries as there are rays.
+    /// [`Bvh::closest_hit`] of many rays, in parallel. `hits` is resized to the number of rays.
     ///
-    /// Rays that lie side by side should follow each other: on their way through the hierarchy they share what they read of it.
+    /// Neighbouring rays should follow each other: the rays of a packet share the nodes that they read.
     pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
         hits.resize(rays.len(), Hit::MISS);
         let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
@@ -63,10 +63,10 @@ impl Bvh {
         blocks.for_each(|(found, rays)| self.any_hits_of_block(rays, found));
     }
 
-    /// [`Bvh::closest_hits`] on this thread, for callers who share rays out by themselves.
+    /// [`Bvh::closest_hits`] on this thread, for callers with threads of their own.
     ///
     /// # Panics
-    /// If there are fewer places for hits than rays.
+    /// If `hits` is shorter than `rays`.
     pub fn closest_hits_of_block(&self, rays: &[Ray], hits: &mut [Hit]) {
         let query = self.query(Question::Closest);
         self.trace_rays(&query, numbered(rays), |i, hit| hits[i] = hit);
@@ -75,7 +75,7 @@ impl Bvh {
     /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
     ///
     /// # Panics
-    /// If there are fewer places for answers than rays.
+    /// If `found` is shorter than `rays`.
     pub fn any_hits_of_block(&self, rays: &[Ray], found: &mut [bool]) {
         let query = self.query(Question::Any);
         self.trace_rays(&query, numbered(rays), |i, hit| found[i] = hit.is_hit());

@@ -1,4 +1,4 @@
-//! Walks a hierarchy that is not to be trusted, and checks all that tracing, refits and codecs rely on.
+//! Checks of an untrusted hierarchy: all that tracing, refits and codecs rely on.
 
 use super::bvh::Bvh;
 use super::error::TreeError;
@@ -16,10 +16,10 @@ use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
 
 impl Bvh {
-    /// Checks that each node and each place has one parent, in the order in which builds put them; that leaves hold triangles
-    /// of the mesh, each at most once, with finite corners; that every child's box holds what is below it; and that no path is
-    /// longer than the traversal's stack. What passes is traced and refitted without a panic, and no hit is lost in it. Hierarchies
-    /// from a [`crate::Builder`] always pass.
+    /// Checks that each node and each place has one parent, in the order of builds; that leaves hold triangles of the mesh,
+    /// each at most once, with finite corners; that every child's box contains what is below it; and that no path is longer than
+    /// the traversal's stack. Tracing and refitting a hierarchy that passes neither panics nor loses a hit. Hierarchies from a
+    /// [`crate::Builder`] always pass.
     ///
     /// # Errors
     /// The first fault found.
@@ -28,8 +28,7 @@ impl Bvh {
         self.walk(None)
     }
 
-    /// [`Self::validate`], and that the leaves' triangles are those of a mesh, which must be sound, as the hierarchy stores
-    /// them.
+    /// [`Self::validate`], and that leaves store the triangles of a mesh, which must be sound.
     ///
     /// # Errors
     /// The first fault found.
@@ -50,7 +49,7 @@ impl Bvh {
         self.walk(Some(mesh.triangles()))
     }
 
-    /// All that stands beside the nodes.
+    /// Checks all but nodes and triangles.
     fn check_numbers(&self) -> Result<(), TreeError> {
         let limit = MAX_TRIANGLES as usize;
         let (triangle_count, mesh_triangle_count) =
@@ -94,7 +93,7 @@ impl Bvh {
     }
 }
 
-/// Walks all of a tree.
+/// The check of all nodes and triangles.
 struct Check<'a> {
     bvh: &'a Bvh,
     mesh: Option<IndexedTriangles<'a>>,
@@ -136,13 +135,13 @@ struct Walk<'a, N, T> {
     is_there: Vec<AtomicU64>,
 }
 
-/// What was found below a node.
+/// The triangles below a node.
 struct Found {
     /// The box around the triangles.
     bounds: Aabb,
     /// Their places.
     places: Range<u32>,
-    /// How many they are.
+    /// Their number.
     count: u32,
 }
 
@@ -151,9 +150,9 @@ struct Child<B> {
     parent: u32,
     child: NodeRef,
     bounds: B,
-    /// Nodes that must be below it.
+    /// The nodes that must be below it.
     below: Range<u32>,
-    /// Its parent's.
+    /// Its parent's depth.
     depth: u32,
 }
 
@@ -272,7 +271,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         Ok(found)
     }
 
-    /// What a node says of its triangles, where it does.
+    /// Checks the run of triangles that a node stores, if it stores one.
     fn check_run(&self, node: u32, found: &Found) -> Result<(), TreeError> {
         let expected = [found.places.start, found.places.end.saturating_sub(1)];
         match self.nodes.run(node) {
@@ -361,8 +360,8 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
     }
 }
 
-/// Which nodes lie below each child, of those below their parent: first all on the left, the left child as the last of them,
-/// then the right child and all below it.
+/// The nodes below each child. A node's descendants lie in this order: those of the left child, the left child, the right
+/// child, those of the right child.
 fn places(
     node: u32,
     [left, right]: [NodeRef; 2],

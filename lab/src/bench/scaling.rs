@@ -173,7 +173,7 @@ fn series(
         match point(amount) {
             Ok(point) => points.push(point),
             Err(error) if is_too_large(&error) => {
-                left_out = Some(format!("{}: {error:#}", count(amount)));
+                left_out = Some(format!("{}: {}", count(amount), output::sentence(&error)));
                 break;
             }
             Err(error) => return Err(error),

@@ -1,7 +1,8 @@
 //! The scenes to measure: files and generated scenes.
 
+use crate::scenes::TwentyFourCell;
 use anyhow::{Context, Result, bail};
-use slimbvh::generate::{self, TorusKnot, TwentyFourCell};
+use slimbvh::generate::{self, TorusKnot};
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{Mesh, Scene};
 use std::path::Path;
@@ -12,11 +13,11 @@ type Generated = (&'static str, fn() -> Scene);
 /// All generated scenes.
 const GENERATED: [Generated; 13] = [
     ("default", generate::default_scene),
-    ("shiny", generate::shiny),
-    ("doll", || generate::doll(3)),
-    ("toasters", || generate::toasters(57)),
+    ("shiny", crate::scenes::shiny),
+    ("doll", || crate::scenes::doll(3)),
+    ("toasters", || crate::scenes::toasters(57)),
     ("24-cell", || {
-        generate::twenty_four_cell(&TwentyFourCell::default())
+        crate::scenes::twenty_four_cell(&TwentyFourCell::default())
     }),
     ("teapot", || of(generate::teapot())),
     ("knot", || of(generate::torus_knot(&TorusKnot::default()))),

@@ -76,7 +76,7 @@ fn measure_all(
         match measure(subject, chosen, protocol) {
             Ok(record) => records.push(record),
             Err(error) if options.only.is_empty() && is_too_large(&error) => {
-                let why = format!("{error:#}");
+                let why = output::sentence(&error);
                 left_out.push(LeftOut { scene, why });
             }
             Err(error) => return Err(error),

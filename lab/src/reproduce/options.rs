@@ -140,7 +140,10 @@ fn or_on_cpu<R>(chosen: &Chosen, work: impl Fn(&Chosen) -> Result<R>) -> Result<
     if let (Chosen::GpuIfItFits(_), Err(error)) = (chosen, &done)
         && slimbvh_cli::backend::is_the_gpus_fault(error)
     {
-        output::warn(&format!("{error:#}; using the CPU instead"));
+        output::warn(&format!(
+            "{}; using the CPU instead",
+            output::sentence(error)
+        ));
         return work(&Chosen::Cpu);
     }
     done

@@ -43,12 +43,12 @@ pub struct Way {
     /// Bytes of the trees that are there at once, at most.
     pub tree_bytes: usize,
     pub shadow_rays: u64,
-    pub rounds: Rounds<Frame>,
+    pub rounds: Rounds<FrameTimes>,
 }
 
 /// Milliseconds of a frame.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Frame {
+pub struct FrameTimes {
     /// Trees, those that are built in turn as well.
     pub build: f64,
     /// From samples to pixels.
@@ -87,7 +87,7 @@ impl Saved {
     }
 }
 
-impl Frame {
+impl FrameTimes {
     pub fn total(&self) -> f64 {
         self.build + self.render
     }
@@ -184,7 +184,7 @@ impl<'a> Trial<'a> {
         way.tree_bytes = sizes.total.node_bytes + sizes.total.triangle_bytes;
         way.shadow_rays = report.render.shadow_ray_count;
         if counts {
-            way.rounds.0.push(Frame {
+            way.rounds.0.push(FrameTimes {
                 build: ms(&report.build),
                 render: ms(&report.render.stages),
             });

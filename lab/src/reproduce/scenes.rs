@@ -47,11 +47,15 @@ impl Subject {
     pub fn new(name: SceneName, folder: Option<&Path>, size: [u32; 2]) -> Result<Self> {
         let mut stand_in = None;
         let (shown, scene, printed) = match name {
-            SceneName::Doll => ("doll", generate::doll(3), Some(printed::DOLL)),
-            SceneName::Toasters => ("toasters", generate::toasters(57), Some(printed::TOASTERS)),
+            SceneName::Doll => ("doll", crate::scenes::doll(3), Some(printed::DOLL)),
+            SceneName::Toasters => (
+                "toasters",
+                crate::scenes::toasters(57),
+                Some(printed::TOASTERS),
+            ),
             SceneName::TwentyFourCell => (
                 "24-cell",
-                generate::twenty_four_cell(&generate::TwentyFourCell::default()),
+                crate::scenes::twenty_four_cell(&crate::scenes::TwentyFourCell::default()),
                 Some(printed::TWENTY_FOUR_CELL),
             ),
             SceneName::Armadillo => {

@@ -88,9 +88,9 @@ impl Set {
             return Ok(Subset::All);
         };
         to.set(frame, target, &Frustum::EVERYWHERE, &facing.sides)?;
-        Ok(Subset::Facing {
+        Ok(Subset::Of {
             components,
-            facing: to,
+            sides: to,
         })
     }
 }

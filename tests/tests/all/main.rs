@@ -9,6 +9,7 @@ mod decisions;
 mod deepest_trees;
 mod exact;
 mod faults;
+mod floors;
 mod fuzz_seeds;
 mod gpu;
 mod instructions;

@@ -253,9 +253,9 @@ fn sets_are_the_same_on_both_backends() {
             done(builder.sort(&mut frame, &mesh));
             for (target, bvh) in targets().iter().zip(&mut bvhs) {
                 done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1, 0]));
-                let subset = gpu::Subset::Facing {
+                let subset = gpu::Subset::Of {
                     components: &components,
-                    facing: &facing,
+                    sides: &facing,
                 };
                 done(builder.build_sorted(&mut frame, &mesh, subset, bvh));
             }
@@ -294,9 +294,9 @@ fn reduced_and_whole_trees_give_the_same_picture_on_the_gpu() {
         done(builder.build(&mut frame, &uploaded.mesh, &mut whole));
         for ((target, facing), set) in targets().iter().zip(&mut facings).zip(&mut sets) {
             done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1, 0]));
-            let subset = gpu::Subset::Facing {
+            let subset = gpu::Subset::Of {
                 components: &components,
-                facing,
+                sides: facing,
             };
             done(builder.build_sorted(&mut frame, &uploaded.mesh, subset, set));
         }

@@ -173,7 +173,7 @@ fn sets_in_turn_are_built_once_and_only_where_needed() {
         done(Plan::new(&topology, &asked))
     };
     let [usual, careless, held] = [&[][..], &[Saving::Unseen], &[Saving::Turns]].map(plan);
-    assert!(usual.in_turn && careless.in_turn && !held.in_turn);
+    assert!(usual.defers_lights && careless.defers_lights && !held.defers_lights);
     let place = usual.target_of_light()[last];
     assert_eq!(usual.targets[place].lights, [last]);
     let all: Vec<usize> = (1..usual.targets.len()).collect();

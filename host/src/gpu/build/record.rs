@@ -36,15 +36,15 @@ impl Builder {
     }
 
     /// Stages `classify`, `scan` and `compact`, and the tree over what these leave.
-    pub(super) fn record_build_facing(
+    pub(super) fn record_build_set(
         &mut self,
         gpu: &Gpu,
         recorder: &mut Recorder,
         mesh: &Mesh,
         bvh: &Built,
-        (components, facing): (&Components, &TargetRanges),
+        (components, sides): (&Components, &TargetRanges),
     ) {
-        let set = &self.record_classify(gpu, recorder, mesh, bvh, (components, facing));
+        let set = &self.record_classify(gpu, recorder, mesh, bvh, (components, sides));
         recorder.stage("snap");
         self.record_tree(gpu, recorder, mesh, bvh, set);
     }

@@ -1,6 +1,6 @@
 //! One wave of samples: from the camera to the pixels.
 
-use super::{Plan, WAVE, counters};
+use super::{PicturePlan, WAVE, counters};
 use crate::gpu::program::{Recorder, Uniform, threads};
 use crate::picture::{RenderSettings, View};
 use slimbvh_core::Hit;
@@ -44,7 +44,7 @@ pub fn waves(settings: &RenderSettings, limit_bytes: u64) -> Vec<Wave> {
         .collect()
 }
 
-impl Plan<'_> {
+impl PicturePlan<'_> {
     /// Records all stages of a wave.
     pub fn record_wave(&self, recorder: &mut Recorder, wave: &Wave) {
         let samples = u64::from(wave.sample_count);

@@ -25,10 +25,10 @@ impl TreeRanges {
                 let reads = [nodes, triangles, components, sides, paths];
                 recorder.dispatch(kernel, &uniforms, &reads, &to, each);
             }
-            (None, Some((components, facing))) => recorder.dispatch(
+            (None, Some((components, sides))) => recorder.dispatch(
                 Kernel::trace_paths_facing,
-                &[exponent, facing.target()],
-                &[nodes, triangles, &components.0, &facing.sides, paths],
+                &[exponent, sides.target()],
+                &[nodes, triangles, &components.0, &sides.sides, paths],
                 &to,
                 each,
             ),
@@ -69,10 +69,10 @@ impl TreeRanges {
                 let reads = [nodes, triangles, components, sides, shadows];
                 recorder.update(kernel, &uniforms, &reads, &to, each);
             }
-            (None, Some((components, facing))) => recorder.update(
+            (None, Some((components, sides))) => recorder.update(
                 Kernel::trace_shadows_facing,
-                &[exponent, facing.target()],
-                &[nodes, triangles, &components.0, &facing.sides, shadows],
+                &[exponent, sides.target()],
+                &[nodes, triangles, &components.0, &sides.sides, shadows],
                 &to,
                 each,
             ),
@@ -88,7 +88,7 @@ impl TreeRanges {
         exponent: Uniform<'a>,
     ) -> ([Uniform<'a>; 3], [&'a Range; 2]) {
         let (target, ranges) = match &self.rule {
-            Some((components, facing)) => (facing.target(), [&components.0, &facing.sides]),
+            Some((components, sides)) => (sides.target(), [&components.0, &sides.sides]),
             None => {
                 let nothing = &coded.nothing;
                 (Uniform::Stored(nothing), [nothing, nothing])

@@ -4,6 +4,7 @@ use thiserror::Error;
 
 /// What is wrong with a glTF scene. Indices count from 0, as in the JSON.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum GltfError {
     /// The JSON cannot be read as glTF 2.0.
     #[error("the JSON is not glTF 2.0: {message}")]

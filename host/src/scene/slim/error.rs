@@ -7,6 +7,7 @@ use thiserror::Error;
 
 /// Why a file is refused: one sentence about it, without its name.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum FileError {
     /// It is of another kind.
     #[error("it is not a slim file: it begins with \"{found}\"")]
@@ -146,6 +147,7 @@ pub enum FileError {
 
 /// What a scene or a hierarchy has that no file may.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum ContentError {
     /// The mesh is not sound.
     #[error(transparent)]
@@ -191,6 +193,7 @@ pub enum ContentError {
         /// Which, counted from 0; the message counts from 1.
         camera: usize,
         /// What is wrong with it.
+        #[source]
         error: ViewError,
     },
     /// A light gives no light.
@@ -203,6 +206,7 @@ pub enum ContentError {
 
 /// Why a file cannot be written.
 #[derive(Debug, Error)]
+#[non_exhaustive]
 pub enum WriteError {
     /// What is to be in it is not sound.
     #[error(transparent)]

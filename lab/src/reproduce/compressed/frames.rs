@@ -10,13 +10,13 @@ use std::collections::BTreeMap;
 /// A frame with the plain tree, and the same frame with a method.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Round {
-    pub plain: Frame,
-    pub own: Frame,
+    pub plain: FrameTimes,
+    pub own: FrameTimes,
 }
 
 /// Milliseconds of a frame's parts.
 #[derive(Clone, Debug, Default, Serialize)]
-pub struct Frame {
+pub struct FrameTimes {
     /// All stages of the build except encoding.
     pub construction: f64,
     /// Encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
@@ -26,7 +26,7 @@ pub struct Frame {
     pub stages: BTreeMap<&'static str, f64>,
 }
 
-impl Frame {
+impl FrameTimes {
     /// Builds a tree and renders a picture.
     fn take<B: Backend>(steps: &mut Steps<B>, settings: &RenderSettings) -> Result<Self> {
         let build = steps.build_all()?;
@@ -65,7 +65,7 @@ impl Round {
     /// The time that the codec adds to the build, as a share of building the plain tree. On the CPU encoding also finds the
     /// boxes, so that the two cannot be separated.
     pub fn added(&self) -> f64 {
-        let built = |frame: &Frame| frame.construction + frame.encoding;
+        let built = |frame: &FrameTimes| frame.construction + frame.encoding;
         built(&self.own) / built(&self.plain) - 1.0
     }
 
@@ -84,8 +84,8 @@ pub fn take_turns<B: Backend>(
     let mut rounds = Rounds::default();
     for round in 0..=count {
         let times = Round {
-            plain: Frame::take(plain, settings)?,
-            own: Frame::take(own, settings)?,
+            plain: FrameTimes::take(plain, settings)?,
+            own: FrameTimes::take(own, settings)?,
         };
         if round > 0 {
             rounds.0.push(times);
@@ -110,7 +110,7 @@ mod tests {
     #[test]
     fn times_are_those_of_their_stages() {
         let build = stages(&[("sort", 5), ("encode", 2), ("refit", 3)]);
-        let own = Frame::new(&build, &stages(&[("trace", 7), ("shade", 4)]));
+        let own = FrameTimes::new(&build, &stages(&[("trace", 7), ("shade", 4)]));
         assert_eq!(
             (own.construction, own.encoding, own.rendering),
             (8.0, 2.0, 11.0)
@@ -119,7 +119,7 @@ mod tests {
             (own.total(), own.stage("shade"), own.stage("scan")),
             (21.0, 4.0, 0.0)
         );
-        let plain = Frame::new(
+        let plain = FrameTimes::new(
             &stages(&[("sort", 5), ("refit", 3)]),
             &stages(&[("trace", 9)]),
         );

@@ -4,7 +4,7 @@ use super::super::scenes::{DRAGON, DRAGON_TRIANGLES, Source, dented_ball};
 use super::SceneName;
 use super::printed::{self, Printed};
 use anyhow::Result;
-use slimbvh::generate::{self, TorusKnot, smooth_normals, split_longest, torus_knot};
+use slimbvh::generate::{TorusKnot, smooth_normals, split_longest, torus_knot};
 use slimbvh::{Mesh, Scene};
 use std::path::Path;
 
@@ -32,7 +32,7 @@ impl Subject {
     pub fn new(name: SceneName, folder: Option<&Path>, size: [u32; 2]) -> Result<Self> {
         let mut stand_in = None;
         let (shown, mut scene, printed) = match name {
-            SceneName::Shiny => ("shiny", generate::shiny(), Some(printed::SHINY)),
+            SceneName::Shiny => ("shiny", crate::scenes::shiny(), Some(printed::SHINY)),
             SceneName::Bunny => {
                 let scene = BUNNY.load(folder, &mut stand_in)?;
                 ("bunny", scene, Some(printed::BUNNY))

@@ -4,7 +4,7 @@ mod memory;
 mod times;
 
 use super::bench::Place;
-use super::frames::Frame;
+use super::frames::FrameTimes;
 use super::measure::{MethodRecord, STRONG, SceneRecord};
 use super::methods::Method;
 use crate::measure::table::Table;
@@ -225,7 +225,7 @@ fn widths(records: &[SceneRecord], place: Place) -> Table {
                 true => CPU_ONLY.to_owned(),
                 false => cell,
             };
-            let of_plain = |of: fn(&Frame) -> f64| {
+            let of_plain = |of: fn(&FrameTimes) -> f64| {
                 or_not(ratio(
                     rounds.median(|round| of(&round.own) / of(&round.plain)),
                 ))

@@ -1,7 +1,7 @@
 //! The targets, and whether they are met.
 
 use super::bench::Place;
-use super::frames::{Frame, Round};
+use super::frames::{FrameTimes, Round};
 use super::measure::{MethodRecord, SceneRecord};
 use super::methods::Method;
 use crate::measure::step::Step;
@@ -72,7 +72,7 @@ const FASTER: [Target; 2] = [
     Target {
         what: "a frame / plain, but for the smallest scene",
         bound: 1.0,
-        of: |own, _| of_plain(own, Frame::total),
+        of: |own, _| of_plain(own, FrameTimes::total),
         is_for_smallest: false,
     },
 ];
@@ -87,7 +87,7 @@ fn targets(place: Place) -> Vec<&'static Target> {
     }
 }
 
-fn of_plain(own: &MethodRecord, of: fn(&Frame) -> f64) -> f64 {
+fn of_plain(own: &MethodRecord, of: fn(&FrameTimes) -> f64) -> f64 {
     own.rounds.median(|round| of(&round.own) / of(&round.plain))
 }
 

@@ -3,7 +3,7 @@
 use super::{ratio, time};
 use crate::measure::table::Table;
 use crate::reproduce::measure::SceneRecord;
-use crate::reproduce::savings::{Frame, SavingRecord};
+use crate::reproduce::savings::{FrameTimes, SavingRecord};
 use slimbvh_cli::output::{bytes, count};
 
 /// One row per saving, if they were measured.
@@ -49,12 +49,12 @@ fn row(record: &SavingRecord) -> Vec<String> {
         bytes(without.tree_bytes),
         count(with.shadow_rays),
         count(without.shadow_rays),
-        time(with.rounds.median(Frame::total)),
-        time(without.rounds.median(Frame::total)),
+        time(with.rounds.median(FrameTimes::total)),
+        time(without.rounds.median(FrameTimes::total)),
         ratio(
             without
                 .rounds
-                .ratio(Frame::total, &with.rounds, Frame::total),
+                .ratio(FrameTimes::total, &with.rounds, FrameTimes::total),
         ),
     ]
 }

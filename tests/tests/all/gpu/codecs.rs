@@ -243,9 +243,9 @@ fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
             for target in &targets {
                 let (mut facing, mut bvh) = (TargetSides::new(), gpu::Bvh::new());
                 done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1]));
-                let subset = Subset::Facing {
+                let subset = Subset::Of {
                     components: &on_gpu,
-                    facing: &facing,
+                    sides: &facing,
                 };
                 done(builder.build_sorted(&mut frame, &uploaded, subset, &mut bvh));
                 sets.push(bvh);

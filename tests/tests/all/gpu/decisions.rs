@@ -358,9 +358,9 @@ fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usiz
         (&aim.target, &aim.frustum),
         Answer::Facing,
     ));
-    let subset = gpu::Subset::Facing {
+    let subset = gpu::Subset::Of {
         components: &components,
-        facing: &facing,
+        sides: &facing,
     };
     done(builder.build_sorted(&mut frame, &uploaded, subset, &mut bvh));
     done(frame.submit());

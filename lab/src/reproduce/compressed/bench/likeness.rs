@@ -131,7 +131,7 @@ fn unlike(a: &[[u32; 2]], b: &[[u32; 2]]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slimbvh::{BuildConfig, LatticeBits, NodeCodec, generate};
+    use slimbvh::{BuildConfig, LatticeBits, NodeCodec};
 
     #[test]
     fn one_count_that_differs_is_found() {
@@ -151,7 +151,7 @@ mod tests {
     /// The sampled rays distinguish trees with nodes of other bits.
     #[test]
     fn counts_of_sampled_rays_tell_codecs_apart() {
-        let mut scene = generate::shiny();
+        let mut scene = crate::scenes::shiny();
         scene.complete(scene.mesh.bounds(), [192, 108]);
         let settings = RenderSettings {
             size: [192, 108],

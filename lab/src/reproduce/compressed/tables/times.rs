@@ -1,7 +1,7 @@
 //! Tables of the times of frames, whole and by stage.
 
 use super::super::bench::Place;
-use super::super::frames::{Frame, Round};
+use super::super::frames::{FrameTimes, Round};
 use super::super::measure::SceneRecord;
 use super::super::methods::Method;
 use super::super::printed::Printed;
@@ -19,8 +19,8 @@ pub fn frames(records: &[SceneRecord], place: Place) -> Table {
         }
         for own in main_methods(record) {
             let rounds = &own.rounds;
-            let median = |of: fn(&Frame) -> f64| time(rounds.median(|round| of(&round.own)));
-            let of_plain = |of: fn(&Frame) -> f64| {
+            let median = |of: fn(&FrameTimes) -> f64| time(rounds.median(|round| of(&round.own)));
+            let of_plain = |of: fn(&FrameTimes) -> f64| {
                 ratio(rounds.median(|round| of(&round.own) / of(&round.plain)))
             };
             rows.push(vec![
@@ -32,8 +32,8 @@ pub fn frames(records: &[SceneRecord], place: Place) -> Table {
                 percent(rounds.median(Round::added)),
                 median(|frame| frame.rendering),
                 of_plain(|frame| frame.rendering),
-                median(Frame::total),
-                of_plain(Frame::total),
+                median(FrameTimes::total),
+                of_plain(FrameTimes::total),
                 percent(rounds.spread(|round| round.own.total())),
             ]);
         }

@@ -1,9 +1,9 @@
 //! A doll of wood.
 
-use super::compose::concatenate;
-use super::{RoundCone, icosphere, round_cone};
-use crate::{Camera, Light, Material, Mesh, Projection, Scene};
 use glam::{Quat, Vec3};
+use slimbvh::generate::concatenate;
+use slimbvh::generate::{RoundCone, icosphere, round_cone};
+use slimbvh::{Camera, Light, Material, Mesh, Projection, Scene};
 
 /// An artist's doll with ball joints, 2 high, in mid-step, as a scene with a camera and a light. Head, chest, hips, hands
 /// and feet are ellipsoids, joints are balls, limbs are [`round_cone`]s: 29 solids, which overlap at the joints. About
@@ -210,7 +210,7 @@ impl Doll {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generate::checks::{assert_solid, assert_unit_normals};
+    use slimbvh::internals::{assert_solid, assert_unit_normals};
 
     #[test]
     fn every_part_is_solid() {
@@ -225,7 +225,7 @@ mod tests {
         // Joined: every part's box meets another's.
         let components = assert_solid(&mesh);
         for (i, a) in components.iter().enumerate() {
-            let meets = |b: &crate::analysis::Component| {
+            let meets = |b: &slimbvh::analysis::Component| {
                 let (a, b) = (a.bounds, b.bounds);
                 a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
             };

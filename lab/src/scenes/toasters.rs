@@ -1,9 +1,9 @@
 //! Two toasters.
 
-use super::compose::concatenate;
-use super::{RoundedBox, Sides, cuboid, rounded_box, transformed};
-use crate::{Camera, Light, Material, Mesh, Projection, Scene};
 use glam::{Quat, Vec3};
+use slimbvh::generate::concatenate;
+use slimbvh::generate::{RoundedBox, Sides, cuboid, rounded_box, transformed};
+use slimbvh::{Camera, Light, Material, Mesh, Projection, Scene};
 
 /// Two toasters with slots, slices, levers, knobs and feet, 1.6 wide, on one board of 12 triangles, as a scene with a
 /// camera and a light. Every part is a solid of its own.
@@ -148,7 +148,7 @@ fn add(mesh: &mut Mesh, part: &Mesh, material: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generate::checks::assert_solid;
+    use slimbvh::internals::assert_solid;
 
     #[test]
     fn every_part_is_solid() {

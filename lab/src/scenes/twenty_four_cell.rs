@@ -1,10 +1,10 @@
 //! The 24-cell.
 
-use super::compose::concatenate;
-use super::icosphere;
-use super::rings::{Vertex, close_rings};
-use crate::{Camera, Light, Material, Mesh, Scene};
 use glam::{Vec3, Vec4};
+use slimbvh::generate::concatenate;
+use slimbvh::generate::icosphere;
+use slimbvh::internals::{Vertex, close_rings};
+use slimbvh::{Camera, Light, Material, Mesh, Scene};
 use std::f32::consts::TAU;
 
 /// How finely [`twenty_four_cell`] is made.
@@ -77,7 +77,7 @@ pub fn twenty_four_cell(measures: &TwentyFourCell) -> Scene {
             eye: [3.4, 3.2, 9.6],
             target: [0.0; 3],
             up: [0.0, 1.0, 0.0],
-            projection: crate::Projection::Perspective { vertical_fov: 38.0 },
+            projection: slimbvh::Projection::Perspective { vertical_fov: 38.0 },
         }],
         ..Scene::default()
     };
@@ -149,7 +149,7 @@ fn edge(a: Vec4, b: Vec4, measures: &TwentyFourCell) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generate::checks::{assert_solid, assert_unit_normals};
+    use slimbvh::internals::{assert_solid, assert_unit_normals};
 
     #[test]
     fn every_edge_and_corner_is_solid() {

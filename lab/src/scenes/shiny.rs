@@ -1,8 +1,8 @@
 //! Mirrors and a prism around a ball.
 
-use super::{append, cuboid, icosphere, transformed};
-use crate::{Camera, Light, Material, Mesh, Projection, Scene};
 use glam::{Quat, Vec3};
+use slimbvh::generate::{append, cuboid, icosphere, transformed};
+use slimbvh::{Camera, Light, Material, Mesh, Projection, Scene};
 use std::f32::consts::TAU;
 
 /// An icosphere in front of five mirrors, beside a prism of glass, on a square of four triangles: 152 triangles, as a scene
@@ -136,7 +136,7 @@ fn prism() -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::generate::checks::assert_solid;
+    use slimbvh::internals::assert_solid;
 
     #[test]
     fn it_has_as_many_triangles_as_the_papers() {

@@ -1,0 +1,68 @@
+//! Which triangles of a mesh count for a target, and the choice between L+ and L−.
+
+use super::Costs;
+use super::sample::Samples;
+use super::target::{FacingSet, ViewTarget};
+use crate::Scene;
+use crate::topology::{Facts, Topology};
+use slimbvh_core::Aabb;
+use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::float::PowerOfTwo;
+
+/// The surfaces, and samples of the triangles.
+pub struct MeshSurvey<'a> {
+    topology: &'a Topology,
+    facts: Vec<Facts>,
+    samples: Samples<'a>,
+}
+
+impl<'a> MeshSurvey<'a> {
+    /// Of a scene's mesh with these bounds.
+    pub fn new(topology: &'a Topology, scene: &'a Scene, bounds: &Aabb) -> Self {
+        let scale = PowerOfTwo::new(scene_exponent(bounds));
+        Self {
+            topology,
+            facts: topology.facts(),
+            samples: Samples::new(scene, topology.components(), scale),
+        }
+    }
+
+    /// Finds which sides of which components a target sees, and what share of all triangles.
+    pub fn measure(&self, view: &mut ViewTarget) {
+        view.sides = self.topology.sides(&(&view.target).into());
+        let reducible = view.sides.iter().zip(&self.facts);
+        view.reducible_count = reducible
+            .filter(|(side, _)| **side != 0)
+            .map(|(_, facts)| facts.triangle_count - facts.seam_count)
+            .sum();
+        if view.may_be_set() {
+            view.share = self.samples.share(&view.sides, &view.target, &view.frustum);
+        }
+    }
+
+    /// Chooses L− over L+ for lights where that costs less and the eye, too, is outside of all that these lights are outside of:
+    /// then every shadow ray starts outside, and meets as many triangles of either set.
+    pub fn take_cheaper_set(
+        &self,
+        view: &mut ViewTarget,
+        eye_sides: &[i32],
+        cost_ms: impl Fn(&ViewTarget) -> f64,
+    ) {
+        let mut pairs = view.sides.iter().zip(eye_sides);
+        if view.reducible_count == 0 || pairs.any(|(light, eye)| *light != 0 && *eye == 0) {
+            return;
+        }
+        let sides: Vec<i32> = view.sides.iter().map(|side| -side).collect();
+        let share = self.samples.share(&sides, &view.target, &view.frustum);
+        let back = ViewTarget {
+            effort: Costs::MEASURED.away_effort(view.share + share - 1.0),
+            share,
+            half: FacingSet::Back,
+            sides,
+            ..view.clone()
+        };
+        if cost_ms(&back) < cost_ms(view) {
+            *view = back;
+        }
+    }
+}
