@@ -23,7 +23,6 @@ mod reduced_scenes;
 mod refits;
 mod rejecting;
 mod repeatable;
-mod rooms;
 mod saved;
 mod trees;
 mod unculled;
