@@ -59,7 +59,7 @@ pub struct FrameReport<B: Backend> {
     pub render: RenderReport,
     /// The place among the plan's targets of each deferred set that was built, and its size.
     pub deferred: Vec<(usize, TreeSize)>,
-    /// The [cost](crate::animate::sah_cost) of the tree for all rays, where it is known.
+    /// The [cost](crate::Bvh::sah_cost) of the tree for all rays, where it is known.
     pub sah_cost: Option<f64>,
     /// What the backend decided by itself.
     pub decisions: Option<B::Decisions>,
