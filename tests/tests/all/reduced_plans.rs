@@ -173,7 +173,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
         (choices, needs_whole),
         (vec![TreeChoice::Set, TreeChoice::Whole], true)
     );
-    assert!(said.contains("not certainly outside of 1 closed component, which stays whole"));
+    assert!(said.contains("possibly inside 1 closed component, which stays whole"));
     assert!(said.contains("whole tree: is built, for light 1"));
     // A mirror.
     let mut mirror = scene(ball(), &[]);
@@ -351,7 +351,7 @@ fn what_is_outside_the_picture_is_left_out_of_the_cameras_set() {
     near.cameras[0].target = [0.0, 0.0, -0.5];
     let (choices, needs_whole, said) = decided(&asked(&near, &settings, on, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], false));
-    assert!(said.contains("nothing outside the picture"), "{said}");
+    assert!(said.contains("leaves out triangles outside the picture"), "{said}");
     let savings = Savings::ALL.without(Saving::Frustum);
     let (choices, ..) = decided(&asked(&near, &settings, Switches { savings, ..on }, 1));
     assert_eq!(choices, [TreeChoice::Whole]);
