@@ -80,7 +80,7 @@ pub trait DeferredTrees<B: Backend> {
 /// When a light's tree is built.
 #[derive(Debug)]
 pub enum Deferral<'a, B: Backend> {
-    /// It is among [`Trees::lights`].
+    /// Before the picture: it is among [`Trees::lights`].
     Ready,
     /// During the picture, before the light's rays are traced.
     Always(&'a B::Bvh),
@@ -114,14 +114,14 @@ impl Default for TargetSides {
 pub struct TargetSet<'a, 's, B: Backend> {
     /// The component of each triangle.
     pub components: B::Components<'a>,
-    /// The target, and which sides count.
+    /// The target, and the sides that rays may hit.
     pub sides: &'s B::TargetSides,
 }
 
 /// The mesh that trees are built over.
 #[derive(Debug)]
 pub struct Source<'a, B: Backend> {
-    /// What the backend holds of the scene.
+    /// The scene as the backend holds it.
     pub held: &'a B::Scene,
     /// The mesh on the host.
     pub mesh: &'a Mesh,
@@ -138,11 +138,11 @@ impl<B: Backend> Copy for Source<'_, B> {}
 /// What changed in a scene since the previous frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// It is another scene.
+    /// The scene is another one.
     Scene,
-    /// Vertices moved, with their normals, and cameras and lights may have.
+    /// Vertices and normals moved. Cameras and lights may have moved too.
     Vertices,
-    /// No vertex moved; cameras and lights may have.
+    /// No vertex moved. Cameras and lights may have moved.
     View,
 }
 

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-/// A fault for which a mesh cannot be built from.
+/// A fault that makes a mesh unfit to build from.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MeshError {

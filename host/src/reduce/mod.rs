@@ -45,7 +45,7 @@ pub enum Cull {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Reduce {
-    /// Where it saves time.
+    /// If the cost model predicts a gain.
     #[default]
     Auto,
     /// If any triangle may be left out.
@@ -60,18 +60,18 @@ pub enum Seams {
     /// By a search, which needs a whole tree.
     #[default]
     Find,
-    /// The caller promises that there are none: no closed part cuts itself or has an inverted lobe.
+    /// Not at all: the caller promises that no closed part intersects itself or has an inverted lobe.
     None,
 }
 
 /// The caller's settings of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Switches {
-    /// None where the plan decides: on where the surfaces are surveyed, else off.
+    /// `None`: on if the surfaces are surveyed, else off.
     pub cull: Option<Cull>,
     /// Whether to build reduced trees.
     pub reduce: Reduce,
-    /// Whether to look for seams.
+    /// Whether to search for seams.
     pub seams: Seams,
     /// The savings allowed.
     pub savings: Savings,
@@ -92,8 +92,8 @@ pub struct PlanRequest<'a> {
     pub scene: &'a Scene,
     /// How pictures are made.
     pub settings: &'a RenderSettings,
-    /// What the caller wants.
+    /// The caller's settings.
     pub switches: Switches,
-    /// How many frames share a survey. Each builds its own trees.
+    /// The number of frames that share a survey. Each builds its own trees.
     pub frame_count: u32,
 }

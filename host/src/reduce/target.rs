@@ -13,7 +13,7 @@ use slimbvh_core::orientation::Target;
 pub enum TargetKind {
     /// From the camera.
     Camera,
-    /// To one light, or to some.
+    /// To one light, or to a group.
     Lights,
 }
 
@@ -29,11 +29,11 @@ pub enum FacingSet {
 /// The tree that rays of one kind are traced through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TreeChoice {
-    /// A tree over the triangles that count.
+    /// A tree over the triangles that rays may hit.
     Set,
-    /// The whole tree, where the rule says what counts if there was a survey.
+    /// The whole tree, with the facing filter if there was a survey.
     Whole,
-    /// There are no such rays.
+    /// None: there are no such rays.
     Unused,
 }
 

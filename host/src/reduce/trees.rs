@@ -12,7 +12,7 @@ use crate::backend::{
 #[derive(Debug)]
 pub struct Hierarchies<B: Backend> {
     whole: B::Bvh,
-    /// Whether the whole tree is that of the mesh as it is.
+    /// Whether the whole tree matches the present mesh.
     has_whole: bool,
     /// One entry a target, or more.
     sets: Vec<OwnSet<B>>,

@@ -284,7 +284,7 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CodecError {
-    /// Triangles are coded in leaf boxes of the paper10 codec.
+    /// Triangles are coded relative to leaf boxes of the paper10 codec.
     #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]
     Leaf10WithoutPaper10,
     /// Triangles are coded relative to leaf boxes of the lattice codec.

@@ -180,7 +180,7 @@ pub enum TreeError {
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum RefitError {
-    /// The mesh itself is unfit.
+    /// The mesh itself is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The mesh is another one.

@@ -137,7 +137,7 @@ fn declining_says_why_with_figures() {
     assert!(
         lines[0]
             .1
-            .contains(" ms; it should save 2 times as much, and hardly saves more than "),
+            .contains(" ms and must save more than 2 times as much; it is expected to save at most "),
         "{lines:?}"
     );
 }

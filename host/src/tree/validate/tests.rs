@@ -295,7 +295,7 @@ fn coded() -> Vec<Bvh> {
     all
 }
 
-/// Flips every bit of nodes and triangles in codecs. Nothing panics. A tree that passes answers to the bit as before: only
+/// Flips bits of nodes and triangles in codecs. Nothing panics. A tree that passes answers to the bit as before: only
 /// planes may lie further out, and unused bits may change. Triangles coded by floats in their leaf's box may move within
 /// it; then the tree answers as a brute-force search of its triangles.
 #[test]
