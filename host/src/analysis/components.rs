@@ -41,7 +41,7 @@ fn measure(mesh: &Mesh, labels: &Labels) -> Vec<Component> {
     };
 
     // Bounds first, because volumes are relative to their middle.
-    let nothing = Component {
+    let empty = Component {
         triangle_count: 0,
         closed: true,
         consistently_wound: true,
@@ -49,7 +49,7 @@ fn measure(mesh: &Mesh, labels: &Labels) -> Vec<Component> {
         signed_volume: 0.0,
         bounds: Aabb::EMPTY,
     };
-    let mut components = vec![nothing; labels.count as usize];
+    let mut components = vec![empty; labels.count as usize];
     for (corners, label) in faces() {
         components[label].triangle_count += 1;
         let bounds = &mut components[label].bounds;

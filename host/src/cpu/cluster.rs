@@ -20,8 +20,8 @@ const TASK: u32 = 8192;
 #[derive(Debug, Default)]
 pub struct Clustering {
     merges: Vec<Merged>,
-    active: Left,
-    next: Left,
+    active: Clusters,
+    next: Clusters,
     merging: Selection,
     /// For each place in the tree, the index of the triangle in the order of the curve.
     order: Vec<u32>,
@@ -30,13 +30,13 @@ pub struct Clustering {
 
 /// The clusters of a round, in order. The lists only grow.
 #[derive(Debug, Default)]
-struct Left {
+struct Clusters {
     ids: Vec<u32>,
     boxes: Vec<PyramidBox>,
     count: usize,
 }
 
-impl Left {
+impl Clusters {
     /// Makes room for `count` clusters.
     fn resize(&mut self, count: usize) {
         if count > self.ids.len() {

@@ -111,14 +111,14 @@ impl Decisions {
             target: light.scaled(&scale),
         };
         let blocks = (0..(mesh.indices.len() as u32).div_ceil(BLOCK)).into_par_iter();
-        let nothing = SetCounts::default();
+        let none = SetCounts::default();
         let blocks = blocks.map(|block| {
             let own = |lane| lane_counts(block, lane, &choice);
-            reduce(nothing, own, count_step::<LANES>)
+            reduce(none, own, count_step::<LANES>)
         });
         let blocks: Vec<SetCounts> = blocks.collect();
         let own = |lane| lane_total(lane, &blocks);
-        let counts = reduce(nothing, own, count_step::<LANES>).decided();
+        let counts = reduce(none, own, count_step::<LANES>).decided();
         if counts.is_minus == 1 {
             for side in sides {
                 *side = -*side;
@@ -130,11 +130,11 @@ impl Decisions {
 
 /// The reduction of a workgroup's lanes, in the order of its steps.
 fn reduce<T: Copy>(
-    nothing: T,
+    identity: T,
     own: impl Fn(u32) -> T,
     step: impl Fn(u32, u32, &[T; LANES]) -> T,
 ) -> T {
-    let mut all = [nothing; LANES];
+    let mut all = [identity; LANES];
     for (lane, value) in (0..).zip(&mut all) {
         *value = own(lane);
     }

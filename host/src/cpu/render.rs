@@ -99,7 +99,9 @@ impl Renderer {
         match self.render_shot(&shot, None, output) {
             Ok(report) => Ok(report),
             Err(CpuError::View(error)) => Err(error),
-            Err(CpuError::Mesh(_) | CpuError::Refit(_)) => unreachable!("nothing is built"),
+            Err(CpuError::Mesh(_) | CpuError::Refit(_)) => {
+                unreachable!("a render without deferred trees builds none")
+            }
         }
     }
 

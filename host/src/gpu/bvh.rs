@@ -18,7 +18,7 @@ use wgpu::BufferUsages;
 const STATE_BYTES: u64 = 16;
 
 /// Bytes of a placeholder for a target, and for components and sides.
-const NOTHING_BYTES: u64 = 32;
+const PLACEHOLDER_BYTES: u64 = 32;
 
 /// A bounding volume hierarchy in the GPU's memory. A [`super::Builder`] fills it, and can fill it again without
 /// allocating; or [`Self::upload`] does.
@@ -32,7 +32,7 @@ pub struct Bvh {
     triangles: Slot,
     root: Slot,
     word_total: Slot,
-    nothing: Slot,
+    placeholder: Slot,
     /// The stamp of the build, if the hierarchy is in a codec; else 0.
     pub(super) stamp: u64,
     exponent: Slot,
@@ -81,7 +81,7 @@ pub struct Coded {
     /// The number of words of all triangles, the first of four numbers, if triangles vary in size.
     pub word_total: Range,
     /// Zeros, bound where a kernel requires sides or a target and there are none.
-    pub nothing: Range,
+    pub placeholder: Range,
 }
 
 impl Built {
@@ -108,7 +108,7 @@ impl Default for Bvh {
             triangles: Slot::new("slimbvh leaf triangles", copied_to),
             root: Slot::new("slimbvh root", state),
             word_total: Slot::new("slimbvh triangle word count", state),
-            nothing: Slot::new("slimbvh no sides", state),
+            placeholder: Slot::new("slimbvh no sides", state),
             stamp: 0,
             exponent: Slot::new("slimbvh scene exponent", state),
             bounds: Slot::new("slimbvh scene bounds", state),
@@ -152,7 +152,7 @@ impl Bvh {
                 triangles: self.triangles.range(gpu, bytes.unwrap_or(triangle_bytes)),
                 root: self.root.range(gpu, size_of::<RootWords>() as u64),
                 word_total: self.word_total.range(gpu, STATE_BYTES),
-                nothing: self.nothing.range(gpu, NOTHING_BYTES),
+                placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             }
         });
         let nodes = match coding {
@@ -208,7 +208,7 @@ impl Bvh {
             &self.triangles,
             &self.root,
             &self.word_total,
-            &self.nothing,
+            &self.placeholder,
             &self.exponent,
             &self.bounds,
             &self.total,

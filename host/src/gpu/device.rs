@@ -148,7 +148,7 @@ impl Gpu {
         if let Some(pipeline) = self.pipelines.compiled(kernel) {
             return Ok(pipeline);
         }
-        // Kept only if nothing was found fault with.
+        // Kept only if compilation reported no error.
         let pipeline = self.checked(|| compile(&self.device, kernel))?;
         self.pipelines.keep(kernel, &pipeline);
         Ok(pipeline)

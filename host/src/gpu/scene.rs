@@ -69,12 +69,12 @@ impl Scene {
         let materials = scene.core_materials();
         gpu.checked(|| {
             let usage = BufferUsages::STORAGE;
-            let nothing = || Range::whole(&upload::<[f32; 3]>(gpu, "slimbvh nothing", usage, &[]));
+            let empty = || Range::whole(&upload::<[f32; 3]>(gpu, "slimbvh nothing", usage, &[]));
             let buffer = upload(gpu, "slimbvh materials", usage, &materials);
             Ok(Self {
                 mesh,
-                normals: normals.unwrap_or_else(nothing),
-                material_indices: material_indices.unwrap_or_else(nothing),
+                normals: normals.unwrap_or_else(empty),
+                material_indices: material_indices.unwrap_or_else(empty),
                 materials: Range::whole(&buffer),
                 has_mirrors: has_mirrors(&materials),
             })

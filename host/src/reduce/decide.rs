@@ -14,7 +14,7 @@ const LIKELY_SHARE: f64 = 0.5;
 /// Rays of one kind, as input of the cost model.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate {
-    /// Which rays.
+    /// The kind of the rays.
     pub kind: TargetKind,
     /// Time of a ray in the set, divided by that in a set of the same size that faces the target.
     pub effort: f64,
@@ -92,13 +92,13 @@ pub fn decline(
     has_mirrors: bool,
 ) -> Option<String> {
     let count = request.scene.mesh.indices.len() as f64;
-    let mut hoped: Vec<Candidate> = candidates.to_vec();
-    for candidate in &mut hoped {
+    let mut guessed: Vec<Candidate> = candidates.to_vec();
+    for candidate in &mut guessed {
         candidate.may_be_set = true;
         candidate.share = LIKELY_SHARE;
     }
-    estimate(&mut hoped, request);
-    let (saving, _) = best_saving(&hoped, request, has_mirrors);
+    estimate(&mut guessed, request);
+    let (saving, _) = best_saving(&guessed, request, has_mirrors);
     let survey = COSTS.survey_ms(count, request.switches.seams);
     let frame_count = f64::from(request.frame_count);
     (saving * frame_count <= CAUTION * survey).then(|| {

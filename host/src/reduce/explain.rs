@@ -139,9 +139,10 @@ fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
             "not closed",
             &(|facts: &Facts| !facts.closed) as &dyn Fn(&Facts) -> bool,
         ),
-        ("closed, but the sign of the volume is uncertain", &|facts| {
-            facts.closed && !facts.reducible
-        }),
+        (
+            "closed, but the sign of the volume is uncertain",
+            &|facts| facts.closed && !facts.reducible,
+        ),
     ] {
         let (count, triangles) = total(which);
         if count > 0 {

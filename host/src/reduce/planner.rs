@@ -122,7 +122,8 @@ impl Planner {
     ) -> Result<Option<Plan<'static>>, ViewError> {
         let request = self.request(scene, settings);
         if self.config.must_stay_plain() {
-            let reason = "a deforming mesh may come to intersect itself; --solid promises that it does not";
+            let reason =
+                "a deforming mesh may come to intersect itself; --solid promises that it does not";
             return Plan::plain(&request, reason.to_owned()).map(Some);
         }
         Plan::without_survey(&request)

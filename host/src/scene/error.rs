@@ -91,7 +91,7 @@ pub enum LoadError {
     },
     /// An OFF file of an unsupported kind.
     #[error(
-        "\"{file}\" begins with \"{header}\"; of OFF files, text with the prefixes C, N and ST is read"
+        "\"{file}\" begins with \"{header}\"; slimbvh reads OFF text with the prefixes C, N and ST"
     )]
     OffKind {
         /// The path as given.
@@ -198,7 +198,7 @@ pub enum LoadError {
     Gltf {
         /// The path as given.
         file: String,
-        /// What is wrong.
+        /// The fault.
         #[source]
         error: GltfError,
     },
@@ -207,7 +207,7 @@ pub enum LoadError {
     Saved {
         /// The path as given.
         file: String,
-        /// What is wrong.
+        /// The fault.
         #[source]
         error: FileError,
     },
@@ -216,7 +216,7 @@ pub enum LoadError {
     Mesh {
         /// The path as given.
         file: String,
-        /// What is wrong.
+        /// The fault.
         #[source]
         error: MeshError,
     },

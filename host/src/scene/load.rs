@@ -80,7 +80,7 @@ pub(super) struct Source<'a> {
     pub path: &'a Path,
     /// The path, for messages.
     pub file: String,
-    /// How to load.
+    /// The options.
     pub options: &'a LoadOptions,
 }
 

@@ -365,12 +365,12 @@ impl Scene {
     pub fn complete(&mut self, bounds: Option<Aabb>, [width, height]: [u32; 2]) {
         if self.cameras.is_empty() {
             let aspect = width.max(1) as f32 / height.max(1) as f32;
-            let nothing = Aabb {
+            let origin = Aabb {
                 min: Vec3::ZERO,
                 max: Vec3::ZERO,
             };
             self.cameras
-                .push(Camera::facing(&bounds.unwrap_or(nothing), aspect));
+                .push(Camera::facing(&bounds.unwrap_or(origin), aspect));
         }
         if self.lights.is_empty() {
             self.lights.push(Light::beside(&self.cameras[0]));

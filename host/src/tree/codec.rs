@@ -190,9 +190,9 @@ impl MeshCodec {
     pub const fn summary(self) -> &'static str {
         match self {
             Self::F32 => "40 bytes a triangle",
-            Self::Leaf10 => "16 bytes a triangle; goes with paper10 nodes",
+            Self::Leaf10 => "16 bytes a triangle; requires paper10 nodes",
             Self::Lattice { .. } => {
-                "16, 28 or 40 bytes a triangle, as each leaf needs; goes with nodes on a lattice"
+                "16, 28 or 40 bytes a triangle, the least that each leaf allows; requires lattice nodes"
             }
         }
     }
@@ -285,10 +285,10 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
 #[non_exhaustive]
 pub enum CodecError {
     /// Triangles are coded relative to leaf boxes of the paper10 codec.
-    #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]
+    #[error("triangles of 10 bits in their leaf's box require paper10 nodes")]
     Leaf10WithoutPaper10,
     /// Triangles are coded relative to leaf boxes of the lattice codec.
-    #[error("triangles on a lattice go with nodes on a lattice only")]
+    #[error("triangles on a lattice require nodes on a lattice")]
     LatticeWithout,
 }
 

@@ -97,11 +97,11 @@ impl Bvh {
         mut answer: impl FnMut(usize, Hit),
     ) {
         let filter = filter_of(query.target);
-        let nothing = Lane {
+        let idle = Lane {
             filter: SkipAnd::new(&filter, NO_PRIMITIVE),
             collector: ClosestOrAny::any(0.0),
         };
-        let mut packet = [nothing; LANES];
+        let mut packet = [idle; LANES];
         let mut numbers = [0; LANES];
         let mut prepared = PreparedRays::EMPTY;
         let mut rays = rays.peekable();

@@ -135,9 +135,9 @@ fn declining_says_why_with_figures() {
     let lines = plan.explain();
     assert_eq!(lines[0].0, "nothing");
     assert!(
-        lines[0]
-            .1
-            .contains(" ms and must save more than 2 times as much; it is expected to save at most "),
+        lines[0].1.contains(
+            " ms and must save more than 2 times as much; it is expected to save at most "
+        ),
         "{lines:?}"
     );
 }
@@ -351,7 +351,10 @@ fn what_is_outside_the_picture_is_left_out_of_the_cameras_set() {
     near.cameras[0].target = [0.0, 0.0, -0.5];
     let (choices, needs_whole, said) = decided(&asked(&near, &settings, on, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], false));
-    assert!(said.contains("leaves out triangles outside the picture"), "{said}");
+    assert!(
+        said.contains("leaves out triangles outside the picture"),
+        "{said}"
+    );
     let savings = Savings::ALL.without(Saving::Frustum);
     let (choices, ..) = decided(&asked(&near, &settings, Switches { savings, ..on }, 1));
     assert_eq!(choices, [TreeChoice::Whole]);

@@ -1,6 +1,6 @@
 //! Uploads of a hierarchy.
 
-use super::{Built, Bvh, Coded, Coding, NOTHING_BYTES, STATE_BYTES};
+use super::{Built, Bvh, Coded, Coding, PLACEHOLDER_BYTES, STATE_BYTES};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
 use crate::gpu::program::counted;
@@ -61,7 +61,7 @@ impl Bvh {
                 triangles: triangle_range,
                 root: self.root.range(gpu, size_of::<RootWords>() as u64),
                 word_total: self.word_total.range(gpu, STATE_BYTES),
-                nothing: self.nothing.range(gpu, NOTHING_BYTES),
+                placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             }),
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),

@@ -34,14 +34,14 @@ pub enum FileError {
     },
     /// The file has another version.
     #[error(
-        "it is of version {version}, and this slimbvh reads version {VERSION}: build it again, or take the slimbvh that wrote it"
+        "it is of version {version}, and this slimbvh reads version {VERSION}: build it again, or use the slimbvh that wrote it"
     )]
     Version {
         /// Its version.
         version: u32,
     },
     /// The file's length differs from the one in its header.
-    #[error("it {}: {announced} bytes are announced, {found} are there", if found < announced { "ends early" } else { "goes on behind its end" })]
+    #[error("it {}: {announced} bytes are announced, {found} are there", if found < announced { "ends early" } else { "continues past its end" })]
     Length {
         /// The length in the header.
         announced: u64,
@@ -121,13 +121,13 @@ pub enum FileError {
         count: usize,
     },
     /// A byte between sections is not zero.
-    #[error("byte {at} is not 0, as all between the sections are")]
+    #[error("byte {at} is not 0, but all bytes between the sections must be")]
     NotZero {
         /// Its position.
         at: u64,
     },
     /// A record has an unknown kind, or a value in an unused field.
-    #[error("record {item} of the {section} is not one that slimbvh writes")]
+    #[error("record {item} of the {section} is invalid")]
     Record {
         /// The section.
         section: Section,
@@ -135,7 +135,7 @@ pub enum FileError {
         item: usize,
     },
     /// Names do not fill their section, or are not UTF-8.
-    #[error("the name of part {part} is not UTF-8, or not as long as is announced")]
+    #[error("the name of part {part} is not UTF-8, or its length is wrong")]
     Name {
         /// The part, counted from 0.
         part: usize,
@@ -173,7 +173,7 @@ pub enum ContentError {
     },
     /// A material has a number out of range.
     #[error(
-        "material {material} has a color, a mirror's share or a share that passes that is not from 0 to 1, or no index of refraction"
+        "material {material} has a color, mirror share or transmission outside of 0 to 1, or an invalid index of refraction"
     )]
     Material {
         /// The material, counted from 0.
