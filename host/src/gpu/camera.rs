@@ -58,6 +58,7 @@ impl Renderer {
     /// Records a copy of the picture to the upper left of a texture: linear values for `Rgba32Float`, sRGB bytes for
     /// `Rgba8Unorm`, `Bgra8Unorm` and their `Srgb` variants.
     ///
+    /// # Errors
     /// If nothing was rendered, and for a texture of another format, without the usage `COPY_DST`, or smaller than the
     /// picture.
     pub fn copy_to_texture(

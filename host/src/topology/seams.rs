@@ -16,9 +16,9 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 impl Topology {
     /// Finds the seams, triangles that stay in every set although their component may be reduced, and removes them from
     /// their components. A triangle is a seam if
-    /// - it meets another triangle of its component anywhere but in the corners and the side that they share,
+    /// - it meets another triangle of its component beyond the corners and the side that they share,
     /// - its component's winding number just outside of it is negative (an inverted lobe, as of a figure-eight tube) or
-    /// uncertain, or
+    ///   uncertain, or
     /// - it has no area.
     ///
     /// `mesh` is the one seen last, `bvh` a hierarchy over all of it. Components that cannot be reduced now get no seams,
