@@ -143,7 +143,7 @@ impl Gpu {
     /// A compiled kernel, for the caller's own dispatches; see [`Kernel`].
     ///
     /// # Errors
-    /// Those of the driver's compiler, and where the kernel is not compiled in ([`Kernel`]).
+    /// Those of the driver's compiler, and if the kernel is not compiled in ([`Kernel`]).
     pub fn pipeline(&self, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
         if let Some(pipeline) = self.pipelines.compiled(kernel) {
             return Ok(pipeline);

@@ -93,7 +93,7 @@ macro_rules! traces {
 
 include!("../../shaders/kernels.rs");
 
-/// Pipelines, compiled when first used.
+/// Pipelines, each compiled at its first use.
 #[derive(Debug, Default)]
 pub struct Pipelines(Mutex<HashMap<Kernel, wgpu::ComputePipeline>>);
 
@@ -116,7 +116,7 @@ impl Pipelines {
 /// Compiles a kernel for a device.
 ///
 /// # Errors
-/// Where the kernel is not compiled in.
+/// If the kernel is not compiled in.
 pub fn compile(device: &wgpu::Device, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
     if kernel.spirv().is_empty() {
         return Err(GpuError::LabKernel {

@@ -1,4 +1,4 @@
-//! Rays in a buffer, answers in a buffer.
+//! Queries of rays in a buffer, with answers in a buffer.
 
 mod paths;
 
@@ -10,16 +10,16 @@ use super::{Bvh, Frame, GpuError, Kernel};
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::{Hit, Ray};
 
-/// What is asked of each ray.
+/// The query for each ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Query {
     /// The closest [`Hit`]: 16 bytes a ray.
     Closest,
-    /// Whether anything is met, as 1 or 0: one `u32` a ray.
+    /// Whether the ray hits any triangle, as 1 or 0: one `u32` a ray.
     Any,
     /// The eight nearest [`Hit`]s in order, misses at the end: 128 bytes a ray.
     Nearest,
-    /// How many nodes and triangles the search for the closest hit touches: two `u32` a ray.
+    /// The numbers of nodes and triangles that the search for the closest hit reads: two `u32` a ray.
     Counted,
 }
 
@@ -45,11 +45,11 @@ impl Query {
 }
 
 impl Bvh {
-    /// Records that all rays of a buffer be traced: 32 bytes each, laid out as [`Ray`]. The answers go to the beginning of
-    /// the other buffer. More rays than the GPU sees of a buffer take several dispatches.
+    /// Records the trace of all rays of a buffer: 32 bytes each, in the layout of [`Ray`]. The answers go to the beginning
+    /// of the other buffer. More rays than fit into a storage binding take several dispatches.
     ///
     /// # Errors
-    /// If the hierarchy has not been built, a buffer is no storage buffer, or there is no room for all answers.
+    /// If the hierarchy is not built, a buffer lacks the usage `STORAGE`, or not all answers fit.
     pub fn trace(
         &self,
         frame: &mut Frame,
@@ -58,7 +58,7 @@ impl Bvh {
         answers: wgpu::BufferSlice,
     ) -> Result<(), GpuError> {
         const RAY_BYTES: u64 = size_of::<Ray>() as u64;
-        // So many begin at an aligned place in both buffers, whatever the query.
+        // A multiple of this many rays begins at an aligned offset in both buffers, for every query.
         const RAYS_PER_STEP: u64 = ALIGNMENT / 4;
         let built = self.built()?;
         let gpu = frame.gpu();

@@ -1,4 +1,4 @@
-//! Paths and shadow rays of a picture: which kernel traces them through a tree, and what it is bound to.
+//! Dispatches for a picture's paths and shadow rays: the kernel for each kind of tree, and its bindings.
 
 use crate::gpu::Kernel;
 use crate::gpu::buffer::Range;
@@ -8,7 +8,7 @@ use crate::gpu::program::{Groups, Recorder, Uniform};
 use crate::gpu::trees::TreeRanges;
 
 impl TreeRanges {
-    /// Records that each path's closest hit be found. Reads the scene's exponent. Writes hits and counters.
+    /// Records a search for each path's closest hit. Reads the scene's exponent. Writes hits and counters.
     pub fn record_paths(
         &self,
         recorder: &mut Recorder,
@@ -36,7 +36,7 @@ impl TreeRanges {
         }
     }
 
-    /// Records that each path's closest hit be found, whatever faces where, and the nodes be counted that the search opens. Writes
+    /// Records a search for each path's closest hit without a facing filter, and a count of the nodes that it opens. Writes
     /// hits, counts and counters.
     pub fn record_paths_counted(
         &self,
@@ -52,7 +52,7 @@ impl TreeRanges {
         recorder.dispatch(kernel, &root, &[nodes, triangles, paths], &to, each);
     }
 
-    /// Records that shadow rays be traced. Reads the scene's exponent. Updates paths and counters.
+    /// Records the trace of shadow rays. Reads the scene's exponent. Updates paths and counters.
     pub fn record_shadows(
         &self,
         recorder: &mut Recorder,
@@ -80,7 +80,7 @@ impl TreeRanges {
         }
     }
 
-    /// What kernels of coded trees read for their filter, which they always have: the root, the exponent and the target, then
+    /// The filter's bindings of kernels of coded trees, which always have one: the root, the exponent and the target, then
     /// the components and their sides.
     fn coded_rule<'a>(
         &'a self,
