@@ -37,7 +37,8 @@ impl Query {
 
     const fn kernel(self, traces: &Traces) -> Kernel {
         match self {
-            Self::Closest | Self::Any => traces.rays,
+            Self::Closest => traces.closest,
+            Self::Any => traces.any,
             Self::Nearest => traces.nearest,
             Self::Counted => traces.counted,
         }
@@ -87,11 +88,6 @@ impl Bvh {
             let root = built.coded.as_ref().map(|coded| &coded.root);
             let mut uniforms: Vec<Uniform> = root.map(Uniform::Stored).into_iter().collect();
             uniforms.push(Uniform::Stored(&built.exponent));
-            match query {
-                Query::Closest => uniforms.push(Uniform::Params([0; 4])),
-                Query::Any => uniforms.push(Uniform::Params([1, 0, 0, 0])),
-                Query::Nearest | Query::Counted => {}
-            }
             let mut first = 0;
             while first < ray_count {
                 let count = most.min(ray_count - first);
