@@ -174,7 +174,7 @@ fn record(
         );
         recorder.dispatch(Kernel::decide_smaller, &[], &[blocks], &[counts], groups(1));
         recorder.update(
-            Kernel::decide_turn,
+            Kernel::decide_negate,
             &[],
             &[counts, components],
             &[sides],
