@@ -44,7 +44,7 @@ pub const SCENES: [Source; 13] = [
 
 /// Where the camera is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Viewpoint {
     /// Where it sees everything.
     Outside,
     /// At four tenths of that distance.
@@ -61,7 +61,7 @@ pub struct View {
     /// How tables call it.
     pub name: &'static str,
     /// Where the camera is.
-    pub place: Place,
+    pub place: Viewpoint,
     /// The first is a sun, the others are lamps.
     pub light_count: usize,
     /// In pixels.
@@ -76,7 +76,7 @@ pub struct View {
 
 const PLAIN: View = View {
     name: "outside, 1 light",
-    place: Place::Outside,
+    place: Viewpoint::Outside,
     light_count: 1,
     size: [160, 90],
     cull: None,
@@ -99,18 +99,18 @@ pub const VIEWS: [View; 12] = [
     },
     View {
         name: "close, 1 light",
-        place: Place::Close,
+        place: Viewpoint::Close,
         ..PLAIN
     },
     View {
         name: "inside, 4 lights",
-        place: Place::Inside,
+        place: Viewpoint::Inside,
         light_count: 4,
         ..PLAIN
     },
     View {
         name: "parallel, 1 light",
-        place: Place::Parallel,
+        place: Viewpoint::Parallel,
         ..PLAIN
     },
     View {
@@ -145,7 +145,7 @@ pub const VIEWS: [View; 12] = [
     },
     View {
         name: "close, 1 light, solid, 100 frames",
-        place: Place::Close,
+        place: Viewpoint::Close,
         seams: Seams::None,
         frame_count: 100,
         ..PLAIN
@@ -192,18 +192,18 @@ impl Job {
         let (eye, center) = (Vec3::from(outside.eye), Vec3::from(outside.target));
         let diagonal = (bounds.max - bounds.min).length();
         let camera = match self.view.place {
-            Place::Outside => outside,
-            Place::Close => Camera {
+            Viewpoint::Outside => outside,
+            Viewpoint::Close => Camera {
                 eye: (center + (eye - center) * 0.4).to_array(),
                 ..outside
             },
-            Place::Inside => Camera {
+            Viewpoint::Inside => Camera {
                 eye: center.to_array(),
                 target: (center + Vec3::new(1.0, 0.1, 0.3) * diagonal).to_array(),
                 projection: Projection::Perspective { vertical_fov: 60.0 },
                 ..outside
             },
-            Place::Parallel => Camera {
+            Viewpoint::Parallel => Camera {
                 projection: Projection::Orthographic {
                     height: 0.8 * diagonal,
                 },
@@ -212,7 +212,7 @@ impl Job {
         };
         // Around the scene, and around an eye inside.
         let reach = match self.view.place {
-            Place::Inside => 0.05,
+            Viewpoint::Inside => 0.05,
             _ => 1.0,
         };
         let lamps = [[1.0, 0.6, 0.2], [-0.8, 0.9, 0.5], [0.1, 1.2, -0.9]];

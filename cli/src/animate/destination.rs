@@ -14,7 +14,7 @@ const PIXELS_FOR_COLORS: usize = 1 << 14;
 
 /// A place that was looked at and found to take frames.
 #[derive(Debug)]
-pub enum Place {
+pub enum Destination {
     Nowhere,
     Folder(PathBuf),
     Gif(PathBuf),
@@ -32,7 +32,7 @@ pub enum Sink<'p> {
     },
 }
 
-impl Place {
+impl Destination {
     /// Tells before the work, not after it, that files have no place to go.
     pub fn check(arguments: &AnimateArguments) -> Result<Self> {
         let scene = arguments.scene.scene.as_deref();
