@@ -1,5 +1,5 @@
-//! An application that has a wgpu device and geometry on it already: two hills that move, built once, then refitted, and
-//! traced straight down in the same submission. Nothing is read back but the hits.
+//! An application with its own wgpu device and geometry: two moving hills. slimbvh builds once, then refits, and traces
+//! straight down in the same submission. Only the hits are read back.
 
 use bytemuck::cast_slice;
 use slimbvh::gpu::{Builder, Bvh, Gpu, Mesh, Query, wgpu};
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         })
     };
 
-    // What the application has: vertices, indices, rays, and room for hits.
+    // The application's data: vertices, indices, rays, and room for hits.
     let indices = squares();
     let rays: Vec<Ray> = (0..SIDE)
         .map(|i| Ray::new([i as f32 + 0.3, 100.0, 31.6], [0.0, -1.0, 0.0]))
@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The application's own device, on whatever there is.
+/// The application's own device, on any adapter.
 async fn open() -> Result<(wgpu::Device, wgpu::Queue), Box<dyn Error>> {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let adapter = instance

@@ -1,4 +1,4 @@
-//! A compute shader of one's own, in WGSL, that traces rays: it looks at a teapot and stores how steep what it sees is.
+//! Your own compute shader in WGSL that traces rays: it views a teapot and stores the steepness of what each ray hits.
 
 use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu, wgsl};
 use slimbvh::{BuildConfig, generate};
@@ -6,7 +6,7 @@ use std::error::Error;
 
 const SIZE: [u32; 2] = [78, 30];
 
-/// Group 0 belongs to slimbvh, group 1 to us.
+/// Group 0 belongs to slimbvh, group 1 to this shader.
 const SHADER: &str = "
 @group(1) @binding(0) var<storage, read_write> steepness: array<f32>;
 
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mesh = Mesh::upload(&gpu, &generate::teapot())?;
     let (mut builder, mut bvh) = (Builder::new(BuildConfig::default()), Bvh::new());
 
-    // The shader, after slimbvh's text.
+    // slimbvh's text, then the shader.
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("look"),
         source: wgpu::ShaderSource::Wgsl((wgsl(0) + SHADER).into()),
@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         mapped_at_creation: false,
     });
 
-    // Build, then look, in one submission.
+    // Build and view in one submission.
     let mut frame = gpu.frame();
     builder.build(&mut frame, &mesh, &mut bvh)?;
     let tree = device.create_bind_group(&wgpu::BindGroupDescriptor {
@@ -98,7 +98,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Flat to steep, and nothing.
+/// Flat to steep; a space for a miss.
 fn mark(steepness: f32) -> char {
     let marks = ['@', '%', '#', '*', '+', '=', '-', ':', '.'];
     if steepness < 0.0 {

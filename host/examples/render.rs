@@ -1,4 +1,4 @@
-//! A picture of a scene, on the GPU where there is a real one, else on the CPU: `cargo run --example render -- FILE.png`
+//! Renders a scene, on a hardware GPU if there is one, else on the CPU: `cargo run --example render -- FILE.png`
 
 use slimbvh::gpu::{AdapterChoice, Gpu};
 use slimbvh::{

@@ -1,4 +1,4 @@
-//! A ray against two triangles, on the CPU.
+//! Traces one ray against two triangles on the CPU.
 
 use slimbvh::{BuildConfig, Builder, Mesh, MeshError, Ray};
 

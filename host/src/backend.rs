@@ -1,7 +1,7 @@
-//! What the CPU and a GPU have in common above their passes.
+//! The interface that the CPU and the GPU share.
 //!
-//! [`crate::reduce::Hierarchies`] and [`crate::Frames`] stand once, for any [`Backend`]. The passes below differ: the CPU
-//! runs each at once, a GPU records them and runs them when the frame is submitted.
+//! [`crate::reduce::Hierarchies`] and [`crate::Frames`] are generic over a [`Backend`]. The passes below differ: the CPU
+//! runs each pass at once, the GPU records passes and runs them when the frame is submitted.
 
 use crate::topology::Topology;
 use crate::{
@@ -17,11 +17,12 @@ use std::time::Instant;
 pub struct Tree<'a, T, R> {
     /// The hierarchy, whole or reduced.
     pub bvh: &'a T,
-    /// In a whole hierarchy: only triangles that face the target count. None where all count that are in it.
+    /// For a whole hierarchy: the filter that accepts only triangles facing the target. `None` if all triangles in it
+    /// count.
     pub rule: Option<R>,
 }
 
-// A derive would ask for trees that can be copied.
+// A derive would require `T: Clone`.
 impl<T, R: Copy> Clone for Tree<'_, T, R> {
     fn clone(&self) -> Self {
         *self
@@ -45,12 +46,12 @@ pub struct Trees<'a, T, R> {
     pub primary: Tree<'a, T, R>,
     /// For shadow rays, one for each light.
     pub lights: Vec<Tree<'a, T, R>>,
-    /// For rays from mirrors and glass: all triangles count. None where the scene has none.
+    /// For rays from mirrors and glass: all triangles count. `None` if the scene has no mirrors or glass.
     pub mirrors: Option<&'a T>,
 }
 
 impl<'a, T, R: Copy> Trees<'a, T, R> {
-    /// One hierarchy for everything.
+    /// One hierarchy for all rays.
     #[must_use]
     pub fn all(bvh: &'a T, light_count: usize) -> Self {
         Self {
@@ -61,40 +62,40 @@ impl<'a, T, R: Copy> Trees<'a, T, R> {
     }
 }
 
-/// The trees of a backend.
+/// The trees of one backend.
 pub type TreesOf<'a, B> = Trees<'a, <B as Backend>::Bvh, <B as Backend>::Rule<'a>>;
 
-/// Trees for shadow rays that are built during the picture, each in place of the one before.
+/// Trees for shadow rays that are built during the picture, each in the memory of the one before.
 pub trait DeferredTrees<B: Backend> {
-    /// How this light's tree comes to be.
+    /// When this light's tree is built.
     fn deferral(&self, light: usize) -> Deferral<'_, B>;
 
-    /// Builds this light's tree where it is not there yet, and returns it.
+    /// Builds this light's tree if it is not the one in memory, and returns it.
     ///
     /// # Errors
     /// Those of the build.
     fn build(&mut self, recording: &mut B::Recording, light: usize) -> Result<&B::Bvh, B::Error>;
 }
 
-/// How a light's tree comes to be.
+/// When a light's tree is built.
 #[derive(Debug)]
 pub enum Deferral<'a, B: Backend> {
-    /// It is among [`Trees::lights`].
+    /// Before the picture: it is among [`Trees::lights`].
     Ready,
-    /// It is built here before the light's rays are traced.
+    /// During the picture, before the light's rays are traced.
     Always(&'a B::Bvh),
-    /// As [`Self::Always`], unless the light reaches nothing: then nothing is built, or a tree over nothing.
+    /// As [`Self::Always`], but only if the light reaches a point of the picture. Else no tree is built, or an empty one.
     IfReached(&'a B::Bvh, &'a B::TargetSides),
 }
 
-/// A target of rays, and the side of each component that counts for it.
+/// A target of rays, and the side of each component that rays may hit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetSides {
     /// Where rays come from or lead to, in the mesh's unit.
     pub target: Target,
-    /// Where they go. It bounds sets only.
+    /// The region that the rays cross. It bounds sets only; filters ignore it.
     pub frustum: Frustum,
-    /// Of each component: 1 where the front counts, −1 where the back does, 0 where both do.
+    /// One entry a component: 1 if front faces count, −1 if back faces count, 0 if both count.
     pub sides: Vec<i32>,
 }
 
@@ -108,21 +109,21 @@ impl Default for TargetSides {
     }
 }
 
-/// The triangles that rays from or to a target may hit.
+/// The set of triangles that rays from or to a target may hit.
 #[derive(Debug)]
 pub struct TargetSet<'a, 's, B: Backend> {
     /// The component of each triangle.
     pub components: B::Components<'a>,
-    /// The target, and which sides count.
+    /// The target, and the sides that rays may hit.
     pub sides: &'s B::TargetSides,
 }
 
 /// The mesh that trees are built over.
 #[derive(Debug)]
 pub struct Source<'a, B: Backend> {
-    /// What the backend holds of the scene.
+    /// The scene as the backend holds it.
     pub held: &'a B::Scene,
-    /// On the host.
+    /// The mesh on the host.
     pub mesh: &'a Mesh,
 }
 
@@ -134,56 +135,56 @@ impl<B: Backend> Clone for Source<'_, B> {
 
 impl<B: Backend> Copy for Source<'_, B> {}
 
-/// What changed in a scene since the frame before.
+/// What changed in a scene since the previous frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// It is another scene.
+    /// The scene is another one.
     Scene,
-    /// Vertices moved, with their normals, and cameras and lights may have.
+    /// Vertices and normals moved. Cameras and lights may have moved too.
     Vertices,
-    /// No vertex moved; cameras and lights may have.
+    /// No vertex moved. Cameras and lights may have moved.
     View,
 }
 
-/// What a backend needs to know of a scene before a frame.
+/// What a backend loads before a frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Load<'a> {
-    /// As it is now.
+    /// The scene in its present state.
     pub scene: &'a Scene,
-    /// What changed since the frame before.
+    /// What changed since the previous frame.
     pub change: Change,
-    /// How the picture is made; none where only trees are built.
+    /// How the picture is made; `None` if only trees are built.
     pub settings: Option<&'a RenderSettings>,
-    /// The surfaces, where triangles are left out.
+    /// The surfaces; `None` if no triangles are left out.
     pub topology: Option<&'a Topology>,
-    /// Whether sets for lights may hold what faces away from them.
+    /// Whether sets for lights may be L−, the triangles that face away.
     pub may_turn_away: bool,
 }
 
-/// A picture to be made.
+/// The inputs of one picture.
 #[derive(Debug)]
 pub struct Shot<'a, 't, B: Backend> {
     /// Camera, lights and materials.
     pub scene: &'a Scene,
-    /// What the backend holds of the scene.
+    /// The scene as the backend holds it.
     pub held: &'a B::Scene,
-    /// The trees that are there.
+    /// The trees built so far.
     pub trees: &'a TreesOf<'t, B>,
     /// How the picture is made.
     pub settings: &'a RenderSettings,
-    /// When the frame began.
+    /// The start of the frame.
     pub begin: Instant,
 }
 
-/// Where a picture goes.
+/// Where the picture and the progress go.
 pub struct Output<'a> {
     /// The picture.
     pub picture: &'a mut Picture,
-    /// Is told the share done, 0 to 1. On a GPU each of its calls costs a wait.
+    /// Called with the share done, 0 to 1. On a GPU each call waits for the device.
     pub progress: Option<&'a mut dyn FnMut(f64)>,
 }
 
-/// How large a tree is.
+/// The size of a tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TreeSize {
     /// Inner nodes.
@@ -197,7 +198,7 @@ pub struct TreeSize {
 }
 
 impl TreeSize {
-    /// Adds another tree.
+    /// Adds the size of another tree.
     pub(crate) fn add(&mut self, other: &Self) {
         self.node_count += other.node_count;
         self.triangle_count += other.triangle_count;
@@ -205,7 +206,7 @@ impl TreeSize {
         self.triangle_bytes += other.triangle_bytes;
     }
 
-    /// The larger number of each.
+    /// The larger of each count.
     pub(crate) fn larger(self, other: Self) -> Self {
         Self {
             node_count: self.node_count.max(other.node_count),
@@ -217,7 +218,7 @@ impl TreeSize {
 }
 
 impl<'a> Output<'a> {
-    /// Only the picture.
+    /// Output without progress.
     #[must_use]
     pub fn new(picture: &'a mut Picture) -> Self {
         Self {
@@ -227,63 +228,63 @@ impl<'a> Output<'a> {
     }
 }
 
-/// What builds trees and renders. Frames are made by steps of these: where a backend records, a step costs nothing yet, and
-/// its errors are those of recording.
+/// A device that builds trees and renders. A frame is a sequence of these steps. On a backend that records, a step costs no
+/// device time yet and returns only errors of recording.
 pub trait Backend: Copy + Debug {
     /// `cpu` or `gpu`.
     const NAME: &'static str;
-    /// Whether a set's triangles can be put in order without all others.
+    /// Whether the backend can sort a set's triangles without all others.
     const SORTS_SETS_ALONE: bool;
-    /// Whether the order of triangles is kept where vertices moved a little. Else they are sorted again, for less than looser
-    /// boxes cost.
+    /// Whether [`Self::follow`] keeps the order of triangles after small movements. Otherwise it sorts again, where that
+    /// costs less than looser boxes.
     const KEEPS_ORDER: bool;
-    /// Whether passes are recorded before any of them runs, so that no step depends on what an earlier one found.
+    /// Whether passes are recorded before any of them runs. Then no step can depend on a result of an earlier one.
     const RECORDS: bool;
 
     /// Why a step failed.
     type Error: std::error::Error + From<MeshError> + From<ViewError> + Send + Sync + 'static;
-    /// The passes of one frame: their commands, or the times that they took.
+    /// The passes of one frame: recorded commands on a GPU, times of finished passes on the CPU.
     type Recording;
-    /// What it holds of a scene from frame to frame.
+    /// The backend's copy of a scene, kept from frame to frame.
     type Scene: Debug + Default;
     /// A hierarchy.
     type Bvh: Debug + Default;
-    /// What builds.
+    /// Builds trees.
     type Builder: Debug;
-    /// What renders.
+    /// Renders pictures.
     type Renderer: Debug + Default;
-    /// A target with the sides that count, as passes read them.
+    /// A target and its sides, in the form that passes read.
     type TargetSides: Debug + Default;
     /// The component of each triangle.
     type Components<'a>: Copy + Debug;
-    /// Which triangles of a whole tree count for a target.
+    /// The filter of a whole tree for one target.
     type Rule<'a>: Copy + Debug;
-    /// The size of a tree, known at the end of the frame.
+    /// A tree's size, available at the end of the frame.
     type PendingSize;
-    /// What the backend decided by itself, known at the end of the frame.
+    /// The backend's own decisions, available at the end of the frame.
     type PendingDecisions;
-    /// What the backend decided by itself.
+    /// The backend's own decisions.
     type Decisions: Debug;
 
-    /// The name of the GPU; none for the CPU.
+    /// The name of the GPU; `None` on the CPU.
     fn adapter(self) -> Option<String>;
 
-    /// A builder without buffers yet.
+    /// A builder with empty buffers.
     fn builder(self, config: BuildConfig) -> Self::Builder;
 
     /// Begins a frame.
     fn begin(self) -> Self::Recording;
 
-    /// Ends a frame without a picture. Returns the time of each stage.
+    /// Ends a frame that has no picture. Returns the time of each stage.
     ///
     /// # Errors
-    /// If the device was lost, or a command is refused.
+    /// If the device was lost or refuses a command.
     fn submit(self, recording: Self::Recording) -> Result<Stages, Self::Error>;
 
-    /// Makes what is held of a scene that of the scene as it is now.
+    /// Updates the backend's copy of the scene.
     ///
     /// # Errors
-    /// For a scene or a picture larger than the backend takes, before anything is allocated.
+    /// For a scene or a picture above the backend's limits. The check precedes every allocation.
     fn load(
         self,
         held: &mut Self::Scene,
@@ -291,36 +292,36 @@ pub trait Backend: Copy + Debug {
         load: &Load,
     ) -> Result<(), Self::Error>;
 
-    /// The component of each triangle, of which the host has a list; none where nothing is left out.
+    /// The component of each triangle, in the form that passes read. `None` if no triangles are left out.
     fn components<'a>(
         held: &'a Self::Scene,
         host: Option<&'a [u32]>,
     ) -> Option<Self::Components<'a>>;
 
-    /// Puts all triangles in the order of the curve.
+    /// Sorts all triangles along the space-filling curve.
     ///
     /// # Errors
-    /// For an unfit mesh.
+    /// For an invalid mesh.
     fn sort(
         recording: &mut Self::Recording,
         builder: &mut Self::Builder,
         source: Source<Self>,
     ) -> Result<(), Self::Error>;
 
-    /// Takes vertices that moved a little since the mesh was sorted, in the order that there is.
+    /// Follows vertices that moved a little since the sort: takes their new positions in the existing order.
     ///
     /// # Errors
-    /// For an unfit mesh, or another one.
+    /// For an invalid mesh, or another mesh.
     fn follow(
         recording: &mut Self::Recording,
         builder: &mut Self::Builder,
         source: Source<Self>,
     ) -> Result<(), Self::Error>;
 
-    /// Moves a whole tree's boxes to where the vertices are now.
+    /// Refits a whole tree's boxes to the present vertices.
     ///
     /// # Errors
-    /// For an unfit mesh, or another one than that of the tree.
+    /// For an invalid mesh, or another mesh than the tree's.
     fn refit(
         recording: &mut Self::Recording,
         builder: &mut Self::Builder,
@@ -328,7 +329,7 @@ pub trait Backend: Copy + Debug {
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
-    /// Builds a tree over sorted triangles: a set, or all.
+    /// Builds a tree over sorted triangles: those of a set, or all.
     ///
     /// # Errors
     /// Those of recording.
@@ -340,10 +341,10 @@ pub trait Backend: Copy + Debug {
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
-    /// Builds a tree over a set that is the only one: its triangles are sorted alone where the backend can.
+    /// Builds the only set. The backend sorts its triangles alone if it [can](Self::SORTS_SETS_ALONE).
     ///
     /// # Errors
-    /// For an unfit mesh.
+    /// For an invalid mesh.
     fn build_alone(
         recording: &mut Self::Recording,
         builder: &mut Self::Builder,
@@ -352,7 +353,7 @@ pub trait Backend: Copy + Debug {
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
-    /// Makes room for a tree that [`Self::build_deferred`] builds later in the frame, several times.
+    /// Reserves memory for a tree that [`Self::build_deferred`] builds later in the frame, several times.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -363,7 +364,7 @@ pub trait Backend: Copy + Debug {
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
-    /// [`Self::build_sorted`] of a set, in reserved room.
+    /// Builds a set as [`Self::build_sorted`] does, in reserved memory.
     ///
     /// # Errors
     /// Those of recording.
@@ -375,8 +376,8 @@ pub trait Backend: Copy + Debug {
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
-    /// The division alone: finds a set. Times are those of the stages `classify`, `scan` and `compact`; others do not count. A
-    /// GPU, which has no such step alone, builds a tree in the spare one.
+    /// Finds a set without building its tree, to time the division. Only the times of stages `classify`, `scan` and
+    /// `compact` count: a GPU cannot run them alone and builds a tree in the spare one.
     ///
     /// # Errors
     /// Those of [`Self::build_sorted`].
@@ -388,10 +389,10 @@ pub trait Backend: Copy + Debug {
         spare: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
-    /// Whether the backend finds sides by itself, where only it knows the vertices.
+    /// Whether the backend finds the sides itself, because only it holds the present vertices.
     fn decides(held: &Self::Scene) -> bool;
 
-    /// Measures components where the vertices are now, if it [decides](Self::decides). The mesh must be sorted.
+    /// Measures the components at the present vertices, if the backend [decides](Self::decides). The mesh must be sorted.
     ///
     /// # Errors
     /// Those of recording.
@@ -401,8 +402,8 @@ pub trait Backend: Copy + Debug {
         held: &mut Self::Scene,
     ) -> Result<(), Self::Error>;
 
-    /// Fills in a target's sides: those that the host found, or where it [decides](Self::decides) its own, for a light after
-    /// those of the eye.
+    /// Fills in a target's sides. They come from the host, or from the backend if it [decides](Self::decides). The camera's
+    /// sides must precede a light's.
     ///
     /// # Errors
     /// Those of recording.
@@ -414,7 +415,7 @@ pub trait Backend: Copy + Debug {
         to: &mut Self::TargetSides,
     ) -> Result<(), Self::Error>;
 
-    /// What was decided by this point of the frame for some targets; none where nothing was.
+    /// Requests the decisions made so far for some targets; `None` if there were none.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -424,22 +425,22 @@ pub trait Backend: Copy + Debug {
         targets: &[(String, &Self::TargetSides)],
     ) -> Result<Option<Self::PendingDecisions>, Self::Error>;
 
-    /// Waits for what was decided.
+    /// Waits for the decisions.
     ///
     /// # Errors
     /// If the device was lost.
     fn decisions(self, pending: Self::PendingDecisions) -> Result<Self::Decisions, Self::Error>;
 
-    /// What was decided in words: what it is about, and the decision with figures.
+    /// The decisions in words: pairs of a subject, and the decision with its figures.
     fn explain(decisions: &Self::Decisions) -> Vec<(String, String)>;
 
-    /// The rule by which triangles of a whole tree count.
+    /// The filter that a whole tree needs for a target.
     fn rule<'a>(components: Self::Components<'a>, sides: &'a Self::TargetSides) -> Self::Rule<'a>;
 
-    /// Renders, and ends the frame. Returns the times of all builds in it, and what the render did.
+    /// Renders, and ends the frame. Returns the times of all its builds, and the report of the render.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture, a tree over another mesh, and what is too large.
+    /// For cameras and lights that cannot be rendered, a tree over another mesh, and sizes above the backend's limits.
     fn render(
         self,
         recording: Self::Recording,
@@ -449,10 +450,10 @@ pub trait Backend: Copy + Debug {
         output: Output,
     ) -> Result<(Stages, RenderReport), Self::Error>;
 
-    /// A tree's surface area cost, where it can be known without a wait.
+    /// A tree's surface area cost, if it is available without waiting for a device.
     fn sah_cost(recording: &mut Self::Recording, bvh: &Self::Bvh) -> Option<f64>;
 
-    /// A tree's size at this point of the frame.
+    /// Requests a tree's size at this point of the frame.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -461,21 +462,21 @@ pub trait Backend: Copy + Debug {
         bvh: &Self::Bvh,
     ) -> Result<Self::PendingSize, Self::Error>;
 
-    /// Waits for a tree's size. A GPU knows only the triangles.
+    /// Waits for a tree's size. A GPU reports only the triangle count.
     ///
     /// # Errors
     /// If the device was lost.
     fn pending_size(self, pending: Self::PendingSize) -> Result<TreeSize, Self::Error>;
 
-    /// A tree's size, for which a GPU is waited for.
+    /// A tree's size. Waits for a GPU.
     ///
     /// # Errors
     /// If the device was lost.
     fn size(self, bvh: &Self::Bvh) -> Result<TreeSize, Self::Error>;
 
-    /// Bytes of the memory that a tree holds.
+    /// Bytes of memory that a tree holds.
     fn held_bytes(bvh: &Self::Bvh) -> usize;
 
-    /// Bytes of the memory that builds and pictures need besides trees.
+    /// Bytes of memory that builds and pictures use besides trees.
     fn scratch_bytes(builder: &Self::Builder, renderer: &Self::Renderer) -> usize;
 }

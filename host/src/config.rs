@@ -1,8 +1,8 @@
-//! How a hierarchy is to be built and stored, on either backend.
+//! Settings of a build, for either backend: length of the codes, kind of tree, codecs.
 
 use crate::tree::{MeshCodec, NodeCodec};
 
-/// How finely triangles are told apart along the space-filling curve.
+/// Length of the Morton codes. It limits how finely the curve separates triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CodeBits {
     /// 10 bits an axis: 1024 cells along the longest side.
@@ -12,32 +12,32 @@ pub enum CodeBits {
     Bits63,
 }
 
-/// How a tree is found over triangles in the order of the space-filling curve.
+/// How the builder finds a tree over triangles in the order of the space-filling curve.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TreeKind {
-    /// A node for each common prefix of codes (Karras 2012): every node is found by itself.
+    /// One node for each common prefix of codes (Karras 2012). Each node is found independently.
     #[default]
     Radix,
-    /// From the leaves up, neighbours that suit each other best first, with rotations: fewer nodes to open for a ray, most
-    /// of all where triangles differ much in size.
+    /// Bottom-up clustering: neighbours with the smallest joint surface area merge first, then rotations. Rays open fewer
+    /// nodes, above all where triangle sizes differ much.
     Clustered,
 }
 
-/// How to build.
+/// How to build and store a hierarchy.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct BuildConfig {
     /// Length of the Morton codes.
     pub code_bits: CodeBits,
-    /// How the tree is found.
+    /// The kind of tree.
     pub tree: TreeKind,
     /// How inner nodes are stored.
     pub nodes: NodeCodec,
-    /// How triangles are stored. Must go with the nodes ([`crate::check_codecs`]).
+    /// How triangles are stored. The pair must pass [`crate::check_codecs`].
     pub mesh: MeshCodec,
 }
 
 impl From<CodeBits> for BuildConfig {
-    /// Codes of this length, and everything stored in full.
+    /// This code length, the default tree, and no compression.
     fn from(code_bits: CodeBits) -> Self {
         Self {
             code_bits,

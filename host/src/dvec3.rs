@@ -1,4 +1,4 @@
-//! Vectors of doubles: no `f32` mesh is too small or too large for them.
+//! Vectors of doubles, which cannot overflow or underflow for any `f32` mesh.
 
 /// The dot product.
 #[must_use]
@@ -16,7 +16,7 @@ pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     ]
 }
 
-/// The unit vector of the same direction, or zero if there is none.
+/// The unit vector of the same direction; zero for a zero vector.
 pub fn normalized(v: [f64; 3]) -> [f64; 3] {
     let length = dot(v, v).sqrt();
     if length > 0.0 {

@@ -1,4 +1,4 @@
-//! Frames of a scene: what may be left out is planned, trees are brought up to date, and a picture is rendered.
+//! Frames of a scene: each plans what to leave out, updates the trees, and renders a picture.
 //!
 //! ```
 //! use slimbvh::{Change, Cpu, FrameConfig, Frames, Output, Picture, RenderSettings};
@@ -21,60 +21,60 @@ use crate::reduce::{Hierarchies, Plan, PlanConfig, Planner, Survey, Work};
 use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages};
 use std::time::{Duration, Instant};
 
-/// How frames are made.
+/// How frames are planned, built and updated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameConfig {
     /// How trees are built and stored.
     pub build: BuildConfig,
-    /// What they leave out.
+    /// What the trees leave out.
     pub plan: PlanConfig,
-    /// What is done to trees from frame to frame.
+    /// How trees are updated from frame to frame.
     pub update: Update,
-    /// Whether the cost of a tree for all rays is found after each change, where that takes no wait. By it worn trees are
-    /// rebuilt; without it, every eighth is.
+    /// Whether each change of the trees is followed by the cost of the tree for all rays, if that needs no wait. Trees
+    /// whose cost has grown are rebuilt; without the cost, every eighth update rebuilds.
     pub finds_cost: bool,
 }
 
-/// A frame whose plan is given.
+/// The inputs of a frame whose plan the caller made.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameRequest<'a> {
-    /// As it is now.
+    /// The scene in its present state.
     pub scene: &'a Scene,
-    /// What trees leave out.
+    /// What the trees leave out.
     pub plan: &'a Plan<'a>,
     /// How the picture is made.
     pub settings: &'a RenderSettings,
-    /// What changed since the frame before.
+    /// What changed since the previous frame.
     pub change: Change,
 }
 
-/// What a frame did.
+/// The report of a frame.
 #[derive(Debug)]
 pub struct FrameReport<B: Backend> {
-    /// What was done to the trees.
+    /// How the trees were updated.
     pub action: Action,
-    /// Times of planning and building, of deferred trees as well.
+    /// Times of planning and building, deferred trees included.
     pub build: Stages,
     /// Times of rendering, and counts of rays.
     pub render: RenderReport,
-    /// The place among the plan's targets of each deferred set that was built, and its size.
+    /// Each deferred set that was built: its index among the plan's targets, and its size.
     pub deferred: Vec<(usize, TreeSize)>,
-    /// The [cost](crate::Bvh::sah_cost) of the tree for all rays, where it is known.
+    /// The [cost](crate::Bvh::sah_cost) of the tree for all rays, if known.
     pub sah_cost: Option<f64>,
-    /// What the backend decided by itself.
+    /// The backend's own decisions.
     pub decisions: Option<B::Decisions>,
 }
 
-/// How large the trees of a frame are.
+/// The sizes of a frame's trees.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrameSizes {
-    /// All trees together that are there at once.
+    /// The sum of all trees that exist at the same time.
     pub total: TreeSize,
-    /// How many triangles are in the set of each target that has one, by name.
+    /// The triangle count of each target's set, by the target's name.
     pub sets: Vec<(String, usize)>,
 }
 
-/// Makes frames, and keeps all memory from one to the next.
+/// Renders frames. Keeps all memory from one frame to the next.
 #[derive(Debug)]
 pub struct Frames<B: Backend> {
     backend: B,
@@ -85,13 +85,13 @@ pub struct Frames<B: Backend> {
     builder: B::Builder,
     hierarchies: Hierarchies<B>,
     renderer: B::Renderer,
-    /// Those of the latest frame.
+    /// The deferred sets of the latest frame.
     deferred: Vec<(usize, TreeSize)>,
     sah_cost: Option<f64>,
 }
 
 impl<B: Backend> Frames<B> {
-    /// Nothing is built yet.
+    /// Empty buffers; the first frame builds the trees.
     #[must_use]
     pub fn new(backend: B, config: FrameConfig) -> Self {
         Self {
@@ -108,10 +108,10 @@ impl<B: Backend> Frames<B> {
         }
     }
 
-    /// Surveys a scene before its first frame, where that is likely to pay; [`Self::render`] does it for a new scene.
+    /// Surveys a scene before its first frame, if that is likely to pay. [`Self::render`] surveys each new scene itself.
     ///
     /// # Errors
-    /// For an unfit mesh, and for cameras and lights that make no picture.
+    /// For an invalid mesh, and for cameras and lights that cannot be rendered.
     pub fn survey(
         &mut self,
         scene: &Scene,
@@ -120,19 +120,19 @@ impl<B: Backend> Frames<B> {
         self.planner.survey(scene, settings)
     }
 
-    /// The plan for a scene by the latest survey.
+    /// The plan for a scene, from the latest survey.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture.
+    /// For cameras and lights that cannot be rendered.
     pub fn plan(&self, scene: &Scene, settings: &RenderSettings) -> Result<Plan<'_>, B::Error> {
         Ok(self.planner.plan(scene, settings)?)
     }
 
-    /// Plans, brings the trees up to date, and renders through the scene's first camera. The first frame builds all there is,
-    /// whatever changed.
+    /// Plans, updates the trees, and renders through the scene's first camera. The first frame builds all trees, whatever
+    /// `change` is.
     ///
     /// # Errors
-    /// For an unfit mesh, for cameras and lights that make no picture, and for what is larger than the backend takes.
+    /// For an invalid mesh, cameras and lights that cannot be rendered, and sizes above the backend's limits.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -156,7 +156,7 @@ impl<B: Backend> Frames<B> {
             planner.survey::<B::Error>(scene, settings)?;
         }
         let begin = Instant::now();
-        // A backend that decides by itself needs no positions of the host's.
+        // A backend that records measures the components itself.
         if change == Change::Vertices && !B::RECORDS {
             planner.follow(&scene.mesh);
         }
@@ -175,7 +175,7 @@ impl<B: Backend> Frames<B> {
         Ok(report)
     }
 
-    /// [`Self::render`] by a plan of the caller's.
+    /// Renders as [`Self::render`] does, with the caller's plan.
     ///
     /// # Errors
     /// Those of [`Self::render`].
@@ -186,7 +186,7 @@ impl<B: Backend> Frames<B> {
     ) -> Result<FrameReport<B>, B::Error> {
         let rendered = self.try_render(request, output);
         if rendered.is_err() {
-            // What was recorded was not run: the next frame builds all there is.
+            // The recorded passes did not run, so the next frame rebuilds all trees.
             self.upkeep = Upkeep::new(self.config.update);
         }
         rendered
@@ -253,10 +253,10 @@ impl<B: Backend> Frames<B> {
         })
     }
 
-    /// Builds a plan's trees anew and renders nothing. Returns the time of each stage.
+    /// Builds a plan's trees and renders nothing. Returns the time of each stage.
     ///
     /// # Errors
-    /// For an unfit mesh, and one that is larger than the backend takes.
+    /// For an invalid mesh, and sizes above the backend's limits.
     pub fn build(&mut self, scene: &Scene, plan: &Plan) -> Result<Stages, B::Error> {
         let action = self.next_action(Change::Scene);
         self.deferred.clear();
@@ -269,7 +269,7 @@ impl<B: Backend> Frames<B> {
         built
     }
 
-    /// What is to be done to the trees now.
+    /// How the trees are to be updated now.
     fn next_action(&mut self, change: Change) -> Action {
         if change == Change::Scene {
             self.upkeep = Upkeep::new(self.config.update);
@@ -277,7 +277,7 @@ impl<B: Backend> Frames<B> {
         self.upkeep.next(change != Change::View)
     }
 
-    /// Records that the trees be brought up to date.
+    /// Records the update of the trees.
     fn update(
         &mut self,
         scene: &Scene,
@@ -310,26 +310,26 @@ impl<B: Backend> Frames<B> {
         self.planner.surveyed()
     }
 
-    /// What the survey took.
+    /// The time of the latest survey.
     #[must_use]
     pub fn survey_time(&self) -> Duration {
         let stages = self.surveyed().map(|survey| survey.stages.total());
         stages.unwrap_or_default()
     }
 
-    /// The trees of a plan that defers none, once they are built.
+    /// The trees of a plan without deferred ones, once they are built.
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> TreesOf<'a, B> {
         self.hierarchies.trees(&self.held, plan)
     }
 
-    /// The trees that are there.
+    /// The trees built so far.
     #[must_use]
     pub fn hierarchies(&self) -> &Hierarchies<B> {
         &self.hierarchies
     }
 
-    /// How large the trees of the latest frame are, which was by this plan. A GPU is waited for.
+    /// The sizes of the latest frame's trees. `plan` must be that frame's plan. Waits for a GPU.
     ///
     /// # Errors
     /// If the device was lost.
@@ -349,7 +349,7 @@ impl<B: Backend> Frames<B> {
             total.add(&size);
             sizes.sets.push((target.name(), size.triangle_count));
         }
-        // Of deferred trees there is one at a time.
+        // Only one deferred tree exists at a time.
         let largest = self.deferred.iter().map(|(_, size)| *size);
         total.add(&largest.fold(TreeSize::default(), TreeSize::larger));
         for (place, size) in &self.deferred {
@@ -359,13 +359,13 @@ impl<B: Backend> Frames<B> {
         Ok(sizes)
     }
 
-    /// Bytes of the memory that builds and pictures need besides trees; it is kept for the next frame.
+    /// Bytes of memory that builds and pictures use besides trees. The next frame reuses it.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
         B::scratch_bytes(&self.builder, &self.renderer)
     }
 
-    /// Bytes of all memory that is held: trees, and what builds and renders.
+    /// Bytes of all memory held: trees, builder and renderer.
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         self.hierarchies.held_bytes() + self.scratch_bytes()

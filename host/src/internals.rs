@@ -1,4 +1,4 @@
-//! What the laboratory reads beside the public interface. No promises.
+//! Internals that the laboratory reads. Not part of the public interface; no stability.
 
 pub use crate::analysis::edges::{Edges, Side, excess};
 pub use crate::analysis::weld::weld;

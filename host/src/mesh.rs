@@ -1,4 +1,4 @@
-//! Indexed triangle meshes and the checks at the door.
+//! Indexed triangle meshes and their validation.
 
 mod error;
 mod snap;
@@ -12,20 +12,20 @@ use slimbvh_core::IndexedTriangles;
 pub struct Mesh {
     /// Positions, in the caller's unit.
     pub vertices: Vec<[f32; 3]>,
-    /// Three vertex indices a triangle. A triangle's place here is its primitive index.
+    /// Three vertex indices a triangle. A triangle's position in this list is its primitive index.
     pub indices: Vec<[u32; 3]>,
-    /// Unit shading normals, one a vertex, or empty: then triangles are shaded flat. A zero normal asks for flat shading.
+    /// Unit shading normals, one a vertex, or empty for flat shading. A zero normal requests flat shading.
     pub normals: Vec<[f32; 3]>,
-    /// Index into the scene's materials, one a triangle, or empty: then all use material 0.
+    /// Index into the scene's materials, one a triangle, or empty: then all triangles use material 0.
     pub materials: Vec<u32>,
-    /// Named runs of triangles, in order and without gaps, or empty. Errors name the part.
+    /// Named runs of triangles, in order and without gaps, or empty. Error messages name the part.
     pub parts: Vec<Part>,
 }
 
 /// A named run of triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Part {
-    /// The name that the file gives, or a number.
+    /// The name in the file, or a number.
     pub name: String,
     /// The run's first triangle.
     pub first_triangle: u32,
@@ -34,15 +34,16 @@ pub struct Part {
 }
 
 impl Mesh {
-    /// Checks all that the builder relies on: counts, indices in range, finite corners. Vertices that no face uses may
-    /// be anything.
+    /// Checks everything that the builder relies on: counts, indices in range, finite corners. Unused vertices may have any
+    /// value.
     ///
     /// # Errors
     /// The first fault found, by face.
     pub fn validate(&self) -> Result<(), MeshError> {
         self.validate_counts()?;
 
-        // Sound meshes are told by two plain sweeps. Only others, and those with stray vertices, are searched by face.
+        // Two plain sweeps accept most sound meshes. Only other meshes, and those with bad unused vertices, are searched by
+        // face.
         let largest_index = self.indices.iter().flatten().fold(0, |a, &b| a.max(b));
         let in_range = self.indices.is_empty() || (largest_index as usize) < self.vertices.len();
         let magnitude = |x: &f32| x.to_bits() & 0x7fff_ffff;
@@ -66,7 +67,7 @@ impl Mesh {
         }
     }
 
-    /// Drops every face with an index out of range or a corner that is not finite, and says how many those were.
+    /// Drops every face with an index out of range or a corner that is not finite. Returns how many were dropped.
     pub fn drop_unsound_faces(&mut self) -> usize {
         let sound: Vec<bool> = (0..self.indices.len())
             .map(|face| self.face_is_sound(face))
@@ -75,7 +76,7 @@ impl Mesh {
         if dropped == 0 {
             return 0;
         }
-        // How many sound faces come before each, and before the end.
+        // Sound faces before each face, and in all.
         let mut sum = 0;
         let mut before = vec![0; sound.len() + 1];
         for (face, &sound) in sound.iter().enumerate() {
@@ -154,7 +155,7 @@ impl Mesh {
         })
     }
 
-    /// Describes the first fault of an unsound face.
+    /// The first fault of an unsound face.
     fn face_fault(&self, face: usize) -> MeshError {
         let (part, face_in_part) = self.locate(face);
         for vertex in self.indices[face] {
@@ -276,7 +277,7 @@ mod tests {
             mesh.validate().unwrap_err().to_string(),
             "mesh \"b\" begins at triangle 2, but the one before it ends at 1"
         );
-        // What is out of place does not make dropping panic.
+        // Dropping faces accepts an inconsistent list of parts without a panic.
         mesh.parts[0].triangle_count = u32::MAX;
         mesh.indices[0][0] = 99;
         assert_eq!(mesh.drop_unsound_faces(), 1);

@@ -1,4 +1,4 @@
-//! Pictures and what a render is asked for.
+//! Pictures, render settings and render reports.
 
 mod mean;
 
@@ -11,7 +11,7 @@ use slimbvh_core::color::srgb_bytes;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum View {
-    /// Light on surfaces.
+    /// Shaded surfaces.
     #[default]
     Color,
     /// Surface normals, as colors.
@@ -35,8 +35,8 @@ pub struct RenderSettings {
     pub view: View,
     /// How many mirrors and surfaces of glass a path may meet.
     pub mirror_depth: u32,
-    /// Whether shadow rays also go where there is no light: from surfaces that face away from it, beyond its range, to a
-    /// black one. The picture stays the same.
+    /// Whether shadow rays are traced even where the light contributes nothing: surfaces that face away from it, points
+    /// beyond its range, black lights. The picture stays the same.
     pub dark_rays: bool,
 }
 
@@ -86,9 +86,9 @@ pub struct RenderReport {
     pub shadow_ray_count: u64,
     /// Rays from mirrors and through glass.
     pub mirror_ray_count: u64,
-    /// Camera rays that met something.
+    /// Camera rays that hit a triangle.
     pub primary_hit_count: u64,
-    /// Inner nodes opened, counted in the heatmap view only.
+    /// Inner nodes opened. Counted in the heatmap view only.
     pub node_visit_count: u64,
 }
 

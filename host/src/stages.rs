@@ -1,4 +1,4 @@
-//! How long each stage of a frame took.
+//! The time of each stage of a frame.
 
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -36,7 +36,7 @@ impl Stages {
         self.0.iter().copied()
     }
 
-    /// All times together.
+    /// The sum of all times.
     #[must_use]
     pub fn total(&self) -> Duration {
         self.0.iter().map(|&(_, time)| time).sum()

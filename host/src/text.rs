@@ -1,11 +1,11 @@
-//! Words from files, made fit for messages.
+//! Text from files, shortened and escaped for messages.
 
-/// The first characters of a name, a word or a line, for a message.
+/// The first characters of a text, for a message.
 pub(crate) fn excerpt(text: &str) -> String {
     shorten(text, 40)
 }
 
-/// Cuts a text to so many characters, and replaces those that a terminal would take for commands.
+/// Cuts a text to `length` characters and replaces control characters.
 pub(crate) fn shorten(text: &str, length: usize) -> String {
     let text = text.trim();
     let visible = |c: char| if c.is_control() { '\u{fffd}' } else { c };
@@ -16,13 +16,13 @@ pub(crate) fn shorten(text: &str, length: usize) -> String {
     }
 }
 
-/// A count of things: 1 component, 1,200 components.
+/// A count with its noun: 1 component, 1,200 components.
 pub(crate) fn things(count: usize, thing: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{} {thing}{plural}", grouped(count))
 }
 
-/// A count with thousands set apart.
+/// A count with a comma between thousands.
 pub(crate) fn grouped(count: usize) -> String {
     let digits = count.to_string();
     let mut text = String::new();

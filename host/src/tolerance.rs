@@ -1,4 +1,4 @@
-//! How far vertices may move, and the lattice that follows from it.
+//! How far vertices may move, and the lattice step that follows.
 
 use crate::{Aabb, Projection, RenderSettings, Scene};
 use glam::Vec3;
@@ -8,14 +8,14 @@ use glam::Vec3;
 pub enum Tolerance {
     /// A distance in the scene's unit.
     Length(f32),
-    /// Pixels of the picture, for what is nearest to the eye.
+    /// Pixels of the picture, at the point nearest to the camera.
     Pixels(f32),
 }
 
-/// What is nearer to the eye than this share of the scene's diagonal may move further than was asked for.
+/// Points nearer to the camera than this share of the scene's diagonal may move further than the tolerance.
 const NEAREST: f32 = 0.01;
 
-/// A vertex moves at most half a step along each axis: this many steps in all.
+/// A vertex moves at most half a step along each axis, so √3 / 2 steps in all.
 const STEPS: f64 = 0.866_025_403_784_438_6;
 
 impl Tolerance {
@@ -28,8 +28,8 @@ impl Tolerance {
         }
     }
 
-    /// The largest step of a lattice on which no vertex moves farther, as a power of two; `None` where that is finer than
-    /// floats can tell, so that nothing should move.
+    /// The exponent of the largest power of two that is a lattice step on which no vertex moves further. `None` if the step
+    /// is finer than floats resolve: then no vertex should move.
     #[must_use]
     pub fn step_exponent(self, scene: &Scene, settings: &RenderSettings) -> Option<i32> {
         let length = f64::from(self.length(scene, settings));
@@ -38,7 +38,7 @@ impl Tolerance {
             return None;
         }
         let step = (length / STEPS).log2().floor() as i32;
-        // Rounding of the logarithm must not let a vertex farther.
+        // Rounding of the logarithm must not let a vertex move further.
         let step = if 2f64.powi(step) * STEPS > length {
             step - 1
         } else {
@@ -48,7 +48,7 @@ impl Tolerance {
     }
 }
 
-/// The size of a pixel at the scene's nearest point, but no nearer than a hundredth of the scene's size.
+/// The size of a pixel at the scene's nearest point, at least a hundredth of the scene's diagonal away.
 fn pixel(scene: &Scene, settings: &RenderSettings) -> f32 {
     let (Some(camera), Some(bounds)) = (scene.cameras.first(), scene.mesh.bounds()) else {
         return 0.0;
@@ -64,7 +64,7 @@ fn pixel(scene: &Scene, settings: &RenderSettings) -> f32 {
     }
 }
 
-/// How far a point is from a box, 0 inside.
+/// The distance of a point from a box, 0 inside.
 fn distance_to(bounds: &Aabb, p: Vec3) -> f32 {
     p.distance(p.clamp(bounds.min, bounds.max))
 }

@@ -1,5 +1,5 @@
-//! A compute shader of one's own, in Rust, that calls slimbvh's core: `shader/` is a crate for rust-gpu with a query that
-//! slimbvh does not have. Here its module is run; CONTRIBUTING.md says how to compile it.
+//! Your own compute shader in Rust, calling slimbvh's core. `shader/` is a rust-gpu crate with a query that slimbvh does
+//! not have. This program runs its compiled module; CONTRIBUTING.md says how to compile it.
 
 use slimbvh::generate::{TorusKnot, torus_knot};
 use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu};
@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let found = frame.read_later(found.slice(..))?;
     frame.submit()?.wait()?;
 
-    // A closed surface is crossed an even number of times; 0, 2, 4, 6 are told apart.
+    // A ray crosses a closed surface an even number of times; the picture distinguishes 0, 2, 4 and 6.
     let counts: Vec<[u32; 2]> = found.read(&gpu)?;
     for row in counts.chunks(SIZE[0] as usize) {
         let marks = row.iter().map(|[count, _]| match count {

@@ -1,4 +1,4 @@
-//! Sorting by a small key first.
+//! A counting sort by a small key.
 
 /// Values grouped by key, sorted within each group. A counting sort by key and a small sort for each group take a
 /// fraction of the time of one large sort.
@@ -22,7 +22,7 @@ impl Buckets {
             *start = total;
         }
 
-        // Fill the buckets from their ends: `starts[key]` comes to be the start.
+        // Fill the buckets from their ends: `starts[key]` ends up as the start.
         let mut values = vec![0; total as usize];
         for (key, value) in pairs {
             let start = &mut starts[key as usize];
@@ -35,7 +35,7 @@ impl Buckets {
         Self { starts, values }
     }
 
-    /// Every key with its sorted values, by key; many are empty.
+    /// Every key with its sorted values, by key. Many keys have none.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &[u64])> {
         (0_u32..)
             .zip(self.starts.windows(2))

@@ -2,10 +2,10 @@
 
 use super::predicates::area_sign;
 
-/// Whether three finite points lie on one line, or two of them on one point. Exact: no rounding changes the answer, nor
-/// does the order of the points.
+/// Whether three finite points lie on one line, coincident points included. Exact: neither rounding nor the order of the
+/// points changes the answer.
 pub(crate) fn are_collinear([a, b, c]: [[f32; 3]; 3]) -> bool {
-    // Points lie on one line if their shadows along all three axes do.
+    // Points are collinear if their projections along all three axes are.
     [(0, 1), (1, 2), (2, 0)].into_iter().all(|(x, y)| {
         let project = |p: [f32; 3]| [f64::from(p[x]), f64::from(p[y])];
         area_sign(project(a), project(b), project(c)) == 0

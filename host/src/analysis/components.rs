@@ -1,4 +1,4 @@
-//! Pieces that hang together by edges.
+//! Components: triangles connected by edges.
 
 use super::Component;
 use super::edges::{Edges, excess};
@@ -28,7 +28,7 @@ pub(super) fn components(mesh: &Mesh, triangles: &[[u32; 3]]) -> Vec<Component> 
     components
 }
 
-/// Size, bounds and volume of each component, all taken to be closed.
+/// Size, bounds and volume of each component, as if all were closed.
 fn measure(mesh: &Mesh, labels: &Labels) -> Vec<Component> {
     let faces = || {
         let labelled = mesh.indices.iter().zip(&labels.of);
@@ -40,8 +40,8 @@ fn measure(mesh: &Mesh, labels: &Labels) -> Vec<Component> {
             })
     };
 
-    // Bounds first: volumes are taken from the middle.
-    let nothing = Component {
+    // Bounds first, because volumes are relative to their middle.
+    let empty = Component {
         triangle_count: 0,
         closed: true,
         consistently_wound: true,
@@ -49,7 +49,7 @@ fn measure(mesh: &Mesh, labels: &Labels) -> Vec<Component> {
         signed_volume: 0.0,
         bounds: Aabb::EMPTY,
     };
-    let mut components = vec![nothing; labels.count as usize];
+    let mut components = vec![empty; labels.count as usize];
     for (corners, label) in faces() {
         components[label].triangle_count += 1;
         let bounds = &mut components[label].bounds;
@@ -59,7 +59,7 @@ fn measure(mesh: &Mesh, labels: &Labels) -> Vec<Component> {
             .fold(*bounds, Aabb::union_point);
     }
 
-    // Sum up the tetrahedra between the middle and each triangle.
+    // Sum the tetrahedra between the middle and each triangle.
     let mut volumes = vec![Volume::default(); components.len()];
     for (corners, label) in faces() {
         let [a, b, c] = seen_from(middle(&components[label].bounds), corners);

@@ -1,9 +1,9 @@
-//! The edges of a mesh, and the triangles along each.
+//! The edges of a mesh, with the triangles at each.
 
 use super::buckets::Buckets;
 
-/// One side of one triangle, along an edge: `larger vertex (32 bits) | triangle (31) | forward (1)`. Forward leads from
-/// the smaller vertex to the larger.
+/// One side of one triangle: `larger vertex (32 bits) | triangle (31) | forward (1)`. Forward means from the smaller vertex
+/// to the larger.
 #[derive(Clone, Copy)]
 pub struct Side(u64);
 
@@ -16,20 +16,20 @@ impl Side {
         (self.0 >> 32) as u32
     }
 
-    /// The triangle that it is a side of.
+    /// The triangle of the side.
     #[must_use]
     pub fn triangle(self) -> u32 {
         self.0 as u32 >> 1
     }
 
-    /// Whether it leads from the smaller vertex to the larger.
+    /// Whether the side runs from the smaller vertex to the larger.
     #[must_use]
     pub fn is_forward(self) -> bool {
         self.0 & 1 == 1
     }
 
-    /// The corners of its triangle that the side leads between, smaller vertex first. `triangle` is the one that the
-    /// side was made from.
+    /// The two corners of the side in its triangle, the one with the smaller vertex first. `triangle` must be the side's
+    /// triangle.
     #[must_use]
     pub fn corners(self, triangle: [u32; 3]) -> [usize; 2] {
         let leads_here = |&corner: &usize| {
@@ -71,7 +71,7 @@ impl Edges {
         Self(Buckets::new(vertex_count, sides))
     }
 
-    /// Shows the sides along each undirected edge, ordered by triangle.
+    /// Visits the sides at each undirected edge, ordered by triangle.
     pub fn for_each(&self, mut visit: impl FnMut(&[Side])) {
         let mut sides = Vec::new();
         for (_, bucket) in self.0.iter() {
@@ -85,7 +85,7 @@ impl Edges {
     }
 }
 
-/// How much oftener these sides pass their edge in one direction than in the other.
+/// How many more of these sides run one way along their edge than the other way.
 #[must_use]
 pub fn excess(sides: &[Side]) -> usize {
     let forward = sides.iter().filter(|side| side.is_forward()).count();

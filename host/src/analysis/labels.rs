@@ -1,21 +1,21 @@
-//! Which component each triangle belongs to.
+//! The component of each triangle.
 
 use super::edges::Edges;
 use super::union_find::UnionFind;
 
-/// The label of a triangle that welding makes a point: it has no edge and belongs to no component.
+/// The label of a triangle whose corners all weld to one vertex: it has no edge and no component.
 pub(crate) const NONE: u32 = u32::MAX;
 
 /// Components by number, in the order of their first triangles.
 pub(crate) struct Labels {
     /// The component of each triangle, or [`NONE`].
     pub(crate) of: Vec<u32>,
-    /// How many components there are.
+    /// The number of components.
     pub(crate) count: u32,
 }
 
 impl Labels {
-    /// Labels triangles over welded vertices, whose edges these are. Triangles of one edge belong together.
+    /// Labels triangles over welded vertices by their edges. Triangles at one edge belong to one component.
     pub(crate) fn new(edges: &Edges, triangles: &[[u32; 3]]) -> Self {
         let mut sets = UnionFind::new(triangles.len());
         edges.for_each(|sides| {

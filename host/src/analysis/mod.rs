@@ -1,4 +1,4 @@
-//! What a mesh is made of: its connected components, which of them are closed, which way they face, and its faults.
+//! Facts about a mesh: its connected components, their closedness and orientation, and its faults.
 
 mod buckets;
 mod collinear;
@@ -33,34 +33,34 @@ pub struct Analysis {
     pub triangle_count: usize,
     /// Vertices, unused ones included.
     pub vertex_count: usize,
-    /// Distinct positions of used vertices. Only equal positions are one; -0 equals +0.
+    /// Distinct positions of used vertices. Only exactly equal positions weld; -0 equals +0.
     pub welded_vertex_count: usize,
-    /// Pieces that hang together by edges, largest first, equal ones by their first triangle. Triangles that welding
-    /// makes a point have no edge and are in none.
+    /// Components, largest first; components of equal size in the order of their first triangles. Triangles whose corners
+    /// all weld to one vertex have no edge and belong to none.
     pub components: Vec<Component>,
     /// The box around all used vertices; `None` for a mesh without triangles.
     pub bounds: Option<Aabb>,
     /// Triangles whose corners lie on one line, decided exactly.
     pub degenerate_triangle_count: usize,
-    /// Triangles that have the same three positions as an earlier one, in any rotation and winding.
+    /// Triangles with the same three positions as an earlier one, in any rotation and winding.
     pub duplicate_triangle_count: usize,
 }
 
-/// Triangles that hang together by shared edges between welded vertices. Touching in a point does not connect.
+/// Triangles connected by shared edges between welded vertices. Touching in a point does not connect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Component {
-    /// How many triangles it has.
+    /// The number of triangles.
     pub triangle_count: usize,
-    /// Whether every directed edge occurs as often as its reverse. So a closed surface with one face turned over is not
-    /// closed, and two closed surfaces that share an edge are.
+    /// Whether every directed edge occurs as often as its reverse. So a closed surface with one flipped face is not closed,
+    /// but two closed surfaces that share an edge are.
     pub closed: bool,
-    /// Whether no edge is passed in one direction more than once oftener than in the other: an edge of two triangles
-    /// is passed once each way. True for every closed component; a border does no harm.
+    /// Whether no edge is passed in one direction at least twice more than in the other; an edge of two triangles is passed
+    /// once each way. True for every closed component, and unaffected by borders.
     pub consistently_wound: bool,
-    /// Whether the front sides face out, by the sign of the volume. `None` when not closed, or when rounding could
-    /// have turned the sign.
+    /// Whether the front sides face outward, by the sign of the volume. `None` if the component is open, or if rounding
+    /// could change the sign.
     pub outward: Option<bool>,
-    /// Volume inside, negative when the front sides face in. Of an open component: the volume of the cone from the
+    /// The enclosed volume, negative if the front sides face inward. For an open component, the volume of the cone from the
     /// middle of its bounds.
     pub signed_volume: f64,
     /// The box around it.
@@ -74,13 +74,13 @@ pub(crate) fn around(points: impl IntoIterator<Item = [f32; 3]>) -> Option<Aabb>
     (!bounds.is_empty()).then_some(bounds)
 }
 
-/// Takes stock of a mesh in time O(n log n) on one thread.
+/// Analyzes a mesh in time O(n log n) on one thread.
 ///
 /// # Panics
-/// If a triangle names a vertex that is not there; [`Mesh::validate`] finds that.
+/// If a triangle refers to a vertex that does not exist; [`Mesh::validate`] checks that.
 #[must_use]
 pub fn analyze(mesh: &Mesh) -> Analysis {
-    // Name every corner by its position.
+    // Replace every corner by the number of its position.
     let ids = weld(&mesh.vertices);
     let triangles: Vec<[u32; 3]> = mesh
         .indices
@@ -110,7 +110,7 @@ pub fn analyze(mesh: &Mesh) -> Analysis {
     }
 }
 
-/// Triangles whose three welded vertices an earlier triangle has too.
+/// The number of triangles with the same three welded vertices as an earlier triangle.
 fn count_duplicates(triangles: &[[u32; 3]], vertex_count: usize) -> usize {
     let by_smallest_vertex = Buckets::new(
         vertex_count,

@@ -1,19 +1,19 @@
-//! On which side a point lies, decided exactly (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust
-//! Geometric Predicates", 1997). For finite points; no rounding changes an answer.
+//! Exact orientation predicates (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+//! Predicates", 1997). For finite points; rounding never changes an answer.
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// The sign of `(b - a) × (c - a)`: 1 where three points turn counter-clockwise, 0 on a line. Coordinates must be `f32`
-/// values.
+/// The sign of `(b - a) × (c - a)`: 1 if the points turn counter-clockwise, 0 if they are collinear. Coordinates must be
+/// `f32` values.
 pub(crate) fn area_sign(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> i32 {
     let [a, b, c] = [a, b, c].map(|[x, y]| Coord { x, y });
     sign(orient2d(a, b, c))
 }
 
-/// The sign of `((b - a) × (c - a)) · (p - a)`: 1 where `p` lies in front of the triangle a, b, c, 0 on its plane.
+/// The sign of `((b - a) × (c - a)) · (p - a)`: 1 if `p` lies in front of the triangle a, b, c, 0 if in its plane.
 pub(crate) fn volume_sign([a, b, c]: [[f32; 3]; 3], p: [f32; 3]) -> i32 {
     let [a, b, c, p] = [a, b, c, p].map(|[x, y, z]| Coord3D { x, y, z });
-    // Positive where p lies behind.
+    // `orient3d` is positive behind the triangle.
     -sign(orient3d(a, b, c, p))
 }
 
@@ -42,7 +42,7 @@ mod tests {
         let triangle = [[huge, huge, 0.0], [-huge, huge, 0.0], [0.0, -huge, 0.0]];
         assert_eq!(volume_sign(triangle, [1.0, 1.0, tiny]), 1);
         assert_eq!(volume_sign(triangle, [1.0, 1.0, -tiny]), -1);
-        // A plane through the points (1, 1, 1) · t and (1, 2, 3) · t: only the last bit tells.
+        // The plane through the points (1, 1, 1) · t and (1, 2, 3) · t: the last bit decides.
         let slanted = [[huge, huge, huge], [tiny, 2.0 * tiny, 3.0 * tiny], [0.0; 3]];
         let point = [2.0_f32, 3.0, 4.0];
         assert_eq!(volume_sign(slanted, point), 0);
@@ -67,7 +67,7 @@ mod tests {
         #[test]
         fn volume_sign_agrees_with_integers(a in point(), b in point(), c in point(), mut p in point(), near in any::<bool>(), scale in -140i32..100) {
             if near {
-                // On the plane, or one step beside it.
+                // In the plane, or one step beside it.
                 p = [0, 1, 2].map(|i| b[i] + c[i] - a[i] + p[i] % 2);
             }
             prop_assume!(p.iter().all(|x| x.abs() <= 1 << 24));

@@ -1,6 +1,6 @@
 //! Disjoint sets.
 
-/// Sets of numbers that can be joined. The smallest member stands for its set.
+/// Sets of numbers that can be merged. The smallest member represents its set.
 pub(crate) struct UnionFind {
     parents: Vec<u32>,
 }
@@ -16,7 +16,7 @@ impl UnionFind {
     /// The smallest member of the set that holds `item`.
     pub(crate) fn find(&mut self, mut item: u32) -> u32 {
         while self.parents[item as usize] != item {
-            // Halve the path on the way.
+            // Path halving.
             let parent = self.parents[item as usize];
             self.parents[item as usize] = self.parents[parent as usize];
             item = parent;
@@ -24,7 +24,7 @@ impl UnionFind {
         item
     }
 
-    /// Makes one set of two.
+    /// Merges two sets.
     pub(crate) fn join(&mut self, a: u32, b: u32) {
         let (a, b) = (self.find(a), self.find(b));
         self.parents[a.max(b) as usize] = a.min(b);

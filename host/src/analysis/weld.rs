@@ -1,10 +1,10 @@
-//! Vertices of equal position.
+//! Welding: vertices of equal position.
 
-/// A number for each vertex, the same for equal positions and for them alone, below the number of vertices. Numbers
-/// follow the first vertex of each position. -0 equals +0; a NaN equals a NaN of the same bits.
+/// A number for each vertex, below the number of vertices. Two numbers are equal exactly if the positions are. Numbers
+/// follow the first vertex of each position. -0 equals +0; a NaN equals a NaN with the same bits.
 #[must_use]
 pub fn weld(vertices: &[[f32; 3]]) -> Vec<u32> {
-    // Sort positions with the vertex behind: x (32 bits) | y (32) | z (32) | vertex (32).
+    // Sort positions together with the vertex: x (32 bits) | y (32) | z (32) | vertex (32).
     let mut keys: Vec<u128> = (0_u32..)
         .zip(vertices)
         .map(|(vertex, position)| {
@@ -16,7 +16,7 @@ pub fn weld(vertices: &[[f32; 3]]) -> Vec<u32> {
         .collect();
     keys.sort_unstable();
 
-    // The first of each run stands for all of it.
+    // The first of each run represents it.
     let mut ids = vec![0; vertices.len()];
     for run in keys.chunk_by(|a, b| a >> 32 == b >> 32) {
         for &key in run {

@@ -1,4 +1,4 @@
-//! What motions are relative to.
+//! The frame of reference of motions: a scene's middle, vertical, floor and size.
 
 use crate::{Camera, Mesh};
 
@@ -7,17 +7,17 @@ use crate::{Camera, Mesh};
 pub struct Anchor {
     /// The middle of the box around all triangles.
     pub center: [f64; 3],
-    /// Which coordinate is height.
+    /// The coordinate that is height.
     pub vertical: usize,
     /// The smallest height.
     pub floor: f64,
-    /// Twice the distance from the middle within which half of all corners lie: wide ground under small things does not
-    /// count for more than it shows. 0 only if at least half of the corners are in the middle.
+    /// Twice the distance from the middle within which half of all corners lie, so that wide ground under small objects
+    /// does not dominate. 0 only if at least half of the corners are in the middle.
     pub size: f64,
 }
 
 impl Anchor {
-    /// Of a sound mesh, seen by this camera. An empty one has no size.
+    /// The anchor of a sound mesh, seen by this camera. The size of an empty mesh is 0.
     pub fn new(mesh: &Mesh, camera: Option<&Camera>) -> Self {
         let up = camera.map_or([0.0, 1.0, 0.0], |camera| camera.up);
         let vertical = vertical(up);
@@ -49,13 +49,13 @@ impl Anchor {
         }
     }
 
-    /// The two level coordinates, such that the first turns to the second about the vertical, counter-clockwise from above.
+    /// The two level coordinates, ordered so that a counter-clockwise turn, seen from above, takes the first to the second.
     pub fn level(&self) -> [usize; 2] {
         [(self.vertical + 1) % 3, (self.vertical + 2) % 3]
     }
 }
 
-/// The coordinate that a camera's up direction is nearest to; y where it has none.
+/// The coordinate nearest to a camera's up direction; y if that is zero.
 fn vertical(up: [f32; 3]) -> usize {
     let mut vertical = 1;
     for axis in [0, 2] {
@@ -72,7 +72,7 @@ mod tests {
 
     #[test]
     fn far_corners_do_not_stretch_the_size() {
-        // Three triangles begin near the middle, two far out.
+        // Three triangles near the middle, two far out.
         let mesh = Mesh {
             vertices: vec![
                 [-100.0, -2.0, -300.0],

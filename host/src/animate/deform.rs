@@ -1,4 +1,4 @@
-//! Meshes that bend.
+//! Deformations of meshes.
 
 use super::anchor::Anchor;
 use super::turn::{Turn, narrow};
@@ -6,42 +6,42 @@ use crate::dvec3::{cross, dot, normalized};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// How a mesh bends. What lies on the scene's floor stays there.
+/// How a mesh deforms. Points on the scene's floor stay in place.
 ///
-/// Both are one-to-one and keep the sides of surfaces apart, so solids stay solid and face out. Vertices are moved and
-/// the triangles between them stay flat: a triangle larger than the scene's objects does not bend.
+/// Both deformations are one-to-one and keep the two sides of a surface apart, so solids stay solid and face outward. Only
+/// vertices move; a triangle larger than the scene's objects stays flat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Deform {
-    /// Heights swell and shrink by an eighth as a wave passes through the scene.
+    /// A wave passes through the scene: heights grow and shrink by an eighth.
     Wave,
-    /// The scene is twisted about its vertical, to one side and to the other.
+    /// The scene twists about its vertical, to one side and back to the other.
     Twist,
 }
 
-/// The wave changes heights above the floor by this share of themselves at most.
+/// The largest change of a height above the floor, as a share of the height.
 const SWELL: f64 = 0.125;
 
-/// Where the wave goes, in the two level directions.
+/// The wave's direction, in the two level coordinates.
 const TRAVEL: [f64; 2] = [0.6, 0.8];
 
-/// The most that a scene is twisted, in full turns at one size above the floor.
+/// The largest twist, in full turns at one size above the floor.
 const TWIST: f64 = 0.125;
 
-/// Vertices that a task takes at least.
+/// Vertices in a parallel task.
 const BLOCK: usize = 4096;
 
-/// A way to bend at one moment.
+/// A deformation at one moment.
 pub trait Bend: Sync {
-    /// Where a point goes.
+    /// The deformed position of a point.
     fn point(&self, p: [f64; 3]) -> [f64; 3];
 
-    /// A normal's direction there, of any length: what the inverse transpose of the derivative makes of it.
+    /// The deformed direction of a normal, of any length: the inverse transpose of the derivative times the normal.
     fn normal(&self, p: [f64; 3], n: [f64; 3]) -> [f64; 3];
 }
 
 impl Deform {
-    /// The way to bend at a moment from 0 to 1.
+    /// The deformation at a moment from 0 to 1.
     pub(super) fn at(self, anchor: Anchor, moment: f64) -> Box<dyn Bend> {
         match self {
             Self::Wave => Box::new(Wave { anchor, moment }),
@@ -53,7 +53,7 @@ impl Deform {
     }
 }
 
-/// Moves a rest pose's vertices, and turns its normals with them. Unit normals stay so, zero ones stay zero.
+/// Deforms a rest pose's vertices and normals. Unit normals stay unit, zero normals stay zero.
 pub fn bend(bend: &dyn Bend, rest: &Rest, vertices: &mut [[f32; 3]], normals: &mut [[f32; 3]]) {
     let pairs = vertices.par_iter_mut().zip(&rest.vertices);
     pairs.with_min_len(BLOCK).for_each(|(to, from)| {
@@ -67,21 +67,22 @@ pub fn bend(bend: &dyn Bend, rest: &Rest, vertices: &mut [[f32; 3]], normals: &m
     });
 }
 
-/// Vertices and normals before they are bent.
+/// Vertices and normals before deformation.
 #[derive(Clone, Debug, Default)]
 pub struct Rest {
     pub vertices: Vec<[f32; 3]>,
     pub normals: Vec<[f32; 3]>,
 }
 
-/// A height h above the floor becomes `h (1 + SWELL sin φ)`, where φ grows by a full turn on each `size` of the way.
+/// A height h above the floor becomes `h (1 + SWELL sin φ)`, where φ grows by a full turn over each `size` along the wave's
+/// direction.
 struct Wave {
     anchor: Anchor,
     moment: f64,
 }
 
 impl Wave {
-    /// Sine and cosine of φ, and by how much it grows along the two level directions.
+    /// Sine and cosine of φ, and its derivatives along the two level coordinates.
     fn phase(&self, p: [f64; 3]) -> (f64, f64, [f64; 2]) {
         let [a, b] = self.anchor.level();
         let number = if self.anchor.size > 0.0 {
@@ -119,7 +120,7 @@ impl Bend for Wave {
     }
 }
 
-/// A point is turned about the vertical, by `most` turns at one size above the floor and evenly less below.
+/// Turns a point about the vertical, by `most` turns at one size above the floor and proportionally less below.
 struct Twist {
     anchor: Anchor,
     most: f64,
@@ -152,8 +153,8 @@ impl Bend for Twist {
         std::array::from_fn(|axis| self.anchor.center[axis] + arm[axis])
     }
 
-    /// With the turn R, the derivative is `R (I + w upᵀ)`, where w is what a point moves by for each unit of height;
-    /// `w·up` is 0, so its inverse transpose is `R (I - up wᵀ)`.
+    /// With the turn R, the derivative is `R (I + w upᵀ)`, where w is a point's movement for each unit of height; `w·up` is
+    /// 0, so its inverse transpose is `R (I - up wᵀ)`.
     fn normal(&self, p: [f64; 3], n: [f64; 3]) -> [f64; 3] {
         let mut up = [0.0; 3];
         up[self.anchor.vertical] = TAU * self.rate();
@@ -183,7 +184,7 @@ mod tests {
             })
     }
 
-    /// Where tangents go, by differences, is across where the normal goes.
+    /// Deformed tangents, by differences, are perpendicular to the deformed normal.
     #[test]
     fn normals_stay_across_their_surface() {
         let anchors = [0, 1, 2].map(|vertical| Anchor { vertical, ..ANCHOR });
@@ -200,7 +201,7 @@ mod tests {
                 let normal = normalized(bend.normal(p, n));
                 let across = cross(moved(first), moved(second));
                 let away = cross(first, second);
-                // Which way round, before and after.
+                // The orientation before and after.
                 let side = dot(n, away).signum();
                 let cosine = side * dot(normal, normalized(across));
                 assert!(cosine > 1.0 - 1e-7, "{deform:?} at {p:?}: {cosine}");
@@ -218,7 +219,7 @@ mod tests {
                 "{deform:?}"
             );
         }
-        // One size along the way from the middle, which is a full turn.
+        // One size from the middle along the wave, which is a full turn.
         let crest = Deform::Wave.at(ANCHOR, 0.75).point([7.0, 4.5, -5.0]);
         assert!((crest[1] - (1.5 + 3.0 * 1.125)).abs() < 1e-12, "{crest:?}");
         let valley = Deform::Wave.at(ANCHOR, 0.25).point([7.0, 4.5, -5.0]);
@@ -235,7 +236,7 @@ mod tests {
         );
     }
 
-    /// A scene without a size, all in one point or all in one plane, is left alone or at least finite.
+    /// A scene of size 0, in one point or in one plane, stays in place or at least finite.
     #[test]
     fn no_size_is_no_trouble() {
         let anchor = Anchor {

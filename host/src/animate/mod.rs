@@ -1,9 +1,9 @@
-//! Scenes that move: cameras and lights on a circle, meshes that bend, and trees that are kept up with them.
+//! Moving scenes: cameras and lights on a circle, deforming meshes, and the upkeep of trees.
 //!
-//! A [`Shutter`] that stays open blurs what moves: a frame is then the mean of pictures at several times.
+//! An open [`Shutter`] blurs movement: a frame is then the mean of pictures at several times.
 //!
-//! All motions come round: frame `n + frame_count` is frame `n`, and the last frame leads on to the first as any frame
-//! leads on to the next.
+//! All motions are periodic: frame `n + frame_count` equals frame `n`, and the last frame leads to the first as any frame
+//! leads to the next.
 //!
 //! ```
 //! use slimbvh::animate::{Animation, Deform, Motion};

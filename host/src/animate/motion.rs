@@ -1,4 +1,4 @@
-//! What moves, and where it is in each frame.
+//! The motion of a scene, and the pose in each frame.
 
 use super::anchor::Anchor;
 use super::deform::{Deform, Rest, bend};
@@ -6,16 +6,16 @@ use super::turn::Turn;
 use crate::{Camera, Light, RenderSettings, Scene, ViewError};
 use slimbvh_core::bounds::scene_exponent;
 
-/// What moves. Nothing does by default.
+/// What moves; nothing by default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Motion {
-    /// Frames of one round; 0 counts as 1.
+    /// Frames of one period; 0 counts as 1.
     pub frame_count: u32,
-    /// The camera goes round the middle of the scene, counter-clockwise from above: a turntable.
+    /// The camera circles the scene's middle, counter-clockwise from above: a turntable.
     pub orbit: bool,
-    /// The lights go round it.
+    /// The lights circle it.
     pub orbit_light: bool,
-    /// The mesh bends.
+    /// The mesh deforms.
     pub deform: Option<Deform>,
 }
 
@@ -42,8 +42,8 @@ pub struct Animation {
 }
 
 impl Animation {
-    /// Motion of a scene as it is now, whose mesh is [valid](crate::Mesh::validate). Only the first camera moves. The
-    /// vertical is the coordinate axis nearest to the camera's up.
+    /// The motion of a scene from its present pose. Its mesh must be [valid](crate::Mesh::validate). Only the first camera
+    /// moves. The vertical is the coordinate axis nearest to the camera's up direction.
     #[must_use]
     pub fn new(scene: &Scene, motion: Motion) -> Self {
         let camera = scene.cameras.first().copied();
@@ -64,15 +64,15 @@ impl Animation {
         }
     }
 
-    /// Moves the scene, which must be the one that this was made for, to where it is in a frame. Returns whether vertices
-    /// moved; they did not if only the camera and the lights did.
+    /// Moves the scene, which must be the one passed to [`Self::new`], to its pose in a frame. Returns whether vertices
+    /// moved; `false` if only the camera and the lights did.
     ///
-    /// In frame 0 camera and lights are where they were at first.
+    /// In frame 0, camera and lights are in their first pose.
     pub fn pose(&self, frame: u32, scene: &mut Scene) -> bool {
         self.pose_at(f64::from(frame), scene)
     }
 
-    /// [`Self::pose`] at any time, in frames: 2.5 is halfway from frame 2 to frame 3. It must be finite.
+    /// [`Self::pose`] at any finite time, in frames: 2.5 is halfway from frame 2 to frame 3.
     pub fn pose_at(&self, time: f64, scene: &mut Scene) -> bool {
         let moment = self.moment(time);
         let turn = Turn::new(self.anchor, moment);
@@ -99,19 +99,19 @@ impl Animation {
         true
     }
 
-    /// Whether all frames can be seen, told before the first one is made.
+    /// Checks before the first frame that all frames can be rendered.
     ///
     /// # Errors
-    /// The first frame's whose camera or lights make no picture.
+    /// For the first frame whose camera or lights cannot be rendered.
     pub fn check(&self, settings: &RenderSettings) -> Result<(), ViewError> {
         let frames = 0..self.motion.frame_count.max(1);
         self.check_at(frames.map(f64::from), settings)
     }
 
-    /// [`Self::check`] at some times, in frames.
+    /// [`Self::check`] at the given times, in frames.
     ///
     /// # Errors
-    /// The first time's whose camera or lights make no picture.
+    /// For the first time at which the camera or the lights cannot be rendered.
     pub fn check_at(
         &self,
         times: impl IntoIterator<Item = f64>,
@@ -138,7 +138,7 @@ impl Animation {
         Ok(())
     }
 
-    /// How much of the round is over at a time, from 0 to 1.
+    /// The share of the period that is over at a time, from 0 to 1.
     fn moment(&self, time: f64) -> f64 {
         let count = f64::from(self.motion.frame_count.max(1));
         time.rem_euclid(count) / count

@@ -1,12 +1,12 @@
-//! When a frame sees the scene.
+//! The times at which a frame samples the scene.
 
-/// How long a frame's shutter is open, and at how many times it looks. Closed at once by default: a frame is then the scene
-/// as it is when the frame begins.
+/// How long a frame's shutter is open, and how many times it samples. By default it closes at once: the frame shows the
+/// scene at the frame's beginning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shutter {
     /// The share of the time to the next frame, 0 to 1, from the frame's beginning.
     pub share: f64,
-    /// Times in a frame; 0 counts as 1. The frame's picture is the [mean](crate::PictureMean) of theirs.
+    /// Samples in time; 0 counts as 1. The frame's picture is the [mean](crate::PictureMean) of theirs.
     pub time_count: u32,
 }
 
@@ -20,7 +20,7 @@ impl Default for Shutter {
 }
 
 impl Shutter {
-    /// The times at which a frame looks, in frames: the middles of equal parts of the time that the shutter is open.
+    /// The sample times of a frame, in frames: the middles of equal parts of the open time.
     ///
     /// ```
     /// use slimbvh::animate::Shutter;
@@ -53,7 +53,7 @@ mod tests {
         }
     }
 
-    /// Open all the time, frame after frame, all times are evenly apart.
+    /// With the shutter always open, sample times are evenly spaced across frames.
     #[test]
     fn times_are_evenly_apart_across_frames() {
         let shutter = Shutter {

@@ -13,13 +13,13 @@ pub struct Turn {
 }
 
 impl Turn {
-    /// Counter-clockwise from above, by a share of the full circle.
+    /// A counter-clockwise turn, seen from above, by a share of the full circle.
     pub fn new(anchor: Anchor, share: f64) -> Self {
         let (sin, cos) = (TAU * share).sin_cos();
         Self { anchor, sin, cos }
     }
 
-    /// A camera on its circle.
+    /// The camera after the turn.
     pub fn camera(&self, camera: &Camera) -> Camera {
         Camera {
             eye: self.point(camera.eye),
@@ -29,7 +29,7 @@ impl Turn {
         }
     }
 
-    /// A light on its circle.
+    /// The light after the turn.
     pub fn light(&self, light: &Light) -> Light {
         match *light {
             Light::Directional { direction, color } => Light::Directional {
@@ -72,7 +72,7 @@ impl Turn {
         self.turned(direction.map(f64::from)).map(narrow)
     }
 
-    /// Leaves the height as it is.
+    /// Turns a vector; its height stays.
     pub fn turned(&self, v: [f64; 3]) -> [f64; 3] {
         let [a, b] = self.anchor.level();
         let mut turned = v;
@@ -82,7 +82,7 @@ impl Turn {
     }
 }
 
-/// The nearest `f32`; the largest one for numbers beyond.
+/// The nearest `f32`; the largest one for numbers out of range.
 pub fn narrow(x: f64) -> f32 {
     (x as f32).clamp(-f32::MAX, f32::MAX)
 }

@@ -1,18 +1,17 @@
-//! When a tree is rebuilt, refitted, or kept.
+//! The upkeep of a tree: rebuild, refit or keep.
 
-/// A refitted tree is rebuilt once it costs this many times what it did when it was built.
+/// A refitted tree is rebuilt once its cost is this many times the cost when it was built.
 ///
-/// With g the growth of the cost per frame and r = (build − refit) / trace in time, rebuilding each m frames loses `r/m` of
-/// a frame to building and `g m / 2` to slower tracing; both together are least where the cost has grown to `1 + √(2 g r)`.
-/// For a dragon that is twisted in 48 frames g is 2 %,
-/// and r is 1 on two cores: 1.2.
+/// Let g be the growth of the cost per frame and r = (build − refit) / trace in time. Rebuilding every m frames loses `r/m`
+/// of a frame to building and `g m / 2` to slower tracing. The sum is least when the cost has grown to `1 + √(2 g r)`. For
+/// a dragon twisted in 48 frames g is 2 % and r is 1 on two cores: 1.2.
 pub const MOST_COST: f64 = 1.2;
 
-/// Refits between two rebuilds where the cost is not known: on a GPU nothing is read back. One rebuild in eight frames is
-/// little beside eight pictures, and no tree wears for long.
+/// Refits between two rebuilds if the cost is unknown, because nothing is read back from a GPU. One rebuild in eight frames
+/// costs little beside eight pictures, and no tree degrades for long.
 pub const MOST_REFITS: u32 = 7;
 
-/// How a tree keeps up with its scene.
+/// How a tree follows its scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Update {
@@ -20,23 +19,23 @@ pub enum Update {
     Rebuild,
     /// Build in the first frame and refit in all others.
     Refit,
-    /// Nothing where no vertex moved; else refit while the tree is good, or rebuild.
+    /// Keep the tree if no vertex moved; else refit it while it is good, or rebuild it.
     #[default]
     Auto,
 }
 
-/// What is done to a tree in a frame.
+/// The update of a tree in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// It is built anew.
+    /// Built anew.
     Rebuilt,
-    /// Its boxes are moved.
+    /// Boxes refitted.
     Refitted,
-    /// It stays.
+    /// Unchanged.
     Kept,
 }
 
-/// Decides what is done to a tree from frame to frame. The pictures are the same whatever it decides.
+/// Chooses the update of a tree from frame to frame. The pictures do not depend on the choice.
 #[derive(Clone, Debug, Default)]
 pub struct Upkeep {
     update: Update,
@@ -56,7 +55,7 @@ impl Upkeep {
         }
     }
 
-    /// What to do now, which is taken for done, as vertices moved since the last frame or did not.
+    /// The next action, which the caller must perform. `vertices_moved` since the previous frame.
     pub fn next(&mut self, vertices_moved: bool) -> Action {
         let action = match self.update {
             _ if !self.is_built => Action::Rebuilt,
@@ -78,7 +77,7 @@ impl Upkeep {
         action
     }
 
-    /// Takes the tree's [cost](crate::sah_cost) as it is now. It counts from the next frame on.
+    /// Reports the tree's present [cost](crate::sah_cost). It affects the next frame.
     pub fn measured(&mut self, cost: f64) {
         if self.refit_count == 0 {
             self.cost_when_built = Some(cost);
@@ -86,7 +85,7 @@ impl Upkeep {
         self.cost = Some(cost);
     }
 
-    /// Whether tracing has become so slow that a rebuild pays.
+    /// Whether tracing has slowed so much that a rebuild pays.
     fn is_worn(&self) -> bool {
         match (self.cost_when_built, self.cost) {
             (Some(built), Some(now)) => now >= MOST_COST * built,
@@ -126,7 +125,7 @@ mod tests {
         }
         assert_eq!(upkeep.next(false), Kept);
         assert_eq!(upkeep.next(true), Rebuilt);
-        // From here on the new tree's cost counts.
+        // From now on the new tree's cost counts.
         upkeep.measured(80.0);
         assert_eq!(upkeep.next(true), Refitted);
         upkeep.measured(95.0);

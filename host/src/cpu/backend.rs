@@ -1,4 +1,4 @@
-//! The CPU's passes, as frames ask for them.
+//! The CPU's passes as a [`Backend`].
 
 use super::{Builder, Renderer, Subset};
 use crate::backend::{
@@ -10,11 +10,11 @@ use slimbvh_core::orientation::Target;
 use std::convert::Infallible;
 use thiserror::Error;
 
-/// This machine's cores: the threads of the rayon pool that frames are made in.
+/// This machine's cores: the threads of the current rayon pool.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cpu;
 
-/// Why the CPU did not make a frame.
+/// Why the CPU cannot make a frame.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum CpuError {

@@ -19,7 +19,7 @@ pub fn scene_bounds(triangles: &IndexedTriangles) -> Aabb {
 }
 
 impl Mesh {
-    /// The box around all triangles; `None` where there are none. The mesh must be sound.
+    /// The box around all triangles; `None` for a mesh without triangles. The mesh must be sound.
     #[must_use]
     pub fn bounds(&self) -> Option<Aabb> {
         let bounds = scene_bounds(&self.triangles());

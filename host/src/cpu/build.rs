@@ -20,16 +20,16 @@ use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
 use slimbvh_core::{Aabb, LeafTriangle};
 
-/// Which triangles a hierarchy is built over.
+/// The triangles of a hierarchy.
 #[derive(Clone, Copy, Debug)]
 pub enum Subset<'a> {
-    /// All of the mesh.
+    /// All triangles of the mesh.
     All,
-    /// Those that rays of one kind may hit, which is in the mesh's unit.
+    /// Those that rays of one kind may hit. In the mesh's unit.
     Of(VisibleSet<'a>),
 }
 
-/// Builds hierarchies, and keeps its buffers from one to the next.
+/// Builds hierarchies. Keeps its buffers from one build to the next.
 #[derive(Debug, Default)]
 pub struct Builder {
     config: BuildConfig,
@@ -44,10 +44,10 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// A builder without buffers yet.
+    /// A builder with empty buffers.
     ///
     /// # Panics
-    /// If the codecs of nodes and triangles do not go together ([`crate::check_codecs`]).
+    /// If the codecs of nodes and triangles cannot be combined ([`crate::check_codecs`]).
     #[must_use]
     pub fn new(config: BuildConfig) -> Self {
         if let Err(error) = crate::check_codecs(config.nodes, config.mesh) {
@@ -59,7 +59,7 @@ impl Builder {
         }
     }
 
-    /// Builds a hierarchy over a mesh in a new place.
+    /// Builds a new hierarchy over a mesh.
     ///
     /// # Errors
     /// Those of [`Mesh::validate`].
@@ -69,19 +69,18 @@ impl Builder {
         Ok(bvh)
     }
 
-    /// Builds a hierarchy over a mesh in place of an earlier one, whose memory is used again. Returns the time of each
-    /// stage.
+    /// Builds a hierarchy over a mesh in the memory of an earlier one. Returns the time of each stage.
     ///
     /// # Errors
-    /// Those of [`Mesh::validate`]; the earlier hierarchy stays as it was.
+    /// Those of [`Mesh::validate`]; then the earlier hierarchy is unchanged.
     pub fn build_into(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, MeshError> {
         let mut stages = self.sort(mesh)?;
         stages.merge(&self.build_sorted(mesh, Subset::All, bvh));
         Ok(stages)
     }
 
-    /// Puts a mesh's triangles in the order of the curve, once for all hierarchies over subsets of them. Returns the time of
-    /// each stage.
+    /// Sorts a mesh's triangles along the space-filling curve, once for all hierarchies over subsets of them. Returns the
+    /// time of each stage.
     ///
     /// # Errors
     /// Those of [`Mesh::validate`].
@@ -89,7 +88,7 @@ impl Builder {
         self.sort_some(mesh, None)
     }
 
-    /// What the mesh must be for this builder.
+    /// Checks that the builder can store the mesh.
     fn check(&self, mesh: &Mesh) -> Result<(), MeshError> {
         mesh.validate()?;
         let Some(step_exponent) = self.config.mesh.step_exponent() else {
@@ -106,7 +105,7 @@ impl Builder {
         mesh.check_lattice(step_exponent)
     }
 
-    /// Sorts all of a mesh's triangles, or only those in a set.
+    /// Sorts a mesh's triangles, all or those of a set.
     fn sort_some(&mut self, mesh: &Mesh, reach: Option<&VisibleSet>) -> Result<Stages, MeshError> {
         let mut stages = Stages::default();
         stages.time("validate", || self.check(mesh))?;
@@ -138,11 +137,11 @@ impl Builder {
         Ok(stages)
     }
 
-    /// Builds a hierarchy over a subset of a mesh's triangles, which are sorted alone: less work than [`Self::sort`] and
-    /// [`Self::build_sorted`] where this is the only hierarchy, with the same outcome.
+    /// Builds a hierarchy over a subset of a mesh's triangles, sorting only those. If this is the only hierarchy, it is
+    /// less work than [`Self::sort`] and [`Self::build_sorted`], with the same result.
     ///
     /// # Errors
-    /// Those of [`Mesh::validate`]; the earlier hierarchy stays as it was.
+    /// Those of [`Mesh::validate`]; then the earlier hierarchy is unchanged.
     pub fn build_subset(
         &mut self,
         mesh: &Mesh,
@@ -157,12 +156,12 @@ impl Builder {
         Ok(stages)
     }
 
-    /// Follows a mesh whose vertices moved a little since it was sorted: hierarchies that are built from here on keep the
-    /// order that there was. They hold the same triangles and give the same answers as over a new order, and their boxes
-    /// are as loose as a refit's.
+    /// Follows a mesh whose vertices moved a little since it was sorted. Hierarchies built from now on keep the existing
+    /// order. They hold the same triangles and give the same answers as with a new order, but their boxes are as loose as a
+    /// refit's.
     ///
     /// # Errors
-    /// Those of [`Mesh::validate`], and [`RefitError::TriangleCount`] for another mesh than the one that was sorted.
+    /// Those of [`Mesh::validate`], and [`RefitError::TriangleCount`] for another mesh than the one sorted.
     pub fn follow(&mut self, mesh: &Mesh) -> Result<Stages, RefitError> {
         let mut stages = Stages::default();
         stages.time("validate", || mesh.validate())?;
@@ -182,11 +181,11 @@ impl Builder {
         Ok(stages)
     }
 
-    /// Builds a hierarchy over the mesh that was sorted last, or a subset of it, in place of an earlier one. Returns the time
-    /// of each stage.
+    /// Builds a hierarchy over the mesh that was sorted last, or a subset of it, in the memory of an earlier one. Returns
+    /// the time of each stage.
     ///
     /// # Panics
-    /// If the mesh is not the one that [`Self::sort`] was given.
+    /// If the mesh is not the one passed to [`Self::sort`].
     pub fn build_sorted(&mut self, mesh: &Mesh, subset: Subset, bvh: &mut Bvh) -> Stages {
         let mut stages = Stages::default();
         let bounds = self.bounds.unwrap_or(Aabb::EMPTY);
@@ -217,7 +216,7 @@ impl Builder {
             }
         }
         let count = leaves.len() as u32;
-        // One leaf takes no merging.
+        // One leaf needs no merging.
         if self.config.tree == TreeKind::Clustered && count > LEAF_SIZE {
             let clustering = &mut self.clustering;
             stages.time("cluster", || clustering.merge(&leaves));
@@ -245,16 +244,16 @@ impl Builder {
         stages
     }
 
-    /// Finds a set as [`Division::divide`] does, in memory that is kept.
+    /// Finds a set as [`Division::divide`] does, in reused memory.
     pub(super) fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
         self.division.divide(mesh, reach)
     }
 
-    /// Moves a hierarchy's boxes to where the mesh's vertices are now; the triangles must be those that it was built over.
-    /// Returns the time of each stage.
+    /// Refits a hierarchy's boxes to the present vertices of the mesh that it was built over. Returns the time of each
+    /// stage.
     ///
     /// # Errors
-    /// Those of [`Mesh::validate`], and a mesh with another number of triangles; the hierarchy stays as it was.
+    /// Those of [`Mesh::validate`], and a mesh with a different number of triangles; then the hierarchy is unchanged.
     pub fn refit(&mut self, mesh: &Mesh, bvh: &mut Bvh) -> Result<Stages, RefitError> {
         let mut stages = Stages::default();
         stages.time("validate", || self.check(mesh))?;
@@ -287,7 +286,7 @@ impl Builder {
         Ok(stages)
     }
 
-    /// Stage `refit`: all boxes; or where a codec is asked for stage `encode`, which finds them on its way.
+    /// Stage `refit` of all boxes for a plain tree; stage `encode`, which refits as it goes, for a codec.
     fn fit(&mut self, stages: &mut Stages, leaves: Vec<LeafTriangle>, bvh: &mut Bvh) {
         stages.time("refit", || fill_pyramid(&leaves, &mut self.pyramid));
         let stage = if self.config.nodes == NodeCodec::default() {
@@ -306,7 +305,7 @@ impl Builder {
         });
     }
 
-    /// Bytes of the buffers that the last build used; they are kept for the next.
+    /// Bytes of the buffers that the last build used. The next build reuses them.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
         self.order_30.bytes()

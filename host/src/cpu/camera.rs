@@ -1,4 +1,4 @@
-//! Stage `camera` on the CPU: from samples to rays, and to pixels.
+//! Stage `camera` on the CPU: rays from samples, and pixels from samples.
 
 use super::render::{BLOCK, Prepared, Renderer};
 use crate::picture::RenderReport;
@@ -8,7 +8,7 @@ use slimbvh_core::ray::Hit;
 use slimbvh_core::shade::{Path, mean_radiance};
 
 impl Renderer {
-    /// Sends the samples `first..first + count` off from the camera.
+    /// Starts the camera rays of samples `first..first + count`.
     pub(super) fn begin(
         &mut self,
         stage: &Prepared,
@@ -37,7 +37,7 @@ pub fn resolve(paths: &[Path], sample_count: u32, pixels: &mut [[f32; 3]]) {
     });
 }
 
-/// Gives each pixel its color.
+/// Colors each pixel.
 pub fn paint(pixels: &mut [[f32; 3]], color: impl Fn(u32) -> Vec3 + Sync) {
     let numbered = pixels.par_iter_mut().enumerate().with_min_len(BLOCK);
     numbered.for_each(|(i, pixel)| *pixel = color(i as u32).to_array());

@@ -1,4 +1,4 @@
-//! Stage `classify` on the CPU: which triangles belong to a set.
+//! Stage `classify` on the CPU: the triangles of a set.
 
 use super::compact::Selection;
 use crate::{Mesh, Stages};
@@ -7,7 +7,8 @@ use slimbvh_core::classify::{VisibleSet, word_of_set};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::{Aabb, IndexedTriangles};
 
-/// A bit for each triangle that is in a set, in the mesh's order, as memory likes it, and how many come before each word.
+/// A bit for each triangle, set if it belongs to the set, and the number of set bits before each word. Triangles are read
+/// in the mesh's order, which is sequential in memory.
 pub fn classify(
     members: &mut Selection,
     triangles: &IndexedTriangles,
@@ -18,7 +19,7 @@ pub fn classify(
     members.scan();
 }
 
-/// The bits, and how many are set in each word.
+/// The bits, and the number set in each word.
 fn mark(
     members: &mut Selection,
     triangles: &IndexedTriangles,
@@ -30,10 +31,10 @@ fn mark(
     members.mark_words(triangles.indices.len().div_ceil(32), word);
 }
 
-/// Finds the triangles that rays from or to a target may hit, and keeps its buffers from one target to the next.
+/// Finds the triangles that rays from or to a target may hit. Keeps its buffers from one target to the next.
 ///
-/// Builds do this by themselves, and need no list. It is for who wants the set without a hierarchy, or how long each step of
-/// the division takes.
+/// Builds divide the mesh themselves and need no list. This type serves callers who want the set without a hierarchy, or
+/// the time of each step of the division.
 #[derive(Debug, Default)]
 pub struct Division {
     selection: Selection,
@@ -41,15 +42,15 @@ pub struct Division {
 }
 
 impl Division {
-    /// No set yet.
+    /// Empty buffers and no set.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Finds the set of what rays may hit, in the mesh's unit. The mesh must be [sound](Mesh::validate). Returns the times of
-    /// `classify` (a bit for each triangle, and how many are set in each word), `scan` (sums of these counts) and `compact`
-    /// (the list).
+    /// Finds the set of triangles that rays may hit, in the mesh's unit. The mesh must be [sound](Mesh::validate). Returns
+    /// the times of `classify` (a bit for each triangle, and the number set in each word), `scan` (prefix sums of these
+    /// counts) and `compact` (the list).
     pub fn divide(&mut self, mesh: &Mesh, reach: &VisibleSet) -> Stages {
         let bounds = mesh.bounds().unwrap_or(Aabb::EMPTY);
         let scale = PowerOfTwo::new(scene_exponent(&bounds));
@@ -67,7 +68,7 @@ impl Division {
         stages
     }
 
-    /// The set that was found last, in the mesh's order.
+    /// The latest set, in the mesh's order.
     #[must_use]
     pub fn primitives(&self) -> &[u32] {
         &self.primitives
@@ -84,7 +85,8 @@ mod tests {
     use slimbvh_core::frustum::Frustum;
     use slimbvh_core::orientation::Target;
 
-    /// Of a ball, what lies above the horizon of an eye and a little more; what is built over it holds the same.
+    /// An eye's set of a ball is what lies above the horizon and a little more; a tree over the set holds the same
+    /// triangles.
     #[test]
     fn the_set_of_a_ball_is_what_an_eye_may_see() {
         let mesh = icosphere(Vec3::new(5.0, 0.0, 0.0), 2.0, 4);
@@ -114,7 +116,7 @@ mod tests {
             });
             assert!(expected.eq(division.primitives().iter().copied()), "{side}");
 
-            // The two ways to build over it sort otherwise, with the same outcome.
+            // The two ways to build over the set sort differently, with the same result.
             for code_bits in [CodeBits::Bits30, CodeBits::Bits63] {
                 let mut builder = Builder::new(BuildConfig::from(code_bits));
                 let (mut alone, mut shared) = (Bvh::default(), Bvh::default());

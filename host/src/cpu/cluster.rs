@@ -1,4 +1,4 @@
-//! Stage `cluster` on the CPU, and stage `topology` of the tree that it leaves.
+//! Stage `cluster` on the CPU, and stage `topology` of the clustered tree.
 
 use super::BLOCK;
 use super::compact::Selection;
@@ -13,31 +13,31 @@ use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::node::{Connection, LEAF_SIZE};
 use slimbvh_core::refit::PyramidBox;
 
-/// Below a node with fewer triangles, no more threads are asked.
+/// Nodes with fewer triangles are filled on one thread.
 const TASK: u32 = 8192;
 
-/// Merges triangles to a tree. Keeps its buffers.
+/// Merges triangles into a tree. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Clustering {
     merges: Vec<Merged>,
-    active: Left,
-    next: Left,
+    active: Clusters,
+    next: Clusters,
     merging: Selection,
-    /// By place in the tree: which triangle, in the order of the curve.
+    /// For each place in the tree, the index of the triangle in the order of the curve.
     order: Vec<u32>,
     sorted: Vec<LeafTriangle>,
 }
 
-/// Clusters that are left, in order. The lists only grow.
+/// The clusters of a round, in order. The lists only grow.
 #[derive(Debug, Default)]
-struct Left {
+struct Clusters {
     ids: Vec<u32>,
     boxes: Vec<PyramidBox>,
     count: usize,
 }
 
-impl Left {
-    /// Makes room for as many.
+impl Clusters {
+    /// Makes room for `count` clusters.
     fn resize(&mut self, count: usize) {
         if count > self.ids.len() {
             self.ids.resize(count, 0);
@@ -62,7 +62,7 @@ impl Left {
     }
 }
 
-/// A block of the clusters that are left, and what it makes of them.
+/// A block of the clusters, and the parts of the lists that its results fill.
 struct Block<'a> {
     first: usize,
     next_ids: &'a mut [u32],
@@ -71,7 +71,7 @@ struct Block<'a> {
 }
 
 impl Clustering {
-    /// Merges triangles, which are in the order of the curve, to one cluster.
+    /// Merges triangles, given in the order of the curve, into one cluster.
     pub fn merge(&mut self, triangles: &[LeafTriangle]) {
         let count = triangles.len();
         self.merges
@@ -96,7 +96,7 @@ impl Clustering {
     }
 
     fn merge_round(&mut self, round: Round, triangle_count: u32) {
-        // Merges are stored where none has been yet.
+        // This round's merges follow those of earlier rounds.
         let first_merge = round.first_merge(triangle_count);
         let old = (first_merge - triangle_count) as usize;
         let (merges, mut free) = self.merges.split_at_mut(old);
@@ -111,11 +111,11 @@ impl Clustering {
         });
         let (bits, before) = (merging.bits.as_slice(), merging.before.as_slice());
 
-        // The left place of each pair stays, so that a block leaves a run, and makes one.
+        // The left member of each pair keeps its position, so a block reads one run and writes one.
         let staying = count - merge_count;
         self.next.resize(staying);
         let (mut next_ids, mut next_boxes) = self.next.as_mut_slices();
-        // The last cluster begins no pair, so there may be no word for it.
+        // The last cluster starts no pair, so its bit may have no word.
         let merged_before = |i: usize| match i {
             _ if i + 1 >= count => merge_count,
             _ => rank(i as u32, bits, before) as usize,
@@ -147,15 +147,15 @@ impl Clustering {
         };
         let changes: Vec<Vec<Change>> = blocks.into_par_iter().map(run).collect();
 
-        // What was rotated was another's to read until now.
+        // Rotations are stored only now, because other blocks read the old nodes during the round.
         for change in changes.iter().flatten() {
             self.merges[(change.id - triangle_count) as usize] = change.merged;
         }
         std::mem::swap(&mut self.active, &mut self.next);
     }
 
-    /// Stage `topology`: the nodes of the tree over more than [`LEAF_SIZE`] triangles that were merged last, which are put in
-    /// its order.
+    /// Stage `topology`: the nodes of the tree over the triangles merged last, more than [`LEAF_SIZE`]. Reorders the
+    /// triangles as the tree does.
     pub fn connect(&mut self, triangles: &mut Vec<LeafTriangle>, connections: &mut Connections) {
         let triangle_count = triangles.len() as u32;
         debug_assert!(triangle_count > LEAF_SIZE && self.merges.len() + 1 == triangles.len());
@@ -202,7 +202,7 @@ impl Clustering {
 }
 
 impl Block<'_> {
-    /// Merges its pairs. Returns what is to be stored anew.
+    /// Merges the block's pairs. Returns the changes to earlier merges.
     fn run(
         self,
         first_id: u32,
@@ -212,7 +212,7 @@ impl Block<'_> {
         let mut changes = Vec::new();
         let mut next = self.next_ids.iter_mut().zip(self.next_boxes);
         let mut made = self.merges.iter_mut().zip(first_id..);
-        // A pair that began in the block before has taken its right one.
+        // A pair that started in the previous block has used this block's first cluster.
         let mut i = self.first + usize::from(self.first > 0 && is_set(self.first as u32 - 1, bits));
         while i < active.ids.len().min(self.first + BLOCK) {
             let Some((next_id, next_box)) = next.next() else {
@@ -241,7 +241,7 @@ impl Block<'_> {
     }
 }
 
-/// A cluster in its place, and the parts of the lists that it fills.
+/// A cluster in its place in the tree, and the parts of the lists that it fills.
 struct Part<'a> {
     place: Place,
     size: Size,
@@ -252,14 +252,14 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// Stores it and all below.
+    /// Stores the cluster's node and all below it.
     fn fill(self, merges: &Merges) {
         if self.size.nodes == 0 {
             fill_leaf(self.place.id, self.order, merges);
             return;
         }
         let placed = open(self.place, merges);
-        // A left child comes after all that is below it, any other node before.
+        // A left child is stored after its descendants, any other node before them.
         let own = if self.is_left {
             self.nodes.len() - 1
         } else {

@@ -1,14 +1,14 @@
-//! Stage `compact` on the CPU: some of many, in order.
+//! Stage `compact` on the CPU: selected items, in order.
 
 use super::BLOCK;
 use super::scan::scan;
 use rayon::prelude::*;
 use slimbvh_core::compact::is_set;
 
-/// Words of a task.
+/// Words in a parallel task.
 const WORDS: usize = BLOCK / 32;
 
-/// A bit for each item, and how many are set before each word. Keeps its buffers.
+/// A bit for each item, and the number set before each word. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Selection {
     /// The bits.
@@ -19,19 +19,19 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// Takes the items that count. Returns how many these are.
+    /// Selects items. Returns how many.
     pub fn select(&mut self, item_count: usize, counts: impl Fn(usize) -> bool + Sync) -> usize {
         self.mark(item_count, counts);
         self.scan()
     }
 
-    /// Takes the items whose bit is set in the words that a kernel returns. Returns how many these are.
+    /// Selects the items whose bit is set in the words that a kernel returns. Returns how many.
     pub fn fill(&mut self, word_count: usize, word: impl Fn(u32) -> u32 + Sync) -> usize {
         self.mark_words(word_count, word);
         self.scan()
     }
 
-    /// First half of [`Self::select`]: the bits, and how many are set in each word.
+    /// First half of [`Self::select`]: the bits, and the number set in each word.
     pub fn mark(&mut self, item_count: usize, counts: impl Fn(usize) -> bool + Sync) {
         let word_count = item_count.div_ceil(32);
         self.mark_words(word_count, |word| {
@@ -55,30 +55,30 @@ impl Selection {
         });
     }
 
-    /// Second half: how many come before each word. Returns how many there are.
+    /// Second half: the number set before each word. Returns the total.
     pub fn scan(&mut self) -> usize {
         self.count = scan(&mut self.before) as usize;
         self.count
     }
 
-    /// How many items were taken.
+    /// The number of selected items.
     pub const fn len(&self) -> usize {
         self.count
     }
 
-    /// Whether an item was taken.
+    /// Whether an item is selected.
     pub fn is_taken(&self, item: u32) -> bool {
         is_set(item, &self.bits)
     }
 
-    /// Shows each item that was taken, with its places in two lists as long as the count.
+    /// Visits each selected item with its entries in two lists, both as long as the selection.
     pub fn for_each<A: Send, B: Send>(
         &self,
         a: &mut [A],
         b: &mut [B],
         visit: impl Fn(usize, &mut A, &mut B) + Sync,
     ) {
-        // Each block of words has the run that begins where the counts say.
+        // Each block of words fills a run of the lists; the prefix sums say where it begins.
         let mut blocks = Vec::with_capacity(self.bits.len().div_ceil(WORDS));
         let (mut rest_a, mut rest_b) = (a, b);
         for first_word in (0..self.bits.len()).step_by(WORDS) {

@@ -13,8 +13,8 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::{BLOCK, LANES};
 use slimbvh_core::orientation::Target;
 
-/// What can be said of a mesh's components wherever its vertices are, by the kernels that also run on a GPU: to the bit what
-/// [`crate::gpu::Decisions`] finds. [`Topology`] takes solid angles as well, and so knows more of targets that touch a
+/// Measures of a mesh's components at the present vertices, by the same kernels as on a GPU: equal to
+/// [`crate::gpu::Decisions`] to the bit. [`Topology`] also uses solid angles, and so decides more targets that touch a
 /// component's box.
 #[derive(Clone, Debug)]
 pub struct Decisions {
@@ -28,7 +28,7 @@ pub struct Decisions {
 }
 
 impl Decisions {
-    /// Takes from a topology what does not depend on positions. It must have looked for seams, if it is to.
+    /// Copies what does not depend on positions from a topology. If seams matter, the topology must have searched for them.
     #[must_use]
     pub fn new(topology: &Topology) -> Self {
         Self {
@@ -41,10 +41,10 @@ impl Decisions {
         }
     }
 
-    /// Measures all components where the mesh's vertices are now.
+    /// Measures all components at the mesh's present vertices.
     ///
     /// # Panics
-    /// If it is another mesh, as far as the counts tell.
+    /// If the counts of vertices or triangles show that it is another mesh.
     pub fn measure(&mut self, mesh: &Mesh) {
         let counts = (mesh.vertices.len(), mesh.indices.len());
         let expected = (self.vertex_count, self.components.len());
@@ -67,14 +67,14 @@ impl Decisions {
         components.collect_into_vec(&mut self.measures);
     }
 
-    /// What was measured of each component that may be reduced, with its number.
+    /// The measures of each component that may be reduced, with its number.
     pub fn measures(&self) -> impl Iterator<Item = (u32, &Measure)> {
         let components = self.runs.components.iter().zip(&self.measures);
         components.map(|(component, measure)| (component.number, measure))
     }
 
-    /// For each component the side that faces out, 1 for the front and −1 for the back; 0 where it must stay whole, or the
-    /// target, in the mesh's unit, touches its box. One more entry, 0, stands at the number of components.
+    /// For each component, the side that faces outward: 1 for the front, −1 for the back. 0 if it must stay whole, or if
+    /// the target (in the mesh's unit) touches its box. The entry at the number of components is 0.
     #[must_use]
     pub fn sides(&self, target: &Target) -> Vec<i32> {
         let mut sides = vec![0; self.component_count as usize + 1];
@@ -84,12 +84,12 @@ impl Decisions {
         sides
     }
 
-    /// Counts the triangles that face a light and those that face away. Where these are fewer, and the eye is outside of all
-    /// components that the light is outside of, negates the light's sides. It must be true that every shadow ray starts
-    /// outside wherever the eye is: that nothing is transparent.
+    /// Counts the triangles that face a light (L+) and those that face away (L−). If L− is smaller and the eye is outside
+    /// of every component that the light is outside of, negates the light's sides. Requires that every shadow ray starts
+    /// outside wherever the eye is, so nothing may be transparent.
     ///
     /// # Panics
-    /// If sides are missing.
+    /// If the lists of sides have the wrong length.
     pub fn take_smaller(
         &self,
         mesh: &Mesh,
@@ -111,14 +111,14 @@ impl Decisions {
             target: light.scaled(&scale),
         };
         let blocks = (0..(mesh.indices.len() as u32).div_ceil(BLOCK)).into_par_iter();
-        let nothing = SetCounts::default();
+        let none = SetCounts::default();
         let blocks = blocks.map(|block| {
             let own = |lane| lane_counts(block, lane, &choice);
-            reduce(nothing, own, count_step::<LANES>)
+            reduce(none, own, count_step::<LANES>)
         });
         let blocks: Vec<SetCounts> = blocks.collect();
         let own = |lane| lane_total(lane, &blocks);
-        let counts = reduce(nothing, own, count_step::<LANES>).decided();
+        let counts = reduce(none, own, count_step::<LANES>).decided();
         if counts.is_minus == 1 {
             for side in sides {
                 *side = -*side;
@@ -128,19 +128,19 @@ impl Decisions {
     }
 }
 
-/// What a workgroup's lanes have together, in the order of its steps.
+/// The reduction of a workgroup's lanes, in the order of its steps.
 fn reduce<T: Copy>(
-    nothing: T,
+    identity: T,
     own: impl Fn(u32) -> T,
     step: impl Fn(u32, u32, &[T; LANES]) -> T,
 ) -> T {
-    let mut all = [nothing; LANES];
+    let mut all = [identity; LANES];
     for (lane, value) in (0..).zip(&mut all) {
         *value = own(lane);
     }
     let mut distance = LANES as u32 / 2;
     while distance > 0 {
-        // Lanes read only what no lane of the step stores, but for its own.
+        // A lane reads only values that no other lane of the step stores.
         for lane in 0..distance {
             all[lane as usize] = step(lane, distance, &all);
         }

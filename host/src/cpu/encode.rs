@@ -1,7 +1,7 @@
-//! Stage `encode` on the CPU: from the root down, as a box is coded in its parent's, once that is decoded.
+//! Stage `encode` on the CPU, from the root down: a child's box is coded relative to its parent's decoded box.
 //!
-//! A node's descendants lie together: those of the left child before the right child, those of the right child from there on.
-//! So both halves can be filled at once, each in its part of the lists.
+//! A node's descendants are contiguous: those of the left child, then those of the right child. So both halves can be
+//! filled in parallel, each in its part of the lists.
 
 mod lattice;
 mod lattice_mesh;
@@ -22,12 +22,12 @@ use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{FINEST_STEP, LeafWidth, scaled_step};
 use slimbvh_core::refit::PyramidBox;
 
-/// Stores hierarchies, in full or in a codec, and keeps buffers from one to the next.
+/// Stores hierarchies, in full or in a codec. Keeps buffers from one to the next.
 #[derive(Debug)]
 pub struct Encoder {
     triangles: Vec<LeafTriangle>,
     sizes: Vec<u32>,
-    /// How wide all triangles of the last hierarchy were, where they were alike.
+    /// The common width of all triangles of the last hierarchy, if there was one.
     width: Option<LeafWidth>,
 }
 
@@ -49,7 +49,7 @@ pub struct Unstored<'a> {
 }
 
 impl Encoder {
-    /// A buffer for triangles in full: that of a tree that is to be replaced, or the one that the last encoding left.
+    /// A buffer for triangles in full: that of the tree to be replaced, or the one kept from the last encoding.
     pub fn leaves(&mut self, replaced: &mut StoredTree) -> Vec<LeafTriangle> {
         let mut leaves = replaced.take_full_triangles();
         if leaves.capacity() == 0 {
@@ -58,8 +58,8 @@ impl Encoder {
         leaves
     }
 
-    /// Stores a tree over these triangles in place of another, whose buffers are used again. Keeps the buffer of triangles where they
-    /// are coded. Vertices must lie on the mesh's lattice, if it has one.
+    /// Stores a tree over these triangles, reusing the buffers of the tree that it replaces. Keeps the buffer of triangles
+    /// if they are coded. Vertices must lie on the mesh's lattice, if it has one.
     pub fn store(
         &mut self,
         (nodes, mesh): (NodeCodec, MeshCodec),
@@ -129,7 +129,7 @@ impl Encoder {
         };
     }
 
-    /// Bytes of what is kept.
+    /// Bytes of the buffers kept.
     pub fn bytes(&self) -> usize {
         size_of_val(self.triangles.as_slice()) + size_of_val(self.sizes.as_slice())
     }

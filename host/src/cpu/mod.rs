@@ -1,4 +1,4 @@
-//! The CPU backend: core's kernels under rayon. The number of threads never changes a bit.
+//! The CPU backend: core's kernels under rayon. Results do not depend on the number of threads.
 
 mod backend;
 mod bounds;
@@ -29,5 +29,5 @@ pub use decide::Decisions;
 pub use render::Renderer;
 pub use trees::{Tree, Trees};
 
-/// Items that a task takes at once.
+/// Items in a parallel task.
 const BLOCK: usize = 4096;

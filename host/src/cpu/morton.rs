@@ -1,4 +1,4 @@
-//! Stage `morton` on the CPU: a code for each triangle, as items to be sorted.
+//! Stage `morton` on the CPU: a code for each triangle, as items for the sort.
 
 use super::BLOCK;
 use super::compact::Selection;
@@ -6,7 +6,7 @@ use super::sort::Sorter;
 use rayon::prelude::*;
 use slimbvh_core::{Aabb, IndexedTriangles};
 
-/// Gives all triangles their codes.
+/// Computes the codes of all triangles.
 pub fn fill_codes<const W: usize>(
     sorter: &mut Sorter<W>,
     triangles: &IndexedTriangles,
@@ -21,7 +21,7 @@ pub fn fill_codes<const W: usize>(
     });
 }
 
-/// Gives the triangles of a set their codes, and leaves out all others.
+/// Computes the codes of the triangles in a set.
 pub fn fill_codes_of_set<const W: usize>(
     sorter: &mut Sorter<W>,
     members: &Selection,

@@ -1,4 +1,4 @@
-//! Triangles in the order of the curve: stages `classify`, `morton`, `sort` and `snap`, timed.
+//! Triangles in the order of the curve: stages `classify`, `morton`, `sort` and `snap`, with their times.
 
 use super::classify::classify;
 use super::compact::Selection;
@@ -10,20 +10,20 @@ use slimbvh_core::classify::VisibleSet;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle};
 
-/// Triangles in the order of their codes of W words, all or a subset. Keeps its buffers.
+/// Triangles, all or a subset, in the order of their codes of W words. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Order<const W: usize> {
     sorter: Sorter<W>,
-    /// By triangle: which are in the set.
+    /// The set, by triangle index.
     members: Selection,
-    /// By place in the order: the same.
+    /// The set, by position in the order.
     selection: Selection,
-    /// The codes of the triangles that were gathered last.
+    /// The codes of the triangles gathered last.
     pub codes: Vec<[u32; W]>,
 }
 
 impl<const W: usize> Order<W> {
-    /// Stages `morton` and `sort`, of all triangles.
+    /// Stages `morton` and `sort` of all triangles.
     pub fn sort(
         &mut self,
         stages: &mut Stages,
@@ -35,7 +35,7 @@ impl<const W: usize> Order<W> {
         stages.time("sort", || self.sorter.sort(key_bits));
     }
 
-    /// Stages `classify`, `morton` and `sort`: only what is in the set is sorted.
+    /// Stages `classify`, `morton` and `sort` of the triangles in a set.
     pub fn sort_set(
         &mut self,
         stages: &mut Stages,
@@ -68,7 +68,7 @@ impl<const W: usize> Order<W> {
         stages.time("snap", || leaves.gather(items, triangles, scale));
     }
 
-    /// Stages `classify` and `snap`: as [`Self::gather`], of what is in the set.
+    /// Stages `classify` and `snap`: [`Self::gather`] for the triangles in a set.
     pub fn gather_set(
         &mut self,
         stages: &mut Stages,
@@ -92,7 +92,7 @@ impl<const W: usize> Order<W> {
         });
     }
 
-    /// How many triangles were sorted last.
+    /// The number of triangles sorted last.
     pub fn len(&self) -> usize {
         self.sorter.len()
     }

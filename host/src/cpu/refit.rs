@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
 use slimbvh_core::{LeafTriangle, Node};
 
-/// Boxes of groups, of pairs of groups, and so on to one.
+/// Boxes of groups, of pairs of groups, and so on up to one box.
 pub fn fill_pyramid(triangles: &[LeafTriangle], pyramid: &mut Vec<PyramidBox>) {
     let mut level_count = group_count(triangles.len() as u32) as usize;
     pyramid.resize(pyramid_size(level_count), PyramidBox::default());
@@ -21,7 +21,7 @@ pub fn fill_pyramid(triangles: &[LeafTriangle], pyramid: &mut Vec<PyramidBox>) {
     }
 }
 
-/// Entries of all levels above and including one of this size.
+/// Entries of the level of this size and all above it.
 fn pyramid_size(level_count: usize) -> usize {
     let mut size = level_count;
     let mut level = level_count;

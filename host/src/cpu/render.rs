@@ -1,4 +1,4 @@
-//! Pictures on the CPU, in waves of samples: stages `camera`, `trace` and `shade` or `view`, one after the other.
+//! Rendering on the CPU in waves of samples: stage `camera`, then `trace`, then `shade` or `view`.
 
 use super::Cpu;
 use super::camera::resolve;
@@ -19,10 +19,10 @@ use std::time::Instant;
 /// Samples in flight.
 const WAVE: u32 = 1 << 18;
 
-/// Samples that a task takes at once.
+/// Samples in a parallel task.
 pub const BLOCK: usize = 512;
 
-/// Renders pictures, and keeps its buffers from one to the next.
+/// Renders pictures. Keeps its buffers from one to the next.
 #[derive(Debug, Default)]
 pub struct Renderer {
     pub(super) paths: Vec<Path>,
@@ -31,10 +31,10 @@ pub struct Renderer {
     depths: Vec<u32>,
 }
 
-/// Trees that are built in the picture, and where the times of that go.
+/// Trees that are built during the picture, and the times of their builds.
 pub type Deferred<'a> = (&'a mut dyn DeferredTrees<Cpu>, &'a mut Stages);
 
-/// All that a picture is made from, next to the tree.
+/// The inputs of a picture besides the trees.
 pub struct Prepared<'a> {
     pub scene: &'a Scene,
     pub trees: Trees<'a>,
@@ -47,17 +47,17 @@ pub struct Prepared<'a> {
 }
 
 impl Renderer {
-    /// A renderer without buffers yet.
+    /// A renderer with empty buffers.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Renders a scene, whose mesh the tree was built over, through its first camera; see [`Scene::complete`] for scenes
-    /// without one. `progress` is told the share done, 0 to 1.
+    /// Renders a scene through its first camera; see [`Scene::complete`] for scenes without one. The tree must be over the
+    /// scene's mesh. `progress` is called with the share done, 0 to 1.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture, and a mesh with another number of triangles than the tree.
+    /// For cameras and lights that cannot be rendered, and a mesh with a different number of triangles than the tree's.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -70,13 +70,13 @@ impl Renderer {
         self.render_with(scene, &trees, settings, picture, progress)
     }
 
-    /// [`Self::render`], with a hierarchy for each kind of rays.
+    /// [`Self::render`] with one hierarchy for each kind of rays.
     ///
     /// # Errors
     /// Those of [`Self::render`].
     ///
     /// # Panics
-    /// If there are not as many hierarchies for shadow rays as there are lights.
+    /// If the number of hierarchies for shadow rays differs from the number of lights.
     pub fn render_with(
         &mut self,
         scene: &Scene,
@@ -99,12 +99,14 @@ impl Renderer {
         match self.render_shot(&shot, None, output) {
             Ok(report) => Ok(report),
             Err(CpuError::View(error)) => Err(error),
-            Err(CpuError::Mesh(_) | CpuError::Refit(_)) => unreachable!("nothing is built"),
+            Err(CpuError::Mesh(_) | CpuError::Refit(_)) => {
+                unreachable!("a render without deferred trees builds none")
+            }
         }
     }
 
-    /// Renders, and builds deferred trees, whose times are added: then all samples are in flight at once, so that each tree is
-    /// built once, or once for each mirror that paths meet. None is built for a light that reaches nothing.
+    /// Renders, builds deferred trees and adds their times. With deferred trees all samples are in flight together, so that
+    /// each tree is built once, or once for each mirror along the paths. No tree is built for a light that reaches no hit.
     pub(super) fn render_shot(
         &mut self,
         shot: &Shot<Cpu>,
@@ -173,7 +175,7 @@ impl Renderer {
         Ok(report)
     }
 
-    /// Bytes of the buffers that the last picture used; they are kept for the next.
+    /// Bytes of the buffers that the last picture used. The next picture reuses them.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
         size_of_val(self.paths.as_slice())

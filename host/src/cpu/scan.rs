@@ -2,8 +2,7 @@
 
 use slimbvh_core::scan::run_scan;
 
-/// Replaces values by the sums of all before each. Returns the sum of all. One thread does it: of a build's values there are
-/// few.
+/// Replaces values by their exclusive prefix sums. Returns the total. Runs on one thread, because a build scans few values.
 pub fn scan(values: &mut [u32]) -> u32 {
     let count = values.len() as u32;
     run_scan(values, 0, count, 0)

@@ -18,7 +18,7 @@ use slimbvh_core::surface::Surface;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 impl Renderer {
-    /// Gathers light, and follows mirrors and glass to the given depth.
+    /// Adds light, and follows paths through mirrors and glass to the given depth.
     pub(super) fn shade(
         &mut self,
         stage: &Prepared,
@@ -36,7 +36,7 @@ impl Renderer {
                             || stages.time("shade", || self.reaches(stage, (light, depth)));
                         match trees.deferral(index) {
                             Deferral::Ready => stage.trees.lights[index],
-                            // No ray needs the tree of a light that reaches nothing.
+                            // A light that reaches no hit needs no tree.
                             Deferral::IfReached(..) if !reaches() => continue,
                             _ => Tree::all(trees.build(build, index)?),
                         }
@@ -61,7 +61,7 @@ impl Renderer {
         Ok(())
     }
 
-    /// Whether a light reaches anything, as far as nothing stands in its way.
+    /// Whether a light could reach any hit, occlusion aside.
     fn reaches(&self, stage: &Prepared, light: (&CoreLight, u32)) -> bool {
         let blocks = self
             .paths
@@ -75,7 +75,7 @@ impl Renderer {
         })
     }
 
-    /// Adds one light to all hits that it reaches, of paths that have met so many mirrors. Returns the number of shadow rays.
+    /// Adds one light to all hits that it reaches, at this bounce. Returns the number of shadow rays.
     fn add_light(
         &mut self,
         stage: &Prepared,
@@ -110,7 +110,7 @@ impl Renderer {
         ray_count.into_inner()
     }
 
-    /// Ends paths, or sends them on at mirrors and through glass. Returns how many go on.
+    /// Ends paths, or continues them at mirrors and through glass. Returns how many continue.
     fn scatter(&mut self, stage: &Prepared) -> u64 {
         let blocks = self
             .paths
@@ -139,7 +139,7 @@ impl Renderer {
 }
 
 impl Prepared<'_> {
-    /// What a light may add to a hit, of a path that has met so many mirrors.
+    /// The light that a hit may receive, at this bounce.
     fn shadow(&self, path: &Path, hit: &Hit, (light, bounce): (&CoreLight, u32)) -> Shadow {
         let (surface, material) = self.surface(path, hit);
         let draw = Draw {
@@ -155,7 +155,7 @@ impl Prepared<'_> {
         }
     }
 
-    /// The point that a path hit, and what it is made of.
+    /// The point that a path hit, and its material.
     pub(super) fn surface(&self, path: &Path, hit: &Hit) -> (Surface, CoreMaterial) {
         let mesh = &self.scene.mesh;
         let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();
@@ -179,7 +179,7 @@ impl Prepared<'_> {
     }
 }
 
-/// Stands in where a triangle names a material that is not there.
+/// Used for a triangle whose material index is out of range.
 const DEFAULT_MATERIAL: CoreMaterial = CoreMaterial {
     base_color: [0.8; 3],
     mirror: 0.0,

@@ -8,7 +8,7 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{IndexedTriangles, LeafTriangle};
 
-/// Leaf triangles, and the sorted codes as the topology reads them.
+/// Leaf triangles, and the sorted codes in the form that stage `topology` reads.
 pub struct Leaves<'a, const W: usize> {
     pub triangles: &'a mut Vec<LeafTriangle>,
     pub codes: &'a mut Vec<[u32; W]>,
@@ -20,7 +20,7 @@ impl<const W: usize> Leaves<'_, W> {
         self.codes.resize(count, [0; W]);
     }
 
-    /// Takes all sorted triangles.
+    /// Gathers all sorted triangles.
     pub fn gather(mut self, items: &[Item<W>], triangles: &IndexedTriangles, scale: &PowerOfTwo) {
         self.resize(items.len());
         let blocks = self
@@ -36,7 +36,7 @@ impl<const W: usize> Leaves<'_, W> {
         });
     }
 
-    /// Takes the sorted triangles that were selected.
+    /// Gathers the selected sorted triangles.
     pub fn gather_selected(
         mut self,
         items: &[Item<W>],
@@ -53,7 +53,7 @@ impl<const W: usize> Leaves<'_, W> {
     }
 }
 
-/// Moves triangles that are in leaf order already.
+/// Updates triangles that are already in leaf order.
 pub fn gather_again(triangles: &IndexedTriangles, scale: &PowerOfTwo, leaves: &mut [LeafTriangle]) {
     leaves.par_chunks_mut(BLOCK).for_each(|leaves| {
         for leaf in leaves {

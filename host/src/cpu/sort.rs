@@ -1,4 +1,4 @@
-//! Stage `sort`: core's radix sort with a tile a task and one lane a workgroup.
+//! Stage `sort`: core's radix sort, with one tile a task and one lane a workgroup.
 
 use super::scan::scan;
 use rayon::prelude::*;
@@ -12,12 +12,13 @@ const DIGIT_BITS: u32 = 10;
 const DIGITS: usize = 1 << DIGIT_BITS;
 type Counts = DigitCounts<1, DIGITS>;
 
-/// Items that a tile has at least.
+/// The least number of items in a tile.
 const SMALLEST_TILE: usize = 1 << 14;
 
-/// A key of W words, the most significant first, and where it came from.
+/// A key of W words, the most significant first, and the item's position before sorting.
 ///
-/// Where an item goes depends on data, so tasks store through relaxed atomics, each to places of its own: plain moves.
+/// Destinations depend on data, so tasks store through relaxed atomics, each to its own places. They compile to plain
+/// moves.
 #[derive(Debug)]
 pub struct Item<const W: usize> {
     key: [AtomicU32; W],
@@ -39,7 +40,7 @@ impl<const W: usize> Item<W> {
         std::array::from_fn(|word| self.key[word].load(Relaxed))
     }
 
-    /// Its place before sorting.
+    /// The position before sorting.
     pub fn index(&self) -> u32 {
         self.index.load(Relaxed)
     }
@@ -63,7 +64,7 @@ pub struct Sorter<const W: usize> {
 }
 
 impl<const W: usize> Sorter<W> {
-    /// Makes room for this many items, to be set before sorting.
+    /// Makes room for `count` items, to be set before sorting.
     pub fn resize(&mut self, count: usize) {
         self.items.resize_with(count, Item::default);
         self.other.resize_with(count, Item::default);
@@ -74,7 +75,7 @@ impl<const W: usize> Sorter<W> {
         &mut self.items
     }
 
-    /// How many items there are.
+    /// The number of items.
     pub fn len(&self) -> usize {
         self.items.len()
     }
@@ -97,7 +98,8 @@ impl<const W: usize> Sorter<W> {
         }
     }
 
-    /// Sorts by one digit from `items` to `other`. False where all have the same digit: nothing is moved then.
+    /// Sorts by one digit from `items` to `other`. Returns `false` without moving anything if all items have the same
+    /// digit.
     fn pass(&mut self, word: usize, shift: u32) -> bool {
         let count = self.items.len();
         let tile = count
@@ -115,7 +117,7 @@ impl<const W: usize> Sorter<W> {
             }
         });
 
-        // Phase 2: digit by digit, tile by tile, where does each begin?
+        // Phase 2: an exclusive prefix sum, by digit and then by tile, is where each run begins.
         let tile_count = self.counts.len() as u32;
         self.offsets.resize(DIGITS * self.counts.len(), 0);
         for digit in 0..DIGITS as u32 {
@@ -172,7 +174,7 @@ mod tests {
 
     #[test]
     fn many_tiles_sort_like_one_list() {
-        // More items than a tile holds, many of them equal.
+        // More items than a tile, with many equal keys.
         let mut state = 1u32;
         let keys: Vec<[u32; 2]> = (0..3 * SMALLEST_TILE + 5)
             .map(|_| {

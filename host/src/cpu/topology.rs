@@ -6,7 +6,7 @@ use slimbvh_core::refit::split_of;
 use slimbvh_core::topology::{SortedCodes, internal_node, kept_nodes};
 use slimbvh_core::{Node, NodeRef};
 
-/// Which nodes are kept, and where each comes. Keeps its buffers.
+/// The nodes that are kept, and their positions. Keeps its buffers.
 #[derive(Debug, Default)]
 pub struct Connections {
     kept: Selection,
@@ -32,7 +32,7 @@ impl Connections {
         });
     }
 
-    /// Takes the nodes of a hierarchy that is there. One that was never built has a root all the same.
+    /// Takes the nodes of an existing hierarchy. One that was never built has one empty node.
     pub fn follow(&mut self, nodes: &[Node]) {
         let nodes = if nodes.is_empty() {
             &[Node::EMPTY]

@@ -1,4 +1,4 @@
-//! Stage `trace` on the CPU: what the rays of a wave meet.
+//! Stage `trace` on the CPU: the hits of a wave's rays.
 
 use super::render::{BLOCK, Prepared, Renderer};
 use super::trees::Tree;
@@ -9,7 +9,7 @@ use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};
 
 impl Renderer {
-    /// Finds what the camera's rays meet.
+    /// Traces the camera's rays.
     pub(super) fn trace_primary(&mut self, stage: &Prepared, report: &mut RenderReport) {
         report
             .stages
@@ -18,7 +18,7 @@ impl Renderer {
         report.primary_hit_count += hits as u64;
     }
 
-    /// Finds what every living path meets.
+    /// Traces the rays of all living paths.
     pub(super) fn trace_paths(&mut self, tree: &Tree) {
         let blocks = self
             .hits

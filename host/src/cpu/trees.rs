@@ -1,4 +1,4 @@
-//! Trees of the CPU, and what rays ask of them.
+//! The CPU's trees, and their ray queries.
 
 use crate::backend;
 use crate::tree::{Bvh, PacketQuery, Question};
@@ -7,14 +7,14 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, Ray};
 
-/// A hierarchy for rays of one kind. Its rule has a target in the mesh's unit.
+/// A hierarchy for rays of one kind. Its filter has a target in the mesh's unit.
 pub type Tree<'a> = backend::Tree<'a, Bvh, (Sides<'a>, Target)>;
 
 /// The hierarchies of a picture, all over the same mesh.
 pub type Trees<'a> = backend::Trees<'a, Bvh, (Sides<'a>, Target)>;
 
 impl Tree<'_> {
-    /// With the target in the scene's magnitude.
+    /// The tree with its target at the scene's magnitude.
     pub(super) fn scaled(self, scale: &PowerOfTwo) -> Self {
         Self {
             rule: self
@@ -24,8 +24,8 @@ impl Tree<'_> {
         }
     }
 
-    /// Asks for rays in the scene's magnitude, each with a number and a primitive that does not count, and tells each answer
-    /// with its ray's number.
+    /// Traces rays at the scene's magnitude, each with a number and a primitive to skip, and calls back with each ray's
+    /// number and answer.
     pub(super) fn ask(
         &self,
         question: Question,

@@ -1,4 +1,4 @@
-//! Stage `view` on the CPU: normals, primitives, depth and heat.
+//! Stage `view` on the CPU: normals, primitives, depth and heatmap.
 
 use super::camera::paint;
 use super::render::{BLOCK, Prepared, Renderer};
@@ -10,7 +10,7 @@ use slimbvh_core::view::{
 };
 
 impl Renderer {
-    /// Shows what the first hit is.
+    /// Colors by the first hit.
     pub(super) fn show(&mut self, stage: &Prepared, view: View, report: &mut RenderReport) {
         report.stages.time("shade", || {
             let blocks = self
@@ -42,7 +42,7 @@ pub fn paint_depth(depths: &[u32], sample_count: u32, picture: &mut Picture) {
     });
 }
 
-/// Colors each pixel by its samples' counts.
+/// Colors each pixel by its samples' node counts.
 pub fn paint_heat(heat: &[u32], sample_count: u32, picture: &mut Picture) {
     let most = heat_range(&sorted(heat));
     paint(&mut picture.pixels, |pixel| {
@@ -50,7 +50,7 @@ pub fn paint_heat(heat: &[u32], sample_count: u32, picture: &mut Picture) {
     });
 }
 
-/// Each value and the sample that it belongs to, in the order of the values.
+/// Values with the samples that they belong to, in the order of the values.
 fn sorted(values: &[u32]) -> Vec<[u32; 2]> {
     let mut items: Vec<[u32; 2]> = values.iter().zip(0..).map(|(&v, i)| [v, i]).collect();
     items.par_sort_unstable();

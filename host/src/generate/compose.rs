@@ -1,13 +1,13 @@
-//! Meshes from meshes.
+//! Combining meshes.
 
 use crate::{Mesh, Part};
 use glam::{Quat, Vec3};
 
-/// Adds another mesh as one part. Its material `i` becomes `material + i`, and its own parts are forgotten. Where only
-/// one of the two has normals, the other is shaded flat. Triangles that belonged to no part become a part "0".
+/// Adds another mesh as one part. Its material `i` becomes `material + i`, and its own parts are dropped. If only one of
+/// the two has normals, the other is shaded flat. Triangles of no part become a part "0".
 ///
 /// # Panics
-/// If the vertices of both are more than a `u32` can number.
+/// If the vertices of both are more than a `u32` can index.
 pub fn append(mesh: &mut Mesh, mut other: Mesh, name: &str, material: u32) {
     let (first, count) = (mesh.indices.len(), other.indices.len());
     if mesh.parts.is_empty() && first > 0 {
@@ -35,10 +35,10 @@ pub fn transformed(mut mesh: Mesh, scale: f32, rotation: Quat, translation: Vec3
     mesh
 }
 
-/// Adds another mesh's vertices, normals and triangles, but neither materials nor parts.
+/// Adds another mesh's vertices, normals and triangles, but not its materials or parts.
 ///
 /// # Panics
-/// If the vertices of both are more than a `u32` can number.
+/// If the vertices of both are more than a `u32` can index.
 pub fn concatenate(mesh: &mut Mesh, other: &Mesh) {
     let vertex_count = mesh.vertices.len();
     assert!(

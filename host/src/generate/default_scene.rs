@@ -1,4 +1,4 @@
-//! The scene that needs no file.
+//! The built-in default scene.
 
 use super::{
     TorusKnot, append, cuboid, ground, icosphere, smooth_normals, sphere_flake, subdivide_curved,
@@ -8,8 +8,8 @@ use crate::analysis::around;
 use crate::{Camera, Light, Material, Mesh, Projection, Scene};
 use glam::{Quat, Vec3};
 
-/// The Utah teapot among closed solids on wide ground, under a low warm sun and a cool lamp. Made for a picture of 16:9.
-/// Each object is a part and has a material of its own.
+/// The Utah teapot among closed solids on wide ground, under a low warm sun and a cool lamp. Composed for a 16:9 picture.
+/// Each object is a part with its own material.
 #[must_use]
 pub fn default_scene() -> Scene {
     let mut scene = Scene {
@@ -44,7 +44,7 @@ pub fn default_scene() -> Scene {
     scene
 }
 
-/// One thing in the scene, in its place.
+/// An object of the scene at its position.
 struct Object {
     name: &'static str,
     mesh: Mesh,
@@ -52,7 +52,7 @@ struct Object {
     mirror: f32,
 }
 
-/// The ground, and all that stands on it.
+/// The ground, and all objects on it.
 fn objects() -> Vec<Object> {
     let plinth_height = 0.55;
     let plinth = cuboid(Vec3::ZERO, Vec3::new(1.5, plinth_height, 1.3));
@@ -126,7 +126,7 @@ fn objects() -> Vec<Object> {
     ]
 }
 
-/// The teapot with fine round triangles.
+/// The teapot, smoothly subdivided.
 fn smooth_teapot() -> Mesh {
     let mut coarse = teapot();
     smooth_normals(&mut coarse);
@@ -135,7 +135,7 @@ fn smooth_teapot() -> Mesh {
     fine
 }
 
-/// Scales and turns a mesh, then moves it so that it stands on `place` with its middle above.
+/// Scales and turns a mesh, and places it on the ground at `place`.
 fn stand(mesh: Mesh, scale: f32, rotation: Quat, place: Vec3) -> Mesh {
     let turned = transformed(mesh, scale, rotation, Vec3::ZERO);
     match around(turned.vertices.iter().copied()) {

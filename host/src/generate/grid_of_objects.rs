@@ -5,8 +5,8 @@ use super::transformed;
 use crate::Mesh;
 use glam::{Quat, Vec3};
 
-/// Copies of a mesh in a grid, the copy at (i, j, k) moved by `(i, j, k) * spacing`, x fastest. Materials are kept, parts
-/// are not.
+/// Copies of a mesh in a grid, with x fastest. The copy at (i, j, k) is moved by `(i, j, k) * spacing`. Materials are kept,
+/// parts are not.
 #[must_use]
 pub fn grid_of_objects(mesh: &Mesh, counts: [u32; 3], spacing: Vec3) -> Mesh {
     let mut grid = Mesh::default();

@@ -1,12 +1,12 @@
-//! Sizes far apart.
+//! A tiny model on a huge triangle.
 
 use super::append;
 use crate::Mesh;
 use crate::analysis::around;
 use glam::Vec3;
 
-/// A model over one level triangle that faces up and is about `ratio` times as large as the model's diagonal. The
-/// triangle touches the model's lowest point. Parts are "tiny", then "huge" with the material after the model's last.
+/// A model on one level triangle that faces up and is about `ratio` times as large as the model's diagonal. The triangle
+/// touches the model's lowest point. The parts are "tiny" and "huge"; "huge" has the material after the model's last.
 #[must_use]
 pub fn huge_and_tiny(tiny: Mesh, ratio: f32) -> Mesh {
     let bounds = around(tiny.vertices.iter().copied());

@@ -1,11 +1,10 @@
-//! Spheres of even triangles.
+//! Spheres of nearly equal triangles.
 
 use super::midpoints::split;
 use crate::Mesh;
 use glam::Vec3;
 
-/// A sphere of `20 * 4^subdivisions` triangles, an icosahedron at first, with smooth normals. All vertices lie on the
-/// sphere.
+/// A sphere of `20 * 4^subdivisions` triangles, from an icosahedron, with smooth normals. All vertices lie on the sphere.
 #[must_use]
 pub fn icosphere(center: Vec3, radius: f32, subdivisions: u32) -> Mesh {
     // The corners of three golden rectangles.
@@ -43,7 +42,7 @@ pub fn icosphere(center: Vec3, radius: f32, subdivisions: u32) -> Mesh {
     }
 }
 
-/// Scales to length 1 by division, so that the axes come out exact.
+/// Normalizes by division, so that axes come out exact.
 fn unit(v: Vec3) -> Vec3 {
     v / v.length()
 }

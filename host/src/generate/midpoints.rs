@@ -1,8 +1,8 @@
-//! Splitting triangles at the middles of their sides.
+//! Splitting triangles at the midpoints of their sides.
 
 use std::collections::HashMap;
 
-/// Every triangle made into four, with one new vertex an edge.
+/// Every triangle split into four, with one new vertex an edge.
 pub(super) struct Split {
     /// New vertex `vertex_count + i` belongs between the two vertices of `edges[i]`.
     pub(super) edges: Vec<[u32; 2]>,

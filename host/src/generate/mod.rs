@@ -1,7 +1,7 @@
-//! Generated meshes, scenes made of them, and the one among these that needs no file.
+//! Generated meshes, scenes made of them, and the default scene.
 //!
-//! +y is up. Solids are exactly closed, with shared vertices, and their front sides face out; equal arguments give equal
-//! meshes. Sizes are in the caller's unit.
+//! +y is up. Solids are exactly closed, with shared vertices, and their front sides face outward. Equal arguments give
+//! equal meshes. Sizes are in the caller's unit.
 
 mod compose;
 mod cuboid;
@@ -44,17 +44,17 @@ pub use teapot::teapot;
 pub use terrain::terrain;
 pub use torus_knot::{TorusKnot, torus_knot};
 
-/// What the tests of all solids check.
+/// Checks common to the tests of all solids.
 #[cfg(any(test, feature = "lab"))]
 pub(crate) mod checks {
     use crate::Mesh;
     use crate::analysis::{Component, analyze};
 
-    /// Asserts that a mesh is sound and without faults, and that each of its components is closed and faces out.
+    /// Asserts that a mesh is sound and without faults, and that each of its components is closed and faces outward.
     /// Returns the components, largest first.
     ///
     /// # Panics
-    /// Where one of these does not hold.
+    /// If one of these does not hold.
     #[must_use]
     pub fn assert_solid(mesh: &Mesh) -> Vec<Component> {
         assert_eq!(mesh.validate(), Ok(()));
@@ -72,7 +72,7 @@ pub(crate) mod checks {
     /// Asserts that there is one unit normal a vertex.
     ///
     /// # Panics
-    /// Where one is missing, or is no unit vector.
+    /// If one is missing or not a unit vector.
     pub fn assert_unit_normals(mesh: &Mesh) {
         assert_eq!(mesh.normals.len(), mesh.vertices.len());
         for &normal in &mesh.normals {

@@ -1,4 +1,4 @@
-//! Pseudo-random numbers that are the same everywhere.
+//! Pseudo-random numbers, equal on every machine.
 
 use glam::Vec3;
 use std::f32::consts::TAU;
@@ -15,7 +15,7 @@ impl Random {
         Self { state: seed }
     }
 
-    /// 64 even bits.
+    /// 64 uniform bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         mix(self.state)
@@ -31,7 +31,7 @@ impl Random {
         Vec3::new(self.unit(), self.unit(), self.unit())
     }
 
-    /// A unit vector, evenly over the sphere.
+    /// A unit vector, uniform over the sphere.
     pub fn direction(&mut self) -> Vec3 {
         let y = 1.0 - 2.0 * self.unit();
         let (sin, cos) = (TAU * self.unit()).sin_cos();
@@ -40,7 +40,7 @@ impl Random {
     }
 }
 
-/// Spreads the bits of a number over the whole of it: the finalizer of SplitMix64.
+/// Mixes the bits of a number: the finalizer of SplitMix64.
 pub(super) fn mix(mut bits: u64) -> u64 {
     bits = (bits ^ bits >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     bits = (bits ^ bits >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -6,8 +6,8 @@ use glam::Vec3;
 /// A position and its normal.
 pub type Vertex = (Vec3, Vec3);
 
-/// The solid between two points with rings of `sides` vertices between them, at least 3, each counter-clockwise as seen
-/// from the last point: `2 * sides * rings` triangles. No rings give nothing.
+/// The solid between two points with rings of `sides` vertices in between, at least 3, each counter-clockwise as seen from
+/// the last point: `2 * sides * rings` triangles. Without rings the mesh is empty.
 pub fn close_rings(first: Vertex, rings: &[Vec<Vertex>], last: Vertex) -> Mesh {
     let sides = rings.first().map_or(0, Vec::len) as u32;
     if sides == 0 {

@@ -1,24 +1,24 @@
-//! Limbs.
+//! Round cones, for limbs.
 
 use super::rings::close_rings;
 use crate::Mesh;
 use glam::Vec3;
 use std::f32::consts::{FRAC_PI_2, TAU};
 
-/// Two balls and all that lies between them; a capsule if they are of one size.
+/// The convex hull of two balls; a capsule if they have one size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoundCone {
-    /// Middles of the balls, farther apart than their radii differ.
+    /// Middles of the balls, further apart than the difference of the radii.
     pub ends: [Vec3; 2],
     /// Radii of the balls.
     pub radii: [f32; 2],
     /// Corners of each ring, at least 3.
     pub sides: u32,
-    /// Bands from pole to pole, at least 4, of which a quarter goes to each ball.
+    /// Bands from pole to pole, at least 4, a quarter of them on each ball.
     pub bands: u32,
 }
 
-/// The solid of `2 * sides * (bands - 1)` triangles with smooth normals.
+/// A round cone of `2 * sides * (bands - 1)` triangles with smooth normals.
 #[must_use]
 pub fn round_cone(cone: &RoundCone) -> Mesh {
     let (sides, bands) = (cone.sides.max(3), cone.bands.max(4));
@@ -26,7 +26,7 @@ pub fn round_cone(cone: &RoundCone) -> Mesh {
     let [radius_a, radius_b] = cone.radii;
     let axis = (b - a).normalize_or(Vec3::Y);
     let (across, along) = axis.any_orthonormal_pair();
-    // The slope of the side: balls of one size have none.
+    // The slope of the side; 0 for balls of one size.
     let slope = ((radius_a - radius_b) / a.distance(b))
         .clamp(-1.0, 1.0)
         .asin();
@@ -104,7 +104,7 @@ mod tests {
         assert_eq!(assert_solid(&mesh).len(), 1);
         for (vertex, normal) in mesh.vertices.iter().zip(&mesh.normals) {
             let (v, n) = (Vec3::from(*vertex), Vec3::from(*normal));
-            // How far both balls reach along the normal.
+            // The extent of both balls along the normal.
             let reach = (0..2).map(|i| cone.ends[i].dot(n) + cone.radii[i]);
             assert!((v.dot(n) - reach.fold(f32::MIN, f32::max)).abs() < 1e-5);
         }

@@ -11,11 +11,11 @@ pub struct RoundedBox {
     pub center: Vec3,
     /// Half the length of each side.
     pub half: Vec3,
-    /// Of the edges, above 0 and below the smallest half side.
+    /// The edges' radius, above 0 and below the smallest half side.
     pub radius: f32,
-    /// Cells along each side; 6 at least.
+    /// Cells along each side, at least 6.
     pub cells: [u32; 3],
-    /// How finely its sides are divided.
+    /// Which sides are divided finely.
     pub sides: Sides,
 }
 
@@ -24,12 +24,12 @@ pub struct RoundedBox {
 pub enum Sides {
     /// All six, into two triangles a cell.
     AllFine,
-    /// All but the bottom and the back (-y and -z), which are fans with one triangle for each cell along their borders.
+    /// All but the bottom and the back (-y and -z). These are fans with one triangle for each cell along their borders.
     CoarseBehind,
 }
 
-/// A box of `4 * (x * y + x * z + y * z)` triangles for cells x, y and z, with smooth normals. With a coarse bottom and
-/// back, `2 * (x * y + x * z) + 4 * y * z` for the rest, and `4 * x + 2 * y + 2 * z` for these.
+/// A rounded box with smooth normals. With cells x, y and z it has `4 * (x * y + x * z + y * z)` triangles; with a coarse
+/// bottom and back, `2 * (x * y + x * z) + 4 * y * z` on the other sides, and `4 * x + 2 * y + 2 * z` on these.
 #[must_use]
 pub fn rounded_box(shape: &RoundedBox) -> Mesh {
     let mut grid = Grid {
@@ -53,7 +53,7 @@ pub fn rounded_box(shape: &RoundedBox) -> Mesh {
     grid.mesh
 }
 
-/// Vertices by their places on the box: lines are counted along each side.
+/// Vertices by their grid places on the box, counted in lines along each side.
 struct Grid {
     shape: RoundedBox,
     known: HashMap<[u32; 3], u32>,
@@ -61,7 +61,7 @@ struct Grid {
 }
 
 impl Grid {
-    /// One of the sides that lie across an axis, in cells.
+    /// One of the two sides across an axis, in cells.
     fn add_cells(&mut self, axis: usize, far: u32) {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let cells = self.shape.cells;
@@ -87,7 +87,7 @@ impl Grid {
     fn add_fan(&mut self, axis: usize) {
         let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
         let (across, along) = (self.shape.cells[u], self.shape.cells[v]);
-        // The border, clockwise as seen from the positive end of the axis: that is, from the other side.
+        // The border, clockwise as seen from the positive end of the axis, which is the other side.
         let border = (0..along)
             .map(|j| [0, j])
             .chain((0..across).map(|i| [i, along]))
@@ -112,7 +112,7 @@ impl Grid {
         }
     }
 
-    /// The vertex at a place, a new one for the first who asks.
+    /// The vertex at a place, added on first use.
     fn vertex(&mut self, place: [u32; 3]) -> u32 {
         let (shape, mesh) = (&self.shape, &mut self.mesh);
         *self.known.entry(place).or_insert_with(|| {
@@ -128,13 +128,13 @@ impl Grid {
     }
 }
 
-/// Where a line lies along an axis. A sixth of the cells, on either end, goes to the round edges.
+/// The position of a line along an axis. A sixth of the cells at either end goes to the round edges.
 fn line(shape: &RoundedBox, axis: usize, line: u32) -> f32 {
     let (cells, half, radius) = (shape.cells[axis], shape.half[axis], shape.radius);
     let margin = cells / 6;
     let from_end = line.min(cells - line);
     let distance = if from_end <= margin {
-        // Even angles of the round.
+        // Equal angles of the round edge.
         let angle = std::f32::consts::FRAC_PI_4 * (1.0 - from_end as f32 / margin as f32);
         half - radius + radius * angle.tan()
     } else {

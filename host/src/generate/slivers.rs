@@ -3,8 +3,8 @@
 use super::random::Random;
 use crate::Mesh;
 
-/// Triangles of length 1 and a width from 1 down to 1e-6, evenly by magnitude, in all directions, their middles in the
-/// unit cube.
+/// Triangles of length 1 and widths from 1 down to 1e-6, spaced evenly by magnitude, in random directions, with their
+/// middles in the unit cube.
 #[must_use]
 pub fn slivers(count: u32, seed: u64) -> Mesh {
     let mut random = Random::new(seed);

@@ -1,15 +1,16 @@
-//! Shading normals for a mesh that has none.
+//! Smooth shading normals for a mesh without normals.
 
 use crate::Mesh;
 use crate::analysis::weld;
 use crate::dvec3::{cross, dot, normalized};
 
 /// Gives every vertex the mean normal of all triangles at its position, weighted by their angles there (Thürmer and
-/// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), so that seams between equal positions do not show.
-/// Zero, which asks for flat shading, where there is no triangle with an area or the mean vanishes.
+/// Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998). Vertices at one position get one normal, so seams
+/// between them do not show. The normal is zero (flat shading) without a triangle of positive area, or if the mean
+/// vanishes.
 ///
 /// # Panics
-/// If a triangle names a vertex that is not there.
+/// If a triangle refers to a vertex that does not exist.
 pub fn smooth_normals(mesh: &mut Mesh) {
     let ids = weld(&mesh.vertices);
     let mut sums = vec![[0.0; 3]; mesh.vertices.len()];

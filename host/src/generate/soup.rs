@@ -1,11 +1,11 @@
-//! Triangles without order.
+//! Random triangles without structure.
 
 use super::random::Random;
 use crate::Mesh;
 use glam::Vec3;
 
-/// Random triangles in the unit cube that share nothing. Each lies in a cube of `count^(-1/3)` a side, so that however
-/// many there are, a ray meets about as many of them as it passes such cubes.
+/// Random triangles in the unit cube that share nothing. Each lies in a cube of `count^(-1/3)` a side, so a ray hits a
+/// number of triangles proportional to the number of such cubes that it crosses.
 #[must_use]
 pub fn soup(count: u32, seed: u64) -> Mesh {
     let mut random = Random::new(seed);

@@ -6,10 +6,10 @@ use crate::Mesh;
 use glam::{Quat, Vec3};
 use std::f32::consts::TAU;
 
-/// A sphere of radius 1 around the origin with nine spheres of a third of its size on it, and so on, `depth` times
-/// (Haines, "A Proposal for Standard Graphics Environments", 1987): `(9^(depth + 1) - 1) / 8` separate solids. Each is an
-/// icosphere, of `subdivisions` for the largest, and one fewer for each smaller size. The lower half is left free, so the
-/// flake stands on the ground at y = -1.
+/// A sphere of radius 1 around the origin with nine spheres of a third of its size on it, repeated `depth` times (Haines,
+/// "A Proposal for Standard Graphics Environments", 1987): `(9^(depth + 1) - 1) / 8` separate solids. Each is an icosphere,
+/// with `subdivisions` for the largest and one fewer for each smaller size. The lower half stays free, so the flake stands
+/// on the ground at y = -1.
 #[must_use]
 pub fn sphere_flake(depth: u32, subdivisions: u32) -> Mesh {
     let mut mesh = Mesh::default();
@@ -29,7 +29,7 @@ struct Sphere {
     axis: Vec3,
 }
 
-/// Adds a sphere and all that stands on it.
+/// Adds a sphere and all spheres on it.
 fn grow(mesh: &mut Mesh, sphere: Sphere, depth: u32, subdivisions: u32) {
     concatenate(mesh, &icosphere(sphere.center, sphere.radius, subdivisions));
     if depth == 0 {
@@ -47,7 +47,7 @@ fn grow(mesh: &mut Mesh, sphere: Sphere, depth: u32, subdivisions: u32) {
     }
 }
 
-/// Six directions around the equator and three above, as spheres touch in a close packing.
+/// Six directions around the equator and three above, as in a close packing of spheres.
 fn directions() -> [Vec3; 9] {
     std::array::from_fn(|child| {
         let (turn, height) = if child < 6 {

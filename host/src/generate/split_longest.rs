@@ -1,4 +1,4 @@
-//! Meshes brought to a number of triangles.
+//! Refining meshes to a number of triangles.
 
 use crate::Mesh;
 use crate::analysis::weld;
@@ -7,13 +7,13 @@ use glam::Vec3;
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 
-/// Splits the longest edge at its middle, again and again, until there are at least `triangle_count` triangles. All
-/// triangles at an edge are split at once, also where they share it by equal positions alone, so a closed mesh stays
-/// closed. Where each edge belongs to two triangles, each split adds two: even differences are met exactly.
+/// Splits the longest edge at its midpoint until there are at least `triangle_count` triangles. Splits all triangles at an
+/// edge together, including those that share it only by equal positions, so a closed mesh stays closed. If each edge
+/// belongs to two triangles, each split adds two, and even differences are met exactly.
 ///
-/// The surface stays where it is, but for rounding. Normals are interpolated; each half keeps its triangle's place among
-/// the others, material and part. Triangles with two corners in one place are left as they are, and so is a mesh of
-/// these alone. The mesh must be [sound](Mesh::validate).
+/// The surface does not change, rounding aside. Normals are interpolated; each half keeps its triangle's material, part and
+/// position in the order. Triangles with two corners at one position are not split, so a mesh of only these is unchanged.
+/// The mesh must be [sound](Mesh::validate).
 #[must_use]
 pub fn split_longest(mesh: &Mesh, triangle_count: usize) -> Mesh {
     let mut splitting = Splitting::new(mesh.clone());
@@ -26,20 +26,20 @@ pub fn split_longest(mesh: &Mesh, triangle_count: usize) -> Mesh {
     splitting.finish()
 }
 
-/// Two places, the smaller number first.
+/// Two positions, the smaller number first.
 type Edge = [u32; 2];
 
-/// A mesh whose edges wait to be split.
+/// A mesh whose edges are queued for splitting.
 struct Splitting {
     mesh: Mesh,
-    /// The place of each vertex: equal for equal positions of the given mesh.
+    /// The position number of each vertex: equal for equal positions of the given mesh.
     places: Vec<u32>,
     place_count: u32,
-    /// The triangle of the given mesh that each triangle is a part of.
+    /// The triangle of the given mesh that each triangle is part of.
     origins: Vec<u32>,
     /// The triangles at each edge.
     sides: HashMap<Edge, Vec<u32>>,
-    /// Each edge with its squared length's bits, which order as lengths do; of equal ones the first in number.
+    /// Each edge with the bits of its squared length, which order as lengths do; among equals, the smaller edge first.
     queue: BinaryHeap<(u64, Reverse<Edge>)>,
 }
 
@@ -71,7 +71,7 @@ impl Splitting {
         [a.min(b), a.max(b)]
     }
 
-    /// Adds a triangle to the edge between two vertices, which waits from then on.
+    /// Adds a triangle to the edge between two vertices, and queues the edge.
     fn add_side(&mut self, a: u32, b: u32, triangle: u32) {
         let edge = self.edge(a, b);
         let sides = self.sides.entry(edge).or_default();
@@ -86,7 +86,7 @@ impl Splitting {
 
     /// Splits all triangles at an edge.
     fn split(&mut self, edge: Edge) {
-        // Vertices in one place may differ in their normals, and so do the middles between them.
+        // Vertices at one position may differ in their normals, and so may the midpoints between them.
         let mut middles: Vec<([u32; 2], u32)> = Vec::new();
         let place = self.place_count;
         self.place_count += 1;
@@ -106,7 +106,7 @@ impl Splitting {
                 }
             };
 
-            // The first half keeps the number, the second takes over the side between b and c.
+            // The first half keeps the index; the second takes over the side between b and c.
             let second = self.mesh.indices.len() as u32;
             let mut half = corners;
             half[(first + 1) % 3] = middle;
@@ -128,7 +128,7 @@ impl Splitting {
         }
     }
 
-    /// Adds the vertex between two others.
+    /// Adds the midpoint of two vertices.
     fn add_middle(&mut self, ends: [u32; 2], place: u32) -> u32 {
         let mesh = &mut self.mesh;
         let ends = ends.map(|end| end as usize);
@@ -148,7 +148,7 @@ impl Splitting {
         self.mesh.vertices.len() as u32 - 1
     }
 
-    /// Puts the parts of each triangle where it was.
+    /// Moves the parts of each triangle to its position in the order.
     fn finish(self) -> Mesh {
         let Self {
             mut mesh, origins, ..

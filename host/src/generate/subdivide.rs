@@ -1,12 +1,11 @@
-//! Finer meshes from coarse ones.
+//! Subdivision of meshes.
 
 use super::midpoints::split;
 use crate::Mesh;
 use glam::Vec3;
 
-/// Splits every triangle into four in its plane, `levels` times over. Edges that were shared stay shared, also where
-/// they are shared by equal positions alone, so a closed mesh stays closed. Normals are interpolated; materials and
-/// parts are kept.
+/// Splits every triangle into four in its plane, `levels` times. Shared edges stay shared, including those shared only by
+/// equal positions, so a closed mesh stays closed. Normals are interpolated; materials and parts are kept.
 #[must_use]
 pub fn subdivide(mesh: &Mesh, levels: u32) -> Mesh {
     refine(mesh, levels, |positions, _| {
@@ -14,9 +13,9 @@ pub fn subdivide(mesh: &Mesh, levels: u32) -> Mesh {
     })
 }
 
-/// As [`subdivide`], with the surface bulged to fit the normals: new vertices are the edge midpoints of PN triangles
-/// (Vlachos and others, "Curved PN Triangles", 2001). Edges stay shared where their normals are equal. A mesh without
-/// normals stays flat.
+/// As [`subdivide`], with the surface curved to fit the normals: new vertices are the edge midpoints of PN triangles
+/// (Vlachos and others, "Curved PN Triangles", 2001). Edges stay shared if their normals are equal. A mesh without normals
+/// stays flat.
 #[must_use]
 pub fn subdivide_curved(mesh: &Mesh, levels: u32) -> Mesh {
     refine(mesh, levels, |[a, b], [normal_a, normal_b]| {
@@ -26,7 +25,7 @@ pub fn subdivide_curved(mesh: &Mesh, levels: u32) -> Mesh {
     })
 }
 
-/// Places new vertices by `middle(positions, normals)`, which must not care for the order of the two ends.
+/// Places new vertices by `middle(positions, normals)`, which must not depend on the order of the two ends.
 fn refine(mesh: &Mesh, levels: u32, middle: impl Fn([Vec3; 2], [Vec3; 2]) -> Vec3) -> Mesh {
     let mut mesh = mesh.clone();
     for _ in 0..levels {
@@ -51,7 +50,7 @@ fn refine(mesh: &Mesh, levels: u32, middle: impl Fn([Vec3; 2], [Vec3; 2]) -> Vec
     mesh
 }
 
-/// The direction halfway, or zero (flat shading) if either is.
+/// The direction halfway; zero (flat shading) if either is zero.
 fn middle_normal([a, b]: [Vec3; 2]) -> Vec3 {
     if a == Vec3::ZERO || b == Vec3::ZERO {
         return Vec3::ZERO;
@@ -101,7 +100,7 @@ mod tests {
         let mut coarse = icosphere(Vec3::ZERO, 1.0, 0);
         smooth_normals(&mut coarse);
         let components = assert_solid(&subdivide_curved(&coarse, 3));
-        // A sphere has 4.19, an icosahedron 2.54.
+        // The unit sphere has 4.19, an icosahedron 2.54.
         let volume = components[0].signed_volume;
         assert!((3.6..4.0).contains(&volume), "{volume}");
     }

@@ -2,11 +2,11 @@
 
 use crate::Mesh;
 
-/// Newell's teapot, 992 triangles facing out, without normals: body, lid, handle and spout, which are open where they
-/// meet. +y is up, the spout points to +x; 32.1 wide, 15.8 high, 20 deep, around the origin.
+/// Newell's teapot, 992 triangles facing outward, without normals: body, lid, handle and spout, open where they meet. +y is
+/// up, the spout points to +x; 32.1 wide, 15.8 high, 20 deep, around the origin.
 ///
 /// # Panics
-/// Never: the file is part of the program, and a test reads it.
+/// Never: the file is embedded in the program, and a test reads it.
 #[must_use]
 pub fn teapot() -> Mesh {
     let mut mesh = Mesh::default();

@@ -5,8 +5,8 @@ use super::random::mix;
 use super::smooth_normals;
 use crate::Mesh;
 
-/// An open height field of `size` a side around the origin, with `2 * cells * cells` triangles that face up, smooth
-/// normals and heights from 0 to `size / 5`: six octaves of value noise.
+/// An open height field of `size` a side around the origin: `2 * cells * cells` triangles that face up, smooth normals,
+/// heights from 0 to `size / 5`. Six octaves of value noise.
 #[must_use]
 pub fn terrain(size: f32, cells: u32, seed: u64) -> Mesh {
     let mut mesh = height_field(size, cells, |x, z| {
@@ -27,7 +27,7 @@ fn fractal_noise(x: f32, z: f32, seed: u64) -> f32 {
     sum / total
 }
 
-/// Random values from 0 to 1 at whole coordinates, and smooth between them.
+/// Random values from 0 to 1 at integer coordinates, interpolated smoothly.
 fn value_noise(x: f32, z: f32, seed: u64) -> f32 {
     let value = |x: f32, z: f32| {
         let cell = (x as u64) << 32 | z as u64;

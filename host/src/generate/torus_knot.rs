@@ -1,13 +1,13 @@
-//! Tubes around knots.
+//! Torus knots.
 
 use crate::Mesh;
 use glam::Vec3;
 use std::f64::consts::TAU;
 
-/// The measures of [`torus_knot`]. The knot winds on a torus that lies around the y axis.
+/// The dimensions of [`torus_knot`]. The knot winds on a torus around the y axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TorusKnot {
-    /// Turns around the y axis; shares no divisor with `q`.
+    /// Turns around the y axis; coprime to `q`.
     pub p: u32,
     /// Turns around the torus' tube.
     pub q: u32,
@@ -15,11 +15,11 @@ pub struct TorusKnot {
     pub segments: u32,
     /// Corners of each ring, at least 3.
     pub sides: u32,
-    /// From the middle to the middle of the torus' tube.
+    /// The torus' radius, from its middle to the middle of its tube.
     pub major_radius: f32,
-    /// Of the torus' tube, below `major_radius`.
+    /// The radius of the torus' tube, below `major_radius`.
     pub minor_radius: f32,
-    /// Of the tube around the knot.
+    /// The radius of the tube around the knot.
     pub tube_radius: f32,
 }
 
@@ -66,7 +66,7 @@ pub fn torus_knot(knot: &TorusKnot) -> Mesh {
     mesh
 }
 
-/// A point of the knot, with two axes across it. `normal` is the torus' own, which comes around without a twist left.
+/// A point of the knot, with two axes across it. `normal` is the torus' own, so it returns without a residual twist.
 struct CurveAxes {
     point: Vec3,
     normal: Vec3,
@@ -74,12 +74,12 @@ struct CurveAxes {
 }
 
 impl CurveAxes {
-    /// At a place from 0 to 1 along the knot.
+    /// The axes at a place from 0 to 1 along the knot.
     fn at(knot: &TorusKnot, place: f64) -> Self {
         let (sin_p, cos_p) = turn(f64::from(knot.p) * place);
         let (sin_q, cos_q) = turn(f64::from(knot.q) * place);
 
-        // Directions at this place: out from the y axis, around it, out of the torus, around its tube.
+        // Directions at this place: away from the y axis, around it, out of the torus, and around the torus' tube.
         let out = Vec3::new(cos_p, 0.0, -sin_p);
         let around = Vec3::new(-sin_p, 0.0, -cos_p);
         let normal = cos_q * out + sin_q * Vec3::Y;

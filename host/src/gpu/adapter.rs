@@ -1,21 +1,21 @@
-//! Which GPUs there are, and which one to take.
+//! The GPUs of this machine, and the choice of one.
 
 use super::AdapterError;
 use pollster::block_on;
 
-/// Which GPU to take.
+/// Which GPU to use.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum AdapterChoice {
-    /// The strongest real GPU: a discrete one before an integrated one. Never one that computes on the CPU.
+    /// The strongest hardware GPU, discrete before integrated. Never a software adapter.
     #[default]
     Hardware,
-    /// The strongest, one that computes on the CPU where there is nothing else.
+    /// The strongest adapter; a software adapter if there is no hardware GPU.
     Any,
-    /// The first with this in its name, in capitals or not, real or software.
+    /// The first adapter, hardware or software, whose name contains this text, in any case.
     Named(String),
 }
 
-/// An adapter, for people.
+/// A printable description of an adapter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AdapterSummary {
     /// Its name.
@@ -26,23 +26,23 @@ pub struct AdapterSummary {
     pub api: &'static str,
     /// The driver and its version.
     pub driver: String,
-    /// Whether it computes on the CPU.
+    /// Whether it is a software adapter, which runs on the CPU.
     pub is_software: bool,
-    /// Whether stages are timed on it.
+    /// Whether it has timestamps, to time stages.
     pub has_timestamps: bool,
-    /// Most bytes in a buffer.
+    /// The largest buffer in bytes.
     pub max_buffer_bytes: u64,
-    /// Most bytes that a kernel sees of a buffer.
+    /// The largest storage binding in bytes.
     pub max_binding_bytes: u64,
-    /// Most storage buffers that a kernel sees.
+    /// The most storage buffers in a kernel.
     pub max_storage_buffers: u32,
-    /// Most bytes that a workgroup shares.
+    /// The most bytes of workgroup memory.
     pub max_workgroup_bytes: u32,
-    /// Threads of a subgroup, at least and at most.
+    /// The smallest and the largest subgroup size.
     pub subgroup_size: [u32; 2],
 }
 
-/// All adapters, in the order in which they are preferred.
+/// All adapters, in order of preference.
 #[must_use]
 pub fn adapters() -> Vec<AdapterSummary> {
     enumerate().iter().map(summarize).collect()
@@ -77,11 +77,11 @@ pub(super) fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, AdapterErr
     }
 }
 
-/// All adapters that run compute shaders, the preferred ones first.
+/// All adapters that run compute shaders, in order of preference.
 fn enumerate() -> Vec<wgpu::Adapter> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::PRIMARY;
-    // Errors come to us; a driver's own validation layer is for its developers.
+    // The crate handles errors itself; a driver's validation layer is for the driver's developers.
     descriptor.flags = wgpu::InstanceFlags::empty().with_env();
     let instance = wgpu::Instance::new(descriptor);
     let mut adapters = block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));

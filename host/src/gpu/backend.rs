@@ -1,4 +1,4 @@
-//! The GPU's passes, as frames ask for them.
+//! The GPU's passes as a [`Backend`].
 
 use super::bvh::Bvh;
 use super::render::{Image, check_view};
@@ -11,18 +11,18 @@ use crate::backend::{
 };
 use crate::{BuildConfig, RenderReport, Stages, ViewError};
 
-/// Which triangles answer for lights.
+/// Which triangles form the sets of lights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LightSets {
-    /// Those that face the light (L+).
+    /// The triangles that face the light (L+).
     #[default]
     Facing,
-    /// Those that face it or those that face away (L−), whichever are fewer. L− is taken where the eye is outside of all that the
-    /// light is outside of; nothing may be transparent.
+    /// The smaller of L+ and L−, the triangles that face away. L− requires that the eye is outside of every component that
+    /// the light is outside of, and that nothing is transparent.
     Smaller,
 }
 
-/// What a GPU holds of a scene from frame to frame.
+/// The GPU's copy of a scene, kept from frame to frame.
 #[derive(Debug, Default)]
 pub struct HeldScene {
     scene: Option<Scene>,
@@ -260,8 +260,8 @@ impl<'g> Backend for &'g Gpu {
         (components, sides)
     }
 
-    /// With a progress each wave of samples is a submission that is waited for; else the frame is one submission, as it is where
-    /// trees are deferred.
+    /// With a progress callback, each wave of samples is its own submission, and the call waits for it. Otherwise the frame
+    /// is one submission; so it always is with deferred trees.
     fn render(
         self,
         mut frame: Frame<'g>,

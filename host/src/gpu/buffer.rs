@@ -1,4 +1,4 @@
-//! Buffers that are used again, ranges of them, and what comes back from them.
+//! Reusable buffers, ranges of buffers, and downloads.
 
 use super::work::Traffic;
 use super::{Gpu, GpuError};
@@ -7,13 +7,13 @@ use std::sync::mpsc::RecvTimeoutError;
 use std::time::Duration;
 use wgpu::BufferUsages;
 
-/// Ranges begin at multiples of this, which every adapter takes.
+/// Ranges begin at multiples of this. Every adapter accepts it.
 pub const ALIGNMENT: u64 = 256;
 
-/// How often is asked whether the GPU is done.
+/// The interval between polls of the GPU.
 const PAUSE: Duration = Duration::from_micros(50);
 
-/// A part of a buffer, and how much of it a kernel that sees it touches.
+/// A part of a buffer, and the bytes of it that a kernel accesses.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Range {
     pub buffer: wgpu::Buffer,
@@ -49,7 +49,7 @@ impl Range {
         Self::new(&self.buffer, self.offset + offset, size)
     }
 
-    /// The same range, of which only so much is touched.
+    /// The same range, of which a kernel accesses only this many bytes.
     pub fn touching(&self, bytes: u64) -> Self {
         Self {
             traffic: Traffic {
@@ -60,7 +60,7 @@ impl Range {
         }
     }
 
-    /// The same range, of which so much is touched for each node.
+    /// The same range, of which a kernel accesses this many bytes for each node.
     pub fn touching_nodes(&self, bytes_per_node: u64) -> Self {
         Self {
             traffic: Traffic {
@@ -71,7 +71,7 @@ impl Range {
         }
     }
 
-    /// What is touched if all is.
+    /// The traffic of accessing the whole range.
     pub fn whole_traffic(&self) -> Traffic {
         if self.traffic.bytes_per_node > 0 {
             return self.traffic;
@@ -82,7 +82,7 @@ impl Range {
         }
     }
 
-    /// Whether both are the same place.
+    /// Whether both are the same part of the same buffer.
     pub fn is_same(&self, other: &Self) -> bool {
         self.buffer == other.buffer && (self.offset, self.size) == (other.offset, other.size)
     }
@@ -96,7 +96,7 @@ impl Range {
     }
 }
 
-/// A buffer that grows when more is needed, and else is used again.
+/// A buffer that is reused, and replaced by a larger one when needed.
 #[derive(Clone, Debug)]
 pub struct Slot {
     label: &'static str,
@@ -105,7 +105,7 @@ pub struct Slot {
 }
 
 impl Slot {
-    /// A place for a storage buffer.
+    /// A slot for a storage buffer.
     pub const fn storage(label: &'static str) -> Self {
         Self::new(label, BufferUsages::STORAGE)
     }
@@ -118,11 +118,11 @@ impl Slot {
         }
     }
 
-    /// A range of this many bytes, what it holds being of no account. Sizes are checked before.
+    /// A range of this many bytes with undefined contents. The caller checks sizes before.
     pub fn range(&mut self, gpu: &Gpu, bytes: u64) -> Range {
         let fits = self.buffer.as_ref().filter(|b| b.size() >= bytes).cloned();
         let buffer = fits.unwrap_or_else(|| {
-            // The old one goes first.
+            // The old buffer is freed first.
             self.buffer = None;
             gpu.device().create_buffer(&wgpu::BufferDescriptor {
                 label: Some(self.label),
@@ -136,13 +136,13 @@ impl Slot {
         range
     }
 
-    /// A range of a new buffer of just this many bytes.
+    /// A range of a new buffer of exactly this many bytes.
     pub fn renewed(&mut self, gpu: &Gpu, bytes: u64) -> Range {
         self.buffer = None;
         self.range(gpu, bytes)
     }
 
-    /// The range that was made last, if it is as large as this.
+    /// The latest range, if it has this size.
     pub fn kept(&self, bytes: u64) -> Option<Range> {
         let buffer = self.buffer.as_ref().filter(|b| b.size() >= bytes)?;
         Some(Range::new(buffer, 0, bytes))
@@ -153,7 +153,7 @@ impl Slot {
     }
 }
 
-/// A new buffer that holds this, or one zeroed element where there is none: no binding can be empty.
+/// A new buffer with these contents, or with one zeroed element if there are none: no binding can be empty.
 pub fn upload<T: bytemuck::NoUninit>(
     gpu: &Gpu,
     label: &'static str,
@@ -173,7 +173,7 @@ pub fn upload<T: bytemuck::NoUninit>(
     buffer
 }
 
-/// What a submitted frame has copied, to be read when it is done.
+/// A copy made by a submitted frame, to be read when the frame is done.
 #[derive(Debug)]
 #[must_use]
 pub struct Download(wgpu::Buffer);
@@ -203,7 +203,7 @@ impl Download {
     }
 }
 
-/// Maps a buffer, waits for it, and copies what it holds.
+/// Maps a buffer, waits for it, and copies its contents.
 pub fn read_mapped<T: AnyBitPattern + bytemuck::NoUninit>(
     gpu: &Gpu,
     buffer: &wgpu::Buffer,
@@ -211,10 +211,10 @@ pub fn read_mapped<T: AnyBitPattern + bytemuck::NoUninit>(
     gpu.checked(|| {
         let (sender, mapped) = std::sync::mpsc::channel();
         buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // Nobody waits for it after an error.
+            // After an error the receiver is gone.
             let _ = sender.send(result);
         });
-        // Not `wait`: that would be for all that was submitted later, too. Another thread that polls may call the callback.
+        // `wait` would also wait for later submissions. Another thread that polls may run the callback.
         let result = loop {
             gpu.progress()?;
             match mapped.recv_timeout(PAUSE) {

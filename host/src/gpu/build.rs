@@ -18,42 +18,42 @@ use crate::{BuildConfig, CodeBits, MeshError, RefitError};
 use slimbvh_core::topology::depth_bound;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Programs kept: some meshes in turn, and some targets for each.
+/// The number of programs kept: a few alternating meshes, with a few targets each.
 const KEPT_PROGRAMS: usize = 16;
 
-/// What to do about a mesh that is too large.
+/// Advice for a mesh that is too large.
 const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 
-/// Builds hierarchies on the GPU, and keeps its buffers and programs from one to the next.
+/// Builds hierarchies on the GPU. Keeps its buffers and programs from one build to the next.
 ///
-/// In a codec, nodes and triangles are written in full first, into buffers of the builder's, and coded in the same frame. Of a
-/// mesh on a lattice ([`BuildConfig::mesh`]) the vertices must lie on it, as [`crate::Mesh::snap`] leaves them: any other counts
-/// as a point of the lattice next to it.
+/// For a codec, nodes and triangles are first built in full, in the builder's buffers, and then coded in the same frame.
+/// With triangles on a lattice ([`BuildConfig::mesh`]) the vertices must lie on it, as after [`crate::Mesh::snap`]; any
+/// other vertex is moved to a neighbouring lattice point.
 #[derive(Debug)]
 pub struct Builder {
     pub(super) config: BuildConfig,
-    /// The build whose plain nodes the encoder has: none, or a hierarchy's stamp.
+    /// The stamp of the hierarchy whose plain nodes are in the encoder; `None` if none is.
     plain_of: Option<u64>,
-    /// The most triangles so far.
+    /// The largest triangle count so far.
     largest: u32,
     pub(super) scratch: Scratch,
     programs: Vec<(Key, Program)>,
 }
 
-/// What a program does.
+/// The task of a program.
 #[derive(Clone, Debug, PartialEq)]
 enum Task {
-    /// Puts triangles in the order of the curve.
+    /// Sorts triangles along the curve.
     Sort,
-    /// Builds over all of them.
+    /// Builds over all triangles.
     Build(Built),
-    /// Builds over those that face a target.
+    /// Builds over the triangles that face a target.
     BuildSet(Built, Components, Box<TargetRanges>),
-    /// Moves boxes to where the triangles are now.
+    /// Refits boxes to the present triangles.
     Refit(Built),
 }
 
-/// What a program was made for.
+/// The inputs that a program was recorded for.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     task: Task,
@@ -62,16 +62,16 @@ struct Key {
 }
 
 impl Builder {
-    /// The stages that a build may have.
+    /// The possible stages of a build.
     pub const STAGES: [&str; 11] = [
         "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap", "topology",
         "refit", "encode",
     ];
 
-    /// A builder without buffers yet. Codecs that only the CPU has are refused when it builds.
+    /// A builder with empty buffers. Codecs without GPU kernels are refused by the build.
     ///
     /// # Panics
-    /// If the codecs of nodes and triangles do not go together ([`crate::check_codecs`]).
+    /// If the codecs of nodes and triangles cannot be combined ([`crate::check_codecs`]).
     #[must_use]
     pub fn new(config: BuildConfig) -> Self {
         if let Err(error) = crate::check_codecs(config.nodes, config.mesh) {
@@ -86,18 +86,18 @@ impl Builder {
         }
     }
 
-    /// Records the build of a hierarchy over a mesh, in place of an earlier one, whose memory is used again. Nothing is
-    /// read back, and all later commands of the frame may use the hierarchy.
+    /// Records the build of a hierarchy over a mesh, in the memory of an earlier one. Nothing is read back. All later
+    /// commands of the frame may use the hierarchy.
     ///
     /// # Errors
-    /// For a codec that only the CPU has, and where the mesh is larger than the GPU takes, before anything is allocated; the
-    /// earlier hierarchy stays as it was.
+    /// For a codec without GPU kernels, and a mesh above the GPU's limits. The check precedes every allocation; the earlier
+    /// hierarchy is unchanged.
     pub fn build(&mut self, frame: &mut Frame, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
         self.sort(frame, mesh)?;
         self.build_sorted(frame, mesh, Subset::All, bvh)
     }
 
-    /// Records that a mesh's triangles be put in the order of the curve, once for all hierarchies over subsets of them.
+    /// Records the sort of a mesh's triangles along the space-filling curve, once for all hierarchies over subsets of them.
     ///
     /// # Errors
     /// Those of [`Self::build`].
@@ -112,11 +112,11 @@ impl Builder {
         sorted.inspect_err(|_| self.forget())
     }
 
-    /// Records the build of a hierarchy over the mesh that was sorted last, or over a subset of it, in place of an earlier
+    /// Records the build of a hierarchy over the mesh that was sorted last, or a subset of it, in the memory of an earlier
     /// one.
     ///
     /// # Errors
-    /// Those of [`Self::build`], and for a target that was not set.
+    /// Those of [`Self::build`], and for a target without sides.
     pub fn build_sorted(
         &mut self,
         frame: &mut Frame,
@@ -153,7 +153,7 @@ impl Builder {
         })
     }
 
-    /// Makes room in a hierarchy, and for what is plain of it.
+    /// Makes room in a hierarchy, and in the encoder for its plain nodes and triangles.
     fn reserve_for(
         &mut self,
         gpu: &Gpu,
@@ -166,7 +166,7 @@ impl Builder {
         bvh.reserve(gpu, triangle_count, depth_bound, is_reduced, storage)
     }
 
-    /// [`Self::build_sorted`], over a subset, of a hierarchy that has its room.
+    /// [`Self::build_sorted`] over a subset, in a hierarchy with reserved memory.
     ///
     /// # Errors
     /// Those of [`Self::build_sorted`].
@@ -190,7 +190,7 @@ impl Builder {
         recorded.inspect_err(|_| self.forget())
     }
 
-    /// Makes room for a hierarchy over a subset of a mesh, which is built later in the frame.
+    /// Reserves memory for a hierarchy over a subset of a mesh, to be built later in the frame.
     ///
     /// # Errors
     /// Those of [`Self::build`].
@@ -206,7 +206,7 @@ impl Builder {
             .inspect_err(|_| *bvh = Bvh::new())
     }
 
-    /// Refuses a codec that only the CPU has, and a mesh that is larger than the GPU takes, before anything is allocated.
+    /// Refuses a codec without GPU kernels and a mesh above the GPU's limits, before anything is allocated.
     pub(super) fn check(&self, gpu: &Gpu, triangle_count: u32) -> Result<(), GpuError> {
         Coding::of(&self.config)?;
         let limit = most_triangles(self.config.mesh);
@@ -216,11 +216,11 @@ impl Builder {
                 limit,
             }));
         }
-        // What is coded is smaller than what is plain.
+        // A coded hierarchy is smaller than a plain one.
         gpu.check_sizes(&self.sizes(triangle_count), TOO_LARGE)
     }
 
-    /// Refuses a mesh on the CPU that this builder would not take there.
+    /// Checks a mesh on the host against the builder's lattice.
     pub(crate) fn check_mesh(&self, mesh: &crate::Mesh) -> Result<(), GpuError> {
         mesh.validate()?;
         if let Some(step_exponent) = self.config.mesh.step_exponent() {
@@ -229,7 +229,7 @@ impl Builder {
         Ok(())
     }
 
-    /// Lets go of programs over buffers that will be too small, so that old and new ones need not fit at once.
+    /// Drops programs over buffers that will be too small, so that old and new buffers need not fit together.
     fn make_room(&mut self, triangle_count: u32) {
         if triangle_count > self.largest {
             self.programs.clear();
@@ -237,7 +237,7 @@ impl Builder {
         }
     }
 
-    /// Lets go of everything: some of it may not have been made.
+    /// Drops everything after an error, because some of it may be incomplete.
     fn forget(&mut self) {
         self.largest = 0;
         self.plain_of = None;
@@ -245,12 +245,11 @@ impl Builder {
         self.scratch = Scratch::new();
     }
 
-    /// Records that a hierarchy's boxes be moved to where the mesh's vertices are now; the triangles must be those that it
-    /// was built over.
+    /// Records a refit of a hierarchy to the present vertices of the mesh that it was built over.
     ///
     /// # Errors
-    /// For a mesh with another number of triangles, and a hierarchy that has not been built, is reduced, or is in a codec and not
-    /// the one that this builder built last: only of that it has all there is to be moved.
+    /// For a mesh with a different number of triangles, and for a hierarchy that is unbuilt, reduced, or in a codec and not
+    /// the latest build of this builder. Only the latest build's plain nodes are still there to refit.
     pub fn refit(&mut self, frame: &mut Frame, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
         let gpu = frame.gpu();
         let built = bvh.built()?.clone();
@@ -271,18 +270,18 @@ impl Builder {
         recorded.inspect_err(|_| self.forget())
     }
 
-    /// Bytes of the buffers between the stages; they are kept for the next build.
+    /// Bytes of the buffers between the stages. The next build reuses them.
     #[must_use]
     pub fn scratch_bytes(&self) -> u64 {
         self.scratch.bytes()
     }
 
-    /// What the programs of the latest frames ask of the GPU, stage by stage: a sort and a build, or a refit.
+    /// The work of the latest frame's programs, by stage: of a sort and a build, or of a refit.
     pub fn work(&self) -> impl Iterator<Item = &Work> {
         self.programs.iter().flat_map(|(_, program)| program.work())
     }
 
-    /// Where the exponent of the mesh is that was sorted or refitted last.
+    /// The range with the exponent of the mesh that was sorted or refitted last.
     pub(super) fn exponent(&self) -> Result<Range, GpuError> {
         let kept = self.scratch.exponent.kept(16);
         kept.ok_or_else(|| Misfit::NoMesh.of("the builder"))
@@ -316,7 +315,7 @@ impl Builder {
         }
     }
 
-    /// Encodes the program for these buffers, an earlier one where it fits.
+    /// Encodes the program for these buffers. Reuses an earlier program if it matches.
     fn encode(&mut self, frame: &mut Frame, task: Task, mesh: &Mesh) -> Result<(), GpuError> {
         let mut key = Key {
             task,
@@ -343,7 +342,7 @@ impl Builder {
                     }
                     Task::Refit(bvh) => self.record_refit(gpu, to, mesh, bvh),
                 }
-                // Programs over buffers that were too small are of no more use.
+                // Programs over replaced buffers can no longer be used.
                 let scratch_bytes = self.scratch.bytes();
                 if scratch_bytes != key.scratch_bytes {
                     self.programs.clear();
@@ -363,7 +362,7 @@ impl Builder {
     }
 }
 
-/// A number that no other build has.
+/// A number unique to a build.
 fn next_stamp() -> u64 {
     static BUILDS: AtomicU64 = AtomicU64::new(1);
     BUILDS.fetch_add(1, Ordering::Relaxed)

@@ -1,4 +1,4 @@
-//! A hierarchy in buffers.
+//! A hierarchy in the GPU's memory.
 
 mod compact;
 mod download;
@@ -14,26 +14,26 @@ use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::{LeafTriangle, Node};
 use wgpu::BufferUsages;
 
-/// Bytes of the root, of the scene's exponent, and of the counts, as kernels want them.
+/// Bytes of each small buffer: the root, the scene's exponent, the counts.
 const STATE_BYTES: u64 = 16;
 
-/// Bytes of a target, and of as many components and sides.
-const NOTHING_BYTES: u64 = 32;
+/// Bytes of a placeholder for a target, and for components and sides.
+const PLACEHOLDER_BYTES: u64 = 32;
 
-/// A bounding volume hierarchy in the GPU's memory. Filled by a [`super::Builder`], which can fill it again without
-/// allocating, or by [`Self::upload`].
+/// A bounding volume hierarchy in the GPU's memory. A [`super::Builder`] fills it, and can fill it again without
+/// allocating; or [`Self::upload`] does.
 ///
-/// How many nodes a build makes is known on the GPU only, so there is room for as many as there could be: 64 bytes a
-/// triangle in full, of which about 24 are used, and 16 to 28 in a codec, of which 6 to 11 are. Triangles on a lattice have room
-/// for 40 bytes each, and use as many as their leaves need. [`Self::compact`] gives back what is not used.
+/// Only the GPU knows the number of nodes, so the buffers have room for the most possible: 64 bytes a triangle in full, of
+/// which about 24 are used, and 16 to 28 in a codec, of which 6 to 11 are used. Triangles on a lattice have room for 40
+/// bytes each, and use what their leaves need. [`Self::compact`] frees the rest.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Slot,
     triangles: Slot,
     root: Slot,
     word_total: Slot,
-    nothing: Slot,
-    /// Which build it is of, where it is in a codec: 0 for none.
+    placeholder: Slot,
+    /// The stamp of the build, if the hierarchy is in a codec; else 0.
     pub(super) stamp: u64,
     exponent: Slot,
     bounds: Slot,
@@ -42,34 +42,34 @@ pub struct Bvh {
     pub(super) built: Option<Built>,
 }
 
-/// The ranges of a hierarchy that was built, and what is known of it here.
+/// The ranges of a built hierarchy, and what the host knows of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
-    /// In full, as many as there could be: the builder's, where the hierarchy is in a codec. Of one in a codec that was uploaded
-    /// nothing is in full: these are what is in the codec, and no build's, so that nobody refits it.
+    /// Nodes in full, with room for the most possible. In a codec, the builder's buffer; after an upload in a codec, the
+    /// coded nodes with no build's stamp, so that no builder refits them.
     pub nodes: Range,
-    /// In full, in leaf order: the builder's, where the hierarchy has them in a codec. As the nodes, where it was uploaded.
+    /// Triangles in full, in leaf order. In a codec, the builder's buffer; after an upload, as for the nodes.
     pub triangles: Range,
     /// How nodes and triangles are stored.
     pub codecs: (NodeCodec, MeshCodec),
-    /// What is in a codec.
+    /// The coded lists, if a codec is used.
     pub coded: Option<Coded>,
     /// The scene's exponent.
     pub exponent: Range,
     /// The scene's box.
     pub bounds: Range,
-    /// How many nodes there are, and the dispatch of a thread for each.
+    /// The node count, and the dispatch with a thread for each.
     pub total: Range,
-    /// How many triangles there are in it, and the dispatch of a thread for each.
+    /// The triangle count, and the dispatch with a thread for each.
     pub count: Range,
     /// Triangles of the mesh.
     pub triangle_count: u32,
-    /// Whether some of these are left out.
+    /// Whether the hierarchy leaves some of these out.
     pub is_reduced: bool,
     pub depth_bound: u32,
 }
 
-/// What is stored in a codec.
+/// The coded lists of a hierarchy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coded {
     pub coding: Coding,
@@ -78,14 +78,14 @@ pub struct Coded {
     pub triangles: Range,
     /// [`RootWords`].
     pub root: Range,
-    /// How many words the triangles take, first of four numbers, where they are as long as their leaves need.
+    /// The number of words of all triangles, the first of four numbers, if triangles vary in size.
     pub word_total: Range,
-    /// Zeros, for kernels that ask for sides or a target where there is none.
-    pub nothing: Range,
+    /// Zeros, bound where a kernel requires sides or a target and there are none.
+    pub placeholder: Range,
 }
 
 impl Built {
-    /// How it is stored, if not in full.
+    /// The codecs; `None` if everything is in full.
     pub fn coding(&self) -> Option<Coding> {
         self.coded.as_ref().map(|coded| coded.coding)
     }
@@ -108,7 +108,7 @@ impl Default for Bvh {
             triangles: Slot::new("slimbvh leaf triangles", copied_to),
             root: Slot::new("slimbvh root", state),
             word_total: Slot::new("slimbvh triangle word count", state),
-            nothing: Slot::new("slimbvh no sides", state),
+            placeholder: Slot::new("slimbvh no sides", state),
             stamp: 0,
             exponent: Slot::new("slimbvh scene exponent", state),
             bounds: Slot::new("slimbvh scene bounds", state),
@@ -120,14 +120,14 @@ impl Default for Bvh {
 }
 
 impl Bvh {
-    /// A hierarchy without buffers yet.
+    /// A hierarchy with empty buffers.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Makes room for so many triangles; for plain ones with the encoder, where they are to be coded. Refuses a codec that only the CPU
-    /// has.
+    /// Makes room for this many triangles; in a codec, also for plain ones in the encoder. Refuses a codec without GPU
+    /// kernels.
     pub(super) fn reserve(
         &mut self,
         gpu: &Gpu,
@@ -152,7 +152,7 @@ impl Bvh {
                 triangles: self.triangles.range(gpu, bytes.unwrap_or(triangle_bytes)),
                 root: self.root.range(gpu, size_of::<RootWords>() as u64),
                 word_total: self.word_total.range(gpu, STATE_BYTES),
-                nothing: self.nothing.range(gpu, NOTHING_BYTES),
+                placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             }
         });
         let nodes = match coding {
@@ -180,20 +180,20 @@ impl Bvh {
         Ok(built)
     }
 
-    /// What was built.
+    /// The built hierarchy.
     pub(super) fn built(&self) -> Result<&Built, GpuError> {
         self.built
             .as_ref()
             .ok_or_else(|| Misfit::NotBuilt.of("the hierarchy"))
     }
 
-    /// Copies how many triangles it has now, for the caller to read when the frame is done.
+    /// Copies the present triangle count, to be read when the frame is done.
     pub(crate) fn count_later(&self, frame: &mut Frame) -> Result<Download, GpuError> {
         let count = self.built()?.count.clone();
         frame.gpu().checked(|| Ok(frame.download(&count)))
     }
 
-    /// How many triangles the mesh has that it was built over. A reduced hierarchy leaves out some.
+    /// The number of triangles in the mesh it was built over. A reduced hierarchy holds fewer.
     #[must_use]
     pub fn mesh_triangle_count(&self) -> u32 {
         self.built.as_ref().map_or(0, |built| built.triangle_count)
@@ -207,7 +207,7 @@ impl Bvh {
             &self.triangles,
             &self.root,
             &self.word_total,
-            &self.nothing,
+            &self.placeholder,
             &self.exponent,
             &self.bounds,
             &self.total,
@@ -216,10 +216,10 @@ impl Bvh {
         slots.iter().map(|slot| slot.bytes()).sum()
     }
 
-    /// The bindings that the functions of [`super::wgsl`] want, 0 to 2: the scene's exponent, the nodes, the triangles.
+    /// The bindings 0 to 2 that the functions of [`super::wgsl`] read: the scene's exponent, the nodes, the triangles.
     ///
     /// # Errors
-    /// If it has not been built yet, or is stored in a codec.
+    /// If it is not built yet, or is stored in a codec.
     pub fn bindings(&self) -> Result<[wgpu::BindGroupEntry<'_>; 3], GpuError> {
         let built = self.built()?;
         if built.coded.is_some() {
@@ -239,17 +239,17 @@ impl Bvh {
     }
 }
 
-/// As many nodes as there could be over so many triangles: nodes hold more than [`LEAF_SIZE`].
+/// The largest number of nodes over this many triangles: each node has more than [`LEAF_SIZE`] below it.
 fn most_nodes(triangle_count: u32) -> u64 {
     u64::from(triangle_count.saturating_sub(LEAF_SIZE).max(1))
 }
 
-/// Bytes of as many plain nodes as there could be over so many triangles.
+/// Bytes of the largest number of plain nodes over this many triangles.
 pub fn node_bytes(triangle_count: u32) -> u64 {
     most_nodes(triangle_count) * size_of::<Node>() as u64
 }
 
-/// Bytes of so many plain leaf triangles, at least one.
+/// Bytes of this many plain leaf triangles, at least one.
 pub fn triangle_bytes(triangle_count: u32) -> u64 {
     u64::from(triangle_count.max(1)) * size_of::<LeafTriangle>() as u64
 }

@@ -1,4 +1,4 @@
-//! Stage `camera` on the GPU: from samples to rays, and to pixels and textures.
+//! Stage `camera` on the GPU: rays from samples; pixels and textures from samples.
 
 use super::buffer::Range;
 use super::program::{Recorder, Uniform, threads};
@@ -9,7 +9,7 @@ use slimbvh_core::shade::Path;
 use wgpu::TextureFormat;
 
 impl PicturePlan<'_> {
-    /// Records a wave's rays from the eye.
+    /// Records a wave's camera rays.
     pub(super) fn record_rays(&self, recorder: &mut Recorder, wave: &Wave) {
         let all = &self.buffers;
         let path_bytes = u64::from(wave.sample_count) * size_of::<Path>() as u64;
@@ -26,7 +26,7 @@ impl PicturePlan<'_> {
         );
     }
 
-    /// From samples to pixels. The kernel sees the rows that the wave touches.
+    /// Averages samples into pixels. The kernel sees only the rows of the wave.
     pub(super) fn record_resolve(&self, recorder: &mut Recorder, wave: &Wave) {
         let [width, _] = self.settings.size;
         let row_bytes = TEXEL_BYTES * u64::from(row_texels(width));
@@ -55,8 +55,8 @@ impl PicturePlan<'_> {
 }
 
 impl Renderer {
-    /// Records a copy of the picture to the upper left of a texture: linear numbers for `Rgba32Float`, sRGB bytes for
-    /// `Rgba8Unorm`, `Bgra8Unorm` and their `Srgb` kinds.
+    /// Records a copy of the picture to the upper left of a texture: linear values for `Rgba32Float`, sRGB bytes for
+    /// `Rgba8Unorm`, `Bgra8Unorm` and their `Srgb` variants.
     ///
     /// # Errors
     /// If nothing was rendered, and for a texture of another format, without the usage `COPY_DST`, or smaller than the
@@ -94,7 +94,7 @@ impl Renderer {
                     let texels = self.texels.range(gpu, bytes);
                     let mut recorder = Recorder::default();
                     recorder.stage("encode");
-                    // As many rows at once as the kernel sees of the picture.
+                    // As many rows at once as fit into a storage binding.
                     let limit = gpu.limits().max_storage_buffer_binding_size;
                     let most_rows = (limit / row_bytes).max(1) as u32;
                     for first in (0..height).step_by(most_rows as usize) {

@@ -7,7 +7,7 @@ use super::sides::{Components, TargetRanges};
 use super::{Builder, Gpu, Kernel, Mesh};
 
 impl Builder {
-    /// Records which sorted items are in a target's set, and a list of these, which is returned.
+    /// Records which sorted items are in a target's set, and a list of them. Returns the list.
     pub(super) fn record_classify(
         &mut self,
         gpu: &Gpu,

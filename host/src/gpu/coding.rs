@@ -1,10 +1,10 @@
-//! Which codecs the GPU has, and how many bytes they take there.
+//! The codecs with GPU kernels, and their sizes.
 
 use super::{GpuError, Kernel};
 use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind};
 use slimbvh_core::codec::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
 
-/// How nodes and triangles are stored, where that is not in full.
+/// How nodes and triangles are stored, if not in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coding {
     Paper10F32,
@@ -16,10 +16,10 @@ pub enum Coding {
 }
 
 impl Coding {
-    /// What a configuration asks for; none where everything is stored in full.
+    /// The coding of a configuration; `None` if everything is stored in full.
     ///
     /// # Errors
-    /// For codecs and trees that only the CPU has, and for paper10 without the feature `lab`.
+    /// For codecs and trees without GPU kernels, and for paper10 without the feature `lab`.
     pub fn of(config: &BuildConfig) -> Result<Option<Self>, GpuError> {
         if config.tree == TreeKind::Clustered {
             return Err(GpuError::Tree);
@@ -53,7 +53,7 @@ impl Coding {
         }
     }
 
-    /// The most bytes of a triangle; none where it is stored in full.
+    /// The most bytes of a triangle; `None` if triangles are in full.
     pub const fn most_triangle_bytes(self) -> Option<u64> {
         match self {
             Self::Paper10F32 | Self::Q10F32 | Self::Q21F32 => None,
@@ -67,27 +67,27 @@ impl Coding {
         !matches!(self, Self::Paper10F32 | Self::Paper10Leaf10)
     }
 
-    /// Whether triangles take as many words as their leaf needs.
+    /// Whether the size of a triangle depends on its leaf.
     pub const fn is_mixed(self) -> bool {
         matches!(self, Self::Q10Lattice | Self::Q21Lattice)
     }
 }
 
-/// The kernels that encode one kind of hierarchies.
+/// The kernels that encode hierarchies of one coding.
 #[derive(Clone, Copy, Debug)]
 pub enum Encodes {
-    /// One encodes nodes; triangles stay in full.
+    /// One kernel encodes nodes; triangles stay in full.
     Nodes(Kernel),
-    /// The same, for floats whose products must not be fused: it reads a zero that the compiler does not know.
+    /// The same with floats whose products must not be fused: the kernel reads an `opaque_zero`.
     NodesInFloats(Kernel),
-    /// One encodes nodes and triangles, as [`Self::NodesInFloats`].
+    /// One kernel encodes nodes and triangles, with an `opaque_zero` as [`Self::NodesInFloats`].
     AllInFloats(Kernel),
-    /// Triangles take as many words as their leaf needs: one encodes nodes and finds sizes, another links nodes to triangles.
+    /// Triangles vary in size: one kernel encodes nodes and finds sizes, another links nodes to triangles.
     Mixed { sizes: Kernel, links: Kernel },
 }
 
 impl Coding {
-    /// The kernels that encode.
+    /// The encoding kernels.
     pub const fn encodes(self) -> Encodes {
         match self {
             Self::Paper10F32 => Encodes::NodesInFloats(Kernel::encode_paper10_f32),
@@ -106,7 +106,7 @@ impl Coding {
     }
 }
 
-/// Names of the codecs of nodes that the GPU has, for messages.
+/// Names of the node codecs with GPU kernels, for messages.
 pub fn node_names() -> String {
     let with = |nodes| BuildConfig {
         nodes,

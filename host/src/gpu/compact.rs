@@ -1,4 +1,4 @@
-//! Stage `compact`: from bits to a list of numbers.
+//! Stage `compact`: a list of indices from bits.
 
 use super::buffer::{Range, Slot};
 use super::mesh::check_storage;
@@ -6,10 +6,10 @@ use super::program::{Recorder, threads};
 use super::scan::{Scan, TOTAL_BYTES};
 use super::{Frame, Gpu, GpuError, Kernel, Misfit};
 
-/// Items are numbered by a `u32`, a bit each.
+/// Item indices are `u32`, with one bit an item.
 const MOST_BIT_BYTES: u64 = 1 << 29;
 
-/// Lists the items whose bit is set, and keeps its buffers.
+/// Lists the items whose bit is set. Keeps its buffers.
 #[derive(Debug)]
 pub struct Compact {
     before: Slot,
@@ -23,7 +23,7 @@ impl Default for Compact {
 }
 
 impl Compact {
-    /// A compaction without buffers yet.
+    /// A compaction with empty buffers.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -32,12 +32,12 @@ impl Compact {
         }
     }
 
-    /// Records that the numbers of all items whose bit is set be stored in order, as `u32`. Item i is bit i % 32 of word
-    /// i / 32. `total` gets `[count, x, y, z]`, with the dispatch of 64 threads a workgroup that gives each of them a
-    /// thread. What does not fit into `indices` is not stored.
+    /// Records that the indices of all items whose bit is set are stored in order, as `u32`. Item i is bit i % 32 of word i
+    /// / 32. `total` receives `[count, x, y, z]`, with the dispatch of workgroups of 64 threads, one thread an index.
+    /// Indices beyond the room in `indices` are dropped.
     ///
     /// # Errors
-    /// For ranges that no kernel can see.
+    /// For ranges that cannot be bound.
     pub fn encode(
         &mut self,
         frame: &mut Frame,

@@ -1,4 +1,4 @@
-//! Stage `decide`: which sides face out for a target, found by the GPU.
+//! Stage `decide`: the GPU finds which sides face outward for a target.
 
 use super::buffer::{Download, Range};
 use super::decisions::Decisions;
@@ -10,21 +10,21 @@ use slimbvh_core::frustum::Frustum;
 use slimbvh_core::launch::BLOCK;
 use slimbvh_core::orientation::Target;
 
-/// Which triangles of the components that a target is outside of answer for it.
+/// Which triangles form the set of a target, in components that the target is outside of.
 #[derive(Clone, Copy, Debug)]
 pub enum Answer<'a> {
-    /// Those that face it (L+).
+    /// Those that face the target (L+).
     Facing,
-    /// For a light: those that face it, or those that face away (L−), whichever are fewer. These are taken only where the eye
-    /// is outside of all components that the light is outside of. Whoever asks for it knows that then every shadow ray
-    /// starts outside: that nothing is transparent.
+    /// For a light: the smaller of L+ and L−, the triangles that face away. L− requires that the eye is outside of every
+    /// component that the light is outside of. The caller guarantees that every shadow ray then starts outside, so nothing
+    /// may be transparent.
     Smaller {
-        /// The eye, set or decided before in this frame.
+        /// The eye's sides, set or decided earlier in this frame.
         eye: &'a TargetSides,
     },
 }
 
-/// What a program was made for.
+/// The inputs that a program was recorded for.
 #[derive(Debug, PartialEq)]
 struct Key {
     ranges: TargetRanges,
@@ -33,7 +33,7 @@ struct Key {
     eye_sides: Option<Range>,
 }
 
-/// What finds a target's sides.
+/// Finds a target's sides.
 #[derive(Debug)]
 pub struct Decider {
     key: Key,
@@ -42,11 +42,11 @@ pub struct Decider {
 }
 
 impl TargetSides {
-    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and which sides of the
-    /// components face out for the target, by what was measured last: see [`Decisions::measure`].
+    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and the sides that face
+    /// outward for the target by the latest measurement: see [`Decisions::measure`].
     ///
     /// # Errors
-    /// If nothing was measured, for an eye that was not set, or for other components, and if memory is exhausted.
+    /// If no mesh was measured, for an eye without sides or with other components, and if memory is exhausted.
     pub fn decide(
         &mut self,
         frame: &mut Frame,
@@ -89,8 +89,7 @@ impl TargetSides {
         })
     }
 
-    /// Copies what was decided by this point of the frame, to be read when the frame is done: to tell of it, never to decide
-    /// by it.
+    /// Copies the decisions made so far, to be read when the frame is done. For reports only; no decision depends on it.
     ///
     /// # Errors
     /// If nothing was set or decided, or memory is exhausted.
@@ -105,14 +104,14 @@ impl TargetSides {
         })
     }
 
-    /// What deciding asks of the GPU.
+    /// The work of the decision.
     #[must_use]
     pub fn work(&self) -> Option<&super::Work> {
         self.decider.as_ref()?.program.work().first()
     }
 }
 
-/// The sides that an eye was given.
+/// The sides of the eye.
 fn eye_sides(eye: &TargetSides, side_count: u32) -> Result<Range, GpuError> {
     let sides = &eye.ranges()?.sides;
     if sides.size == 4 * u64::from(side_count) {
@@ -136,7 +135,7 @@ fn record(
     let TargetRanges { sides, .. } = &key.ranges;
     let target = key.ranges.target();
     let (components, count) = (&decisions.components, decisions.reducible_count());
-    // All others stay whole.
+    // All other components stay whole.
     recorder.clear(sides);
     if count > 0 {
         recorder.dispatch(
@@ -180,7 +179,7 @@ fn record(
     recorder.finish(gpu)
 }
 
-/// What was decided for a target, on its way.
+/// A target's decisions, being copied.
 #[derive(Debug)]
 #[must_use]
 pub struct SidesDownload {
@@ -188,18 +187,18 @@ pub struct SidesDownload {
     counts: Option<Download>,
 }
 
-/// What was decided for a target.
+/// A target's decisions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decided {
-    /// The side of each component that counts: the outer one, or the inner one for L−; 0 where all of it does. One more entry, 0,
-    /// stands at the number of components.
+    /// The side of each component that rays may hit: the outer one, or the inner one for L−; 0 for both. The entry at the
+    /// number of components is 0.
     pub sides: Vec<i32>,
-    /// How large both sets are, where the smaller one was asked for.
+    /// The sizes of both sets, if the smaller one was requested.
     pub counts: Option<SetCounts>,
 }
 
 impl SidesDownload {
-    /// Waits for it, and reads it.
+    /// Waits for the copy, and reads it.
     ///
     /// # Errors
     /// If the device was lost.

@@ -1,4 +1,4 @@
-//! What is known of components whose vertices move on the GPU.
+//! Measures of components whose vertices move on the GPU.
 
 use super::buffer::{Download, Range, Slot, upload};
 use super::program::{Program, Recorder, Uniform, groups};
@@ -9,19 +9,19 @@ use slimbvh_core::decide::{Component, Measure};
 use slimbvh_core::launch::BLOCK;
 use wgpu::BufferUsages;
 
-/// What to do about a mesh that is too large.
+/// Advice for a mesh that is too large.
 const TOO_LARGE: &str = "take a smaller mesh, or the CPU";
 
-/// Measures a mesh's components on the GPU, so that the vertices need never be known elsewhere: their boxes, which side
-/// faces out, and whether they are still closed. Then [`super::TargetSides::decide`] finds for each target which of their sides
-/// face out, to the bit as [`crate::Decisions`] does.
+/// Measures a mesh's components on the GPU, so that the host need not know the vertices: their boxes, which side faces
+/// outward, and whether they are still closed. [`super::TargetSides::decide`] then finds for each target which sides face
+/// outward, equal to [`crate::Decisions`] to the bit.
 #[derive(Debug)]
 pub struct Decisions {
     pub(super) triangle_components: Components,
-    /// Those that may be reduced.
+    /// The components that may be reduced.
     pub(super) components: Range,
     pub(super) component_numbers: Vec<u32>,
-    /// How many components the mesh has.
+    /// The number of components in the mesh.
     pub(super) component_count: u32,
     spans: Range,
     span_count: u32,
@@ -31,17 +31,17 @@ pub struct Decisions {
     pub(super) measures: Range,
     /// The scene's exponent.
     pub(super) exponent: Range,
-    /// A place for counts of sets.
+    /// A range for counts of sets.
     pub(super) blocks: Range,
     triangle_count: u32,
     vertex_count: usize,
-    /// The mesh that was measured.
+    /// The measured mesh.
     pub(super) mesh: Option<Mesh>,
-    /// What measures it, with where the exponent is.
+    /// The measuring program, and the range of the exponent that it reads.
     program: Option<(Range, Program)>,
 }
 
-/// What is known of a component.
+/// The measure of one component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Its number.
@@ -51,10 +51,11 @@ pub struct Measured {
 }
 
 impl Decisions {
-    /// Uploads from a topology what does not depend on positions. It must have looked for seams, if it is to.
+    /// Uploads what does not depend on positions from a topology. If seams matter, the topology must have searched for
+    /// them.
     ///
     /// # Errors
-    /// For more triangles than the GPU takes.
+    /// For more triangles than the GPU's limits allow.
     pub fn new(gpu: &Gpu, topology: &Topology) -> Result<Self, GpuError> {
         let runs = topology.runs();
         let triangle_count = topology.components().len() as u32;
@@ -110,12 +111,12 @@ impl Decisions {
         })
     }
 
-    /// Records that all components be measured where the mesh's vertices are at this point of the frame. The builder must
-    /// have sorted, built or refitted this mesh with these vertices before, in this frame or an earlier one: it knows the
-    /// scene's magnitude.
+    /// Records the measurement of all components at the vertices' positions at this point of the frame. The builder, which
+    /// supplies the scene's magnitude, must have sorted, built or refitted this mesh with these vertices before, in this
+    /// frame or an earlier one.
     ///
     /// # Errors
-    /// For another mesh, as far as the counts tell, and for a builder that has seen none.
+    /// If the counts show that it is another mesh, and for a builder without a mesh.
     pub fn measure(
         &mut self,
         frame: &mut Frame,
@@ -183,7 +184,7 @@ impl Decisions {
         &self.triangle_components
     }
 
-    /// How many components may be reduced, as long as they are closed and have an outer side.
+    /// The number of components that may be reduced while they are closed and have an outer side.
     #[must_use]
     pub fn reducible_count(&self) -> u32 {
         self.component_numbers.len() as u32
@@ -206,14 +207,14 @@ impl Decisions {
         ranges.iter().map(|range| range.size).sum()
     }
 
-    /// What measuring asks of the GPU.
+    /// The work of a measurement.
     #[must_use]
     pub fn work(&self) -> Option<&super::Work> {
         self.program.as_ref()?.1.work().first()
     }
 
-    /// Copies what is known of the components at this point of the frame, to be read when the frame is done: to tell of it,
-    /// never to decide by it.
+    /// Copies the measures at this point of the frame, to be read when the frame is done. For reports only; no decision
+    /// depends on it.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -226,7 +227,7 @@ impl Decisions {
     }
 }
 
-/// What is known of the components, on its way.
+/// The measures of the components, being copied.
 #[derive(Debug)]
 #[must_use]
 pub struct MeasuresDownload {
@@ -235,7 +236,7 @@ pub struct MeasuresDownload {
 }
 
 impl MeasuresDownload {
-    /// Waits for it, and reads it: one entry for each component that may be reduced.
+    /// Waits for the copy, and reads it: one entry for each component that may be reduced.
     ///
     /// # Errors
     /// If the device was lost.

@@ -1,4 +1,4 @@
-//! What the GPU decided in a frame, for people.
+//! A printable report of the GPU's decisions in a frame.
 
 use super::{
     Decided, Decisions, Frame, Gpu, GpuError, Measured, MeasuresDownload, SidesDownload,
@@ -6,7 +6,7 @@ use super::{
 };
 use crate::text::{grouped, things};
 
-/// What the GPU decided in a frame, on its way.
+/// The GPU's decisions in a frame, being copied.
 #[derive(Debug)]
 #[must_use]
 pub struct DecisionsDownload {
@@ -15,7 +15,7 @@ pub struct DecisionsDownload {
 }
 
 impl DecisionsDownload {
-    /// Copies what was decided by this point of the frame for some targets.
+    /// Copies the decisions made so far for some targets.
     pub(super) fn record(
         frame: &mut Frame,
         decisions: &Decisions,
@@ -31,7 +31,7 @@ impl DecisionsDownload {
         })
     }
 
-    /// Waits for it, and reads it.
+    /// Waits for the copy, and reads it.
     ///
     /// # Errors
     /// If the device was lost.
@@ -45,7 +45,7 @@ impl DecisionsDownload {
     }
 }
 
-/// What the GPU decided in a frame.
+/// The GPU's decisions in a frame.
 #[derive(Clone, Debug)]
 pub struct DecisionsReport {
     /// The components that may be reduced.
@@ -55,7 +55,7 @@ pub struct DecisionsReport {
 }
 
 impl DecisionsReport {
-    /// One line a decision: what it is about, and what was decided, with the figures.
+    /// One line for each decision: its subject, and the decision with its figures.
     #[must_use]
     pub fn explain(&self) -> Vec<(String, String)> {
         let has = |side: i32| {
@@ -67,7 +67,7 @@ impl DecisionsReport {
         let mut lines = vec![(
             "on the GPU".to_owned(),
             format!(
-                "of {}, {} face out and {} are inside out; {torn} are torn open, {} have no certain sign",
+                "of {}, {} face outward and {} inward; {torn} are no longer closed; the volume of {} has an uncertain sign",
                 things(self.components.len(), "closed component"),
                 has(1),
                 has(-1),
@@ -80,12 +80,12 @@ impl DecisionsReport {
             if let Some(counts) = decided.counts {
                 let taken = if counts.is_minus == 1 { "L−" } else { "L+" };
                 text += &format!(
-                    "; L+ keeps {}, L− {}: {taken} is taken",
+                    "; L+ keeps {}, L− {}: uses {taken}",
                     things(counts.plus as usize, "triangle"),
                     grouped(counts.minus as usize)
                 );
                 if counts.barred > 0 {
-                    text += ", as the eye may be inside";
+                    text += ", because the eye may be inside";
                 }
             }
             lines.push((name.clone(), text));

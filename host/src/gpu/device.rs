@@ -1,4 +1,4 @@
-//! A device with its compiled kernels, and the errors that it reports.
+//! A device with its compiled kernels and its reported errors.
 
 use super::kernel::{Kernel, Pipelines, compile};
 use super::timer::TimerPool;
@@ -7,10 +7,10 @@ use pollster::block_on;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// A GPU ready to work: its own, or one that the caller has opened already.
+/// An open GPU: its own device, or one that the caller opened.
 ///
-/// Kernels are compiled when they are first used. All methods that record or submit work report errors of the driver as
-/// [`GpuError`]; nothing panics, and nothing is left to wgpu's own handler.
+/// A kernel is compiled at its first use. All methods that record or submit work return the driver's errors as
+/// [`GpuError`]; none panics or reaches wgpu's own handler.
 #[derive(Debug)]
 pub struct Gpu {
     device: wgpu::Device,
@@ -24,10 +24,10 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Opens an adapter with all the limits that it has.
+    /// Opens an adapter with all its limits.
     ///
     /// # Errors
-    /// Where there is no such adapter, the driver refuses to open it, or it is too small for the kernels.
+    /// If there is no such adapter, the driver refuses to open it, or its limits are too small for the kernels.
     pub fn open(choice: &AdapterChoice) -> Result<Self, GpuError> {
         let adapter = adapter::choose(choice)?;
         let info = adapter.get_info();
@@ -45,10 +45,10 @@ impl Gpu {
         })?;
         let gpu = Self::from_device(device, queue)?;
 
-        // Ours alone: nobody else waits for these.
+        // slimbvh opened this device, so it sets the handlers.
         let lost = Arc::clone(&gpu.lost);
         gpu.device.set_device_lost_callback(move |_, message| {
-            // Only the first reason counts.
+            // Only the first reason is kept.
             let _ = lost.set(one_line(&message));
         });
         let late = Arc::clone(&gpu.late);
@@ -59,12 +59,11 @@ impl Gpu {
         Ok(gpu)
     }
 
-    /// Works on a device that the caller has opened; its limits hold. With the feature `TIMESTAMP_QUERY` stages are
-    /// timed. The caller's own handlers of errors and of device loss stay in place; that a device was lost shows here when
-    /// something is waited for.
+    /// Uses a device that the caller opened, with its limits. With the feature `TIMESTAMP_QUERY`, stages are timed. The
+    /// caller's handlers of errors and of device loss stay in place; a lost device is reported by the next call that waits.
     ///
     /// # Errors
-    /// Where the device is too small for the kernels.
+    /// If the device's limits are too small for the kernels.
     pub fn from_device(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
         let (limits, name) = (device.limits(), device.adapter_info().name);
         let needs: [(&'static str, u64, u64); 4] = [
@@ -111,13 +110,13 @@ impl Gpu {
         })
     }
 
-    /// The device, for own work.
+    /// The device, for the caller's own work.
     #[must_use]
     pub fn device(&self) -> &wgpu::Device {
         &self.device
     }
 
-    /// The queue, for own work.
+    /// The queue, for the caller's own work.
     #[must_use]
     pub fn queue(&self) -> &wgpu::Queue {
         &self.queue
@@ -135,13 +134,13 @@ impl Gpu {
         &self.limits
     }
 
-    /// Begins a frame: all that is recorded into it is one submission.
+    /// Begins a frame. All commands recorded into it form one submission.
     #[must_use]
     pub fn frame(&self) -> Frame<'_> {
         Frame::new(self)
     }
 
-    /// A compiled kernel, for own dispatches; see [`Kernel`].
+    /// A compiled kernel, for the caller's own dispatches; see [`Kernel`].
     ///
     /// # Errors
     /// Those of the driver's compiler, and where the kernel is not compiled in ([`Kernel`]).
@@ -149,7 +148,7 @@ impl Gpu {
         if let Some(pipeline) = self.pipelines.compiled(kernel) {
             return Ok(pipeline);
         }
-        // Kept only if nothing was found fault with.
+        // Kept only if compilation reported no error.
         let pipeline = self.checked(|| compile(&self.device, kernel))?;
         self.pipelines.keep(kernel, &pipeline);
         Ok(pipeline)
@@ -187,7 +186,7 @@ impl Gpu {
         );
         let error = memory.or(internal).or(validation);
         if error.is_some() {
-            // A loss is told of when the device is polled, and after what it made invalid.
+            // A loss is reported only when the device is polled, and after the errors that it causes.
             let _ = self.poll(wgpu::PollType::Poll);
         }
         self.check_alive()?;
@@ -222,15 +221,15 @@ impl Gpu {
         waited.map_err(|reason| self.lost(&reason))
     }
 
-    /// Lets callbacks be called of what is done.
+    /// Runs the callbacks of finished work.
     pub(super) fn progress(&self) -> Result<(), GpuError> {
         let polled = self.poll(wgpu::PollType::Poll);
         self.check_alive()?;
         polled.map_err(|reason| self.lost(&reason))
     }
 
-    /// Tells what is done. wgpu 30 panics where the driver says while it waits that the device is lost, after it has let go
-    /// of all its locks.
+    /// Polls the device. wgpu 30 panics if the driver reports during a wait that the device is lost, after releasing all
+    /// its locks.
     fn poll(&self, how: wgpu::PollType) -> Result<(), String> {
         match catch_unwind(AssertUnwindSafe(|| self.device.poll(how))) {
             Ok(Ok(_)) => Ok(()),
@@ -239,7 +238,7 @@ impl Gpu {
         }
     }
 
-    /// Refuses what is too large for a buffer or for a kernel to see, before anything is allocated.
+    /// Refuses sizes that exceed a buffer or a storage binding, before anything is allocated.
     pub(super) fn check_sizes(
         &self,
         sizes: &[(&'static str, u64)],
@@ -262,7 +261,7 @@ impl Gpu {
         Ok(())
     }
 
-    /// Refuses what is too large for a buffer.
+    /// Refuses a size that exceeds a buffer.
     pub(super) fn check_buffer(
         &self,
         what: &'static str,
@@ -296,7 +295,7 @@ impl Gpu {
     }
 }
 
-/// Drivers and wgpu explain in many lines.
+/// One line of a message of the driver or of wgpu, which have many.
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,4 +1,4 @@
-//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three around a scan.
+//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three, with a scan in between.
 
 use super::buffer::{Range, Slot};
 use super::bvh::{Built, Coded};
@@ -9,7 +9,7 @@ use super::{Gpu, Kernel};
 use slimbvh_core::encode::LeafCorner;
 use wgpu::BufferUsages;
 
-/// Codes hierarchies, and keeps its buffers and what is plain of them.
+/// Encodes hierarchies. Keeps its buffers and the plain nodes and triangles.
 #[derive(Debug)]
 pub struct Encoder {
     nodes: Slot,
@@ -20,7 +20,7 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// An encoder without buffers yet.
+    /// An encoder with empty buffers.
     pub const fn new() -> Self {
         let copied = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
         Self {
@@ -32,18 +32,18 @@ impl Encoder {
         }
     }
 
-    /// A place for plain nodes, before they are coded.
+    /// A range for plain nodes, before they are coded.
     pub fn plain_nodes(&mut self, gpu: &Gpu, bytes: u64) -> Range {
         self.nodes.range(gpu, bytes)
     }
 
-    /// A place for plain triangles, before they are coded.
+    /// A range for plain triangles, before they are coded.
     pub fn plain_triangles(&mut self, gpu: &Gpu, bytes: u64) -> Range {
         self.triangles.range(gpu, bytes)
     }
 
-    /// Records that a plain hierarchy be coded; `each_node` gives every node a thread, `step` is that of the lattice,
-    /// as kernels want it.
+    /// Records the encoding of a plain hierarchy. `each_node` gives every node a thread; `step` is the lattice's step in
+    /// the kernels' form.
     pub fn record(
         &mut self,
         gpu: &Gpu,
@@ -55,7 +55,7 @@ impl Encoder {
     ) {
         recorder.stage("encode");
         let total = Uniform::Stored(&bvh.total);
-        // What no compiler knows.
+        // Always 0, hidden from the compiler so that it cannot fuse the product.
         let zero = Uniform::Params([0; 4]);
         let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
         let (nodes, root) = (&coded.nodes, &coded.root);
@@ -75,12 +75,12 @@ impl Encoder {
             Encodes::Mixed { sizes, links } => (sizes, links),
         };
 
-        // How many words each triangle takes follows from its leaf's box; where it begins, from all before it.
+        // The leaf's box determines each triangle's size; a prefix sum of the sizes gives its place.
         const CORNER_BYTES: u64 = size_of::<LeafCorner>() as u64;
         let count = u64::from(bvh.triangle_count.max(1));
         let corners = &self.corners.range(gpu, CORNER_BYTES * count);
         let sizes = &self.sizes.range(gpu, 4 * count);
-        // A reduced hierarchy has no more triangles than that, and a scan sums all there are.
+        // A reduced hierarchy fills fewer sizes than the scan sums.
         recorder.clear(sizes);
         recorder.dispatch(
             sizes_kernel,

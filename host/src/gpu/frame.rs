@@ -1,11 +1,11 @@
-//! What is recorded together is submitted together.
+//! A frame: commands recorded together and submitted together.
 
 use super::buffer::{Download, Range};
 use super::timer::Timer;
 use super::{Gpu, GpuError, Misfit};
 use crate::Stages;
 
-/// Commands on their way to the GPU, in the order in which they are recorded: one submission.
+/// Commands for the GPU in the order of recording; one submission.
 #[derive(Debug)]
 pub struct Frame<'g> {
     gpu: &'g Gpu,
@@ -19,7 +19,7 @@ impl<'g> Frame<'g> {
         let descriptor = wgpu::CommandEncoderDescriptor {
             label: Some("slimbvh frame"),
         };
-        // What goes wrong here is told when the frame is submitted.
+        // Errors from here on are returned when the frame is submitted.
         let (mut timer, mut fault) = (None, None);
         let made = gpu.checked(|| {
             timer = gpu.timers.take(gpu.device());
@@ -36,13 +36,13 @@ impl<'g> Frame<'g> {
         }
     }
 
-    /// The GPU that this goes to.
+    /// The GPU of this frame.
     #[must_use]
     pub fn gpu(&self) -> &'g Gpu {
         self.gpu
     }
 
-    /// The encoder, for own commands before, between and after ours.
+    /// The encoder, for the caller's own commands before, between and after those of slimbvh.
     pub fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
         &mut self.encoder
     }
@@ -59,15 +59,15 @@ impl<'g> Frame<'g> {
             .forget_lifetime()
     }
 
-    /// Copies a range for the caller to read when the frame is done.
+    /// Copies a range, to be read when the frame is done.
     pub(super) fn download(&mut self, range: &Range) -> Download {
         Download::record(self.gpu, &mut self.encoder, range)
     }
 
-    /// Copies what a buffer holds at this point of the frame, to be read when the frame is done.
+    /// Copies a buffer's contents at this point of the frame, to be read when the frame is done.
     ///
     /// # Errors
-    /// For a buffer without the usage `COPY_SRC`, and a slice that does not begin and end at multiples of 4 bytes.
+    /// For a buffer without the usage `COPY_SRC`, and a slice whose ends are not multiples of 4 bytes.
     pub fn read_later(&mut self, slice: wgpu::BufferSlice) -> Result<Download, GpuError> {
         let (gpu, range) = (self.gpu, Range::of_slice(slice));
         let unfit = |fault: Misfit| Err(fault.of("the buffer to read"));
@@ -83,10 +83,10 @@ impl<'g> Frame<'g> {
         gpu.checked(|| Ok(self.download(&range)))
     }
 
-    /// Sends all that was recorded.
+    /// Submits all recorded commands.
     ///
     /// # Errors
-    /// If a command is refused, memory is exhausted, or the device was lost.
+    /// If the device refuses a command, memory is exhausted, or the device was lost.
     pub fn submit(mut self) -> Result<Submission<'g>, GpuError> {
         let gpu = self.gpu;
         if let Some(fault) = self.fault {
@@ -104,7 +104,7 @@ impl<'g> Frame<'g> {
     }
 }
 
-/// A frame that the GPU has or is working on. Nothing needs to wait for it.
+/// A submitted frame. Waiting for it is optional.
 #[derive(Debug)]
 pub struct Submission<'g> {
     gpu: &'g Gpu,
@@ -113,7 +113,7 @@ pub struct Submission<'g> {
 }
 
 impl Submission<'_> {
-    /// Waits until it is done. Returns the time of each stage, or none where the adapter has no timestamps; passes after
+    /// Waits until the frame is done. Returns the time of each stage; empty if the adapter has no timestamps. Passes after
     /// the first 1024 of a frame are not timed.
     ///
     /// # Errors
@@ -128,7 +128,7 @@ impl Submission<'_> {
 }
 
 impl Drop for Submission<'_> {
-    /// Nobody asked for the times: the next frame may have the timer, whose commands come after these.
+    /// Nothing read the times: the timer goes to the next frame, whose commands follow these.
     fn drop(&mut self) {
         if let Some(timer) = self.timer.take() {
             self.gpu.timers.give_back(timer);

@@ -1,4 +1,4 @@
-//! Triangles in buffers.
+//! A mesh in the GPU's memory.
 
 use super::buffer::{Range, upload};
 use super::{Gpu, GpuError, Misfit};
@@ -21,7 +21,7 @@ impl Mesh {
     /// Copies a mesh to the GPU.
     ///
     /// # Errors
-    /// Those of [`crate::Mesh::validate`], and a mesh larger than the GPU takes.
+    /// Those of [`crate::Mesh::validate`], and for a mesh above the GPU's limits.
     pub fn upload(gpu: &Gpu, mesh: &crate::Mesh) -> Result<Self, GpuError> {
         mesh.validate()?;
         gpu.check_sizes(
@@ -43,15 +43,15 @@ impl Mesh {
         })
     }
 
-    /// Takes buffers that are on the GPU already: three `f32` a vertex and three `u32` a triangle, without gaps. The
-    /// counts are those that the slices hold.
+    /// Uses the caller's buffers: three `f32` a vertex and three `u32` a triangle, without gaps. The lengths of the slices
+    /// give the counts.
     ///
-    /// Nothing is read back, so what the buffers hold is not checked: coordinates must be finite. A corner whose index is
-    /// out of range counts as a vertex at the origin.
+    /// Nothing is read back, so the contents are unchecked: coordinates must be finite. A corner whose index is out of
+    /// range counts as a vertex at the origin.
     ///
     /// # Errors
-    /// For a buffer that is not a storage buffer, a slice that begins or ends at odd places, more than the GPU sees of a
-    /// buffer, and more than 2^28 triangles.
+    /// For a buffer without the usage `STORAGE`, a slice at an unaligned offset, more bytes than a storage binding allows,
+    /// and more than 2^28 triangles.
     pub fn from_buffers(
         gpu: &Gpu,
         vertices: wgpu::BufferSlice,
@@ -78,26 +78,26 @@ impl Mesh {
         })
     }
 
-    /// How many triangles there are.
+    /// The number of triangles.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.triangle_count
     }
 
-    /// The vertices' buffer, to move them.
+    /// The buffer of vertices, to move them.
     #[must_use]
     pub fn vertex_buffer(&self) -> &wgpu::Buffer {
         &self.vertices.buffer
     }
 
-    /// Bytes of both.
+    /// Bytes of both buffers.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.vertices.size + self.indices.size
     }
 }
 
-/// Refuses a range of the caller's that no kernel can see.
+/// Refuses a range of the caller's that cannot be bound.
 pub fn check_storage(
     gpu: &Gpu,
     what: &'static str,
@@ -108,7 +108,7 @@ pub fn check_storage(
     gpu.check_sizes(&[(what, range.size)], "take a part of it")
 }
 
-/// Refuses a range of the caller's that no kernel can see, not even in parts.
+/// Refuses a range of the caller's that cannot be bound even in parts.
 pub fn check_parts(
     gpu: &Gpu,
     what: &'static str,

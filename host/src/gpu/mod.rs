@@ -1,8 +1,7 @@
 //! The GPU backend: core's kernels, compiled to SPIR-V, driven by wgpu.
 //!
-//! Everything of a frame stays on the GPU. What is recorded into one [`Frame`] is one submission: no stage waits for the
-//! host, sizes that the GPU decides drive indirect dispatches, and the buffers, bindings and kernels of builds and pictures
-//! are used again from one frame to the next.
+//! All data of a frame stays on the GPU. A [`Frame`] is one submission: no stage waits for the host, and sizes that the GPU
+//! finds drive indirect dispatches. Builds and pictures reuse their buffers, bindings and kernels from frame to frame.
 //!
 //! ```no_run
 //! use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, Query};
@@ -21,8 +20,9 @@
 //! # }
 //! ```
 //!
-//! Devices must be true to IEEE 754 in what Vulkan leaves open: subtract, multiply and compare round to nearest, and numbers
-//! below 2^-126 count where all of a scene is as small as that. What was made with one [`Gpu`] belongs to it alone.
+//! Devices must follow IEEE 754 where Vulkan leaves a choice: subtraction, multiplication and comparison round to nearest,
+//! and numbers below 2^-126 are kept if the whole scene is that small. Objects made with one [`Gpu`] can only be used with
+//! it.
 
 mod adapter;
 mod backend;
@@ -84,7 +84,7 @@ pub use sides::{Components, Subset, TargetSides};
 pub use sort::{Keys, Sort};
 pub use trace::Query;
 pub use trees::{Tree, Trees};
-/// The version of wgpu that all of this is made with.
+/// The version of wgpu in this crate's interface.
 pub use wgpu;
 pub use wgsl::wgsl;
 pub use work::{Traffic, Work};

@@ -1,36 +1,36 @@
-//! Dispatches that are prepared once and encoded into every frame.
+//! Programs: dispatches that are recorded once and encoded into every frame.
 
 use super::buffer::{ALIGNMENT, Range, upload};
 use super::work::{Traffic, Work};
 use super::{Frame, Gpu, Kernel};
 use slimbvh_core::launch::{LANES, dispatch};
 
-/// How many workgroups are dispatched.
+/// The number of workgroups of a dispatch.
 #[derive(Clone, Debug)]
 pub enum Groups {
-    /// Known now.
+    /// Known when recording.
     Direct([u32; 3]),
-    /// Three numbers that the GPU has stored by then.
+    /// Three numbers that the GPU stores before.
     Indirect(Range),
 }
 
-/// Workgroups that give each item a thread.
+/// Enough workgroups for a thread an item.
 pub fn threads(item_count: u32) -> Groups {
     Groups::Direct(dispatch(item_count.div_ceil(LANES as u32)))
 }
 
-/// A number of items, and the workgroups that give each a thread, as kernels that know neither beforehand want them.
+/// A number of items, and the workgroups for a thread each, in the form of an indirect dispatch.
 pub fn counted(item_count: u32) -> [u32; 4] {
     let [x, y, z] = dispatch(item_count.div_ceil(LANES as u32));
     [item_count, x, y, z]
 }
 
-/// That many workgroups.
+/// This many workgroups.
 pub fn groups(group_count: u32) -> Groups {
     Groups::Direct(dispatch(group_count))
 }
 
-/// A uniform: parameters known now, or what a kernel has stored.
+/// A uniform: parameters known when recording, or a kernel's result.
 #[derive(Clone, Copy, Debug)]
 pub enum Uniform<'a> {
     /// Four numbers.
@@ -45,14 +45,14 @@ enum Bound {
 }
 
 enum Step<D> {
-    /// What follows belongs to this stage.
+    /// The steps that follow belong to this stage.
     Stage(&'static str),
     Dispatch(D),
     Copy(Range, Range),
     Clear(Range),
-    /// Parameters that begin here go to a range.
+    /// Copies parameters, from this offset, to a range.
     Write(u64, Range),
-    /// The caller encodes commands here, those of this number.
+    /// The caller encodes its own commands here; the number identifies them.
     Callback(usize),
 }
 
@@ -68,7 +68,7 @@ struct Dispatch {
     groups: Groups,
 }
 
-/// That a stage reads or writes a range.
+/// An access of a range by a stage.
 struct Access {
     stage: usize,
     range: Range,
@@ -94,7 +94,7 @@ impl Recorder {
         });
     }
 
-    /// Records a dispatch that reads and writes; bindings are numbered in this order.
+    /// Records a dispatch with ranges to read and to write. Bindings are numbered in this order.
     pub fn dispatch(
         &mut self,
         kernel: Kernel,
@@ -125,7 +125,7 @@ impl Recorder {
         }));
     }
 
-    /// Records a dispatch that also reads what it writes.
+    /// Records a dispatch that also reads the ranges that it writes.
     pub fn update(
         &mut self,
         kernel: Kernel,
@@ -140,7 +140,7 @@ impl Recorder {
         self.dispatch(kernel, uniforms, reads, updates, groups);
     }
 
-    /// Takes note that the next dispatch also reads this range, which it writes.
+    /// Notes that the next dispatch also reads this range, which it writes.
     pub fn read(&mut self, range: &Range) {
         self.access(range, false);
     }
@@ -171,12 +171,12 @@ impl Recorder {
         self.steps.push(Step::Clear(range.clone()));
     }
 
-    /// Records that the caller encodes commands of its own here.
+    /// Records a callback: the caller encodes its own commands here.
     pub fn callback(&mut self, id: usize) {
         self.steps.push(Step::Callback(id));
     }
 
-    /// Records that words be written to the beginning of a range.
+    /// Records a write of words to the beginning of a range.
     pub fn write(&mut self, to: &Range, words: &[u32]) {
         let mut first = 0;
         for words in words.chunks(4) {
@@ -189,7 +189,7 @@ impl Recorder {
         }
     }
 
-    /// Compiles what is not yet, and binds everything.
+    /// Compiles missing kernels, and creates all bindings.
     pub fn finish(self, gpu: &Gpu) -> Result<Program, super::GpuError> {
         let params = (!self.params.is_empty()).then(|| {
             upload(
@@ -222,7 +222,8 @@ impl Recorder {
     }
 }
 
-/// The ranges that a stage reads from outside, and those that it leaves for a later stage or for the caller.
+/// The least traffic of a stage: the ranges that it reads from earlier stages, and those that it leaves for later stages or
+/// the caller.
 fn least(stage: usize, accesses: &[Access]) -> Traffic {
     let own = |access: &&Access| access.stage == stage;
     let mut inputs: Vec<&Range> = Vec::new();
@@ -262,7 +263,7 @@ fn least(stage: usize, accesses: &[Access]) -> Traffic {
     least
 }
 
-/// Stores parameters where a uniform may begin, and returns where.
+/// Stores parameters at an offset that a uniform may have, and returns the offset.
 fn push_params(bytes: &mut Vec<u8>, params: &[u32; 4]) -> u64 {
     let offset = bytes.len().next_multiple_of(ALIGNMENT as usize);
     bytes.resize(offset, 0);
@@ -303,7 +304,7 @@ fn bind(gpu: &Gpu, params: Option<&wgpu::Buffer>, call: Call) -> Result<Dispatch
     })
 }
 
-/// Commands with all their bindings, ready for any number of frames.
+/// Commands with all bindings, ready for any number of frames.
 pub struct Program {
     steps: Vec<Step<Dispatch>>,
     params: Option<wgpu::Buffer>,
@@ -317,13 +318,13 @@ impl std::fmt::Debug for Program {
 }
 
 impl Program {
-    /// Adds all commands to a frame: a pass for each stage.
+    /// Encodes all commands into a frame: one pass for each stage.
     pub fn encode(&self, frame: &mut Frame) {
         // Only a callback can fail.
         let _ = self.encode_with(frame, &mut |_, _| Ok(()));
     }
 
-    /// Adds all commands to a frame, and calls the caller for its own.
+    /// Encodes all commands into a frame, and runs the callback for the caller's own.
     ///
     /// # Errors
     /// Those of the callback.
@@ -384,7 +385,7 @@ impl Program {
         Ok(())
     }
 
-    /// What each stage asks of the GPU.
+    /// The work of each stage.
     pub fn work(&self) -> &[Work] {
         &self.work
     }

@@ -74,7 +74,7 @@ impl Builder {
         }
     }
 
-    /// A place for the last triangle of each node's left child.
+    /// A range for the last triangle of each node's left child.
     pub(super) fn splits(&mut self, gpu: &Gpu, bvh: &Built) -> Range {
         let node_count = bvh.nodes.size / size_of::<slimbvh_core::Node>() as u64;
         let splits = self.scratch.splits.range(gpu, 4 * node_count);

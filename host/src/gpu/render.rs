@@ -26,24 +26,24 @@ use wgpu::BufferUsages;
 /// Samples in flight.
 const WAVE: u32 = 1 << 20;
 
-/// Bytes of the light that a path's hit may get, in `shade_light`.
+/// Bytes of a path's shadow record in `shade_light`: the light that its hit may receive.
 pub(super) const SHADOW_BYTES: u64 = size_of::<slimbvh_core::shade::Shadow>() as u64;
 
 /// A texel of the picture: linear RGB and 1, in `f32`.
 pub(super) const TEXEL_BYTES: u64 = 16;
 
-/// Rows of the picture begin at multiples of this, so that they can be copied to textures.
+/// Rows of the picture begin at multiples of this many texels, so that they can be copied to textures.
 const ROW_TEXELS: u32 = 64;
 
-/// Programs of pictures in more waves than this are not kept.
+/// Programs of pictures with more waves are not kept.
 const KEPT_WAVES: usize = 4;
 
-/// Where the view's parts lie in its buffer; lights follow, each in a step of its own.
+/// The step between the parts of the view's buffer. The lights follow, one a step.
 pub(super) const VIEW_STEP: u64 = 256;
 pub(super) const ENVIRONMENT: u64 = VIEW_STEP;
 pub(super) const LIGHTS: u64 = 2 * VIEW_STEP;
 
-/// Renders pictures on the GPU, and keeps its buffers and programs from one to the next.
+/// Renders pictures on the GPU. Keeps its buffers and programs from one picture to the next.
 #[derive(Debug)]
 pub struct Renderer {
     view: Slot,
@@ -62,7 +62,7 @@ pub struct Renderer {
     work: Vec<Work>,
 }
 
-/// What programs were made for.
+/// The inputs that programs were recorded for.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     settings: RenderSettings,
@@ -74,7 +74,7 @@ struct Key {
     scratch_bytes: u64,
 }
 
-/// All that the waves of one picture need.
+/// The inputs of all waves of one picture.
 pub(super) struct PicturePlan<'a> {
     pub(super) scene: &'a Scene,
     pub(super) trees: TreesRanges,
@@ -105,7 +105,7 @@ impl Default for Renderer {
 }
 
 impl Renderer {
-    /// A renderer without buffers yet.
+    /// A renderer with empty buffers.
     #[must_use]
     pub const fn new() -> Self {
         let copied_to = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
@@ -127,12 +127,12 @@ impl Renderer {
         }
     }
 
-    /// Records a picture of a scene, over whose mesh the hierarchy was or is being built in this frame. It stays in a
-    /// buffer, from where [`Self::copy_to_texture`] and [`Self::read_later`] take it.
+    /// Records a picture of a scene. The hierarchy over its mesh is built, or is built earlier in this frame. The picture
+    /// stays in a buffer, which [`Self::copy_to_texture`] and [`Self::read_later`] copy.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture, a mesh with another number of triangles than the hierarchy, and
-    /// pictures larger than the GPU takes, before anything is allocated.
+    /// For cameras and lights that cannot be rendered, a mesh with a different number of triangles than the hierarchy's,
+    /// and a picture above the GPU's limits, before anything is allocated.
     pub fn render(
         &mut self,
         frame: &mut Frame,
@@ -147,13 +147,13 @@ impl Renderer {
         self.render_with(frame, scene, &trees, view, settings)
     }
 
-    /// [`Self::render`], with a hierarchy for each kind of rays; the view is a camera and lights.
+    /// [`Self::render`] with one hierarchy for each kind of rays. The view is a camera and lights.
     ///
     /// # Errors
     /// Those of [`Self::render`].
     ///
     /// # Panics
-    /// If there are not as many hierarchies for shadow rays as there are lights.
+    /// If the number of hierarchies for shadow rays differs from the number of lights.
     pub fn render_with(
         &mut self,
         frame: &mut Frame,
@@ -166,8 +166,8 @@ impl Renderer {
         self.encode(frame, &plan, 0..plan.waves.len(), None)
     }
 
-    /// [`Self::render_with`], with some lights' hierarchies built during the picture, once for each wave of samples and each
-    /// mirror that paths meet.
+    /// [`Self::render_with`], with some lights' hierarchies built during the picture: once for each wave of samples and
+    /// each mirror along the paths.
     pub(super) fn render_deferred<'g>(
         &mut self,
         frame: &mut Frame<'g>,
@@ -247,7 +247,7 @@ impl Renderer {
         planned.inspect_err(|_| *self = Self::new())
     }
 
-    /// Encodes some of a picture's waves, and what comes after the last one.
+    /// Encodes some of a picture's waves, and after the last wave the final program.
     pub(super) fn encode<'g>(
         &mut self,
         frame: &mut Frame<'g>,
@@ -283,7 +283,7 @@ impl Renderer {
                     programs.push(self.wave_program(gpu, plan, wave)?);
                 }
                 programs.push(self.last_program(gpu, plan)?);
-                // The last program may have made more room.
+                // Recording the last program may have replaced buffers.
                 let key = self.key(plan);
                 self.kept = Some((key, programs));
             }
@@ -296,11 +296,11 @@ impl Renderer {
             }
             Ok(())
         });
-        // What could not be made is not kept.
+        // After an error the renderer drops its programs and buffers.
         encoded.inspect_err(|_| *self = Self::new())
     }
 
-    /// Copies the picture for the caller to read when the frame is done.
+    /// Copies the picture, to be read when the frame is done.
     ///
     /// # Errors
     /// If nothing was rendered, or memory is exhausted.
@@ -316,7 +316,7 @@ impl Renderer {
         })
     }
 
-    /// Copies the counts of rays for the caller to read when the frame is done.
+    /// Copies the counts of rays, to be read when the frame is done.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -328,12 +328,12 @@ impl Renderer {
         })
     }
 
-    /// Submits the frame that ends a picture, waits, and reads the picture. Returns the times of the build, and what the
-    /// render did: those of earlier frames are added, and without timestamps all that is known is how long it took since the
-    /// beginning.
+    /// Submits the frame that ends a picture, waits, and reads the picture. Returns the times of the build and the report
+    /// of the render. `stages`, the times of earlier frames, are added. Without timestamps, the only time is that since
+    /// `begin`.
     ///
     /// # Errors
-    /// If nothing was rendered, a command is refused, memory is exhausted, or the device was lost.
+    /// If nothing was rendered, the device refuses a command, memory is exhausted, or the device was lost.
     pub fn finish(
         &mut self,
         mut frame: Frame,
@@ -362,7 +362,7 @@ impl Renderer {
         Ok((build, report))
     }
 
-    /// Bytes of the buffers that the last picture used; they are kept for the next.
+    /// Bytes of the buffers that the last picture used. The next picture reuses them.
     #[must_use]
     pub fn scratch_bytes(&self) -> u64 {
         let slots = [
@@ -380,7 +380,7 @@ impl Renderer {
         slots.iter().map(|slot| slot.bytes()).sum::<u64>() + self.sort.bytes()
     }
 
-    /// What the latest picture asks of the GPU, stage by stage; empty where it took too many waves to be kept.
+    /// The work of the latest picture, by stage; empty if it had too many waves to be kept.
     #[must_use]
     pub fn work(&self) -> &[Work] {
         &self.work
@@ -454,7 +454,7 @@ impl Renderer {
     }
 }
 
-/// A picture on its way from the GPU.
+/// A picture being copied from the GPU.
 #[derive(Debug)]
 #[must_use]
 pub struct PictureDownload {
@@ -481,7 +481,7 @@ impl PictureDownload {
     }
 }
 
-/// Refuses a picture that is larger than the GPU takes.
+/// Refuses a picture above the GPU's limits.
 fn check(gpu: &Gpu, settings: &RenderSettings, waves: &[Wave]) -> Result<(), GpuError> {
     let most = waves.iter().map(|wave| wave.sample_count).max();
     let most = u64::from(most.unwrap_or(1));
@@ -520,7 +520,7 @@ fn picture_bytes([width, height]: [u32; 2]) -> u64 {
     TEXEL_BYTES * u64::from(row_texels(width)) * u64::from(height)
 }
 
-/// Records the upload of what a picture is seen through, at this place in the frame.
+/// Records the upload of the camera and the lights at this point of the frame.
 fn upload_view(
     frame: &mut Frame,
     view: &Range,

@@ -9,7 +9,7 @@ use slimbvh_core::launch::BLOCK;
 /// Bytes of `[sum, x, y, z]`.
 pub const TOTAL_BYTES: u64 = 16;
 
-/// Replaces values by their exclusive prefix sums, and keeps its buffers.
+/// Replaces values by their exclusive prefix sums. Keeps its buffers.
 #[derive(Debug)]
 pub struct Scan {
     blocks: Slot,
@@ -22,7 +22,7 @@ impl Default for Scan {
 }
 
 impl Scan {
-    /// A scan without buffers yet.
+    /// A scan with empty buffers.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -30,11 +30,11 @@ impl Scan {
         }
     }
 
-    /// Records that the `u32` values of a buffer be replaced by the sums of all before each, modulo 2^32. `total` gets
-    /// `[sum, x, y, z]`, with the dispatch of 64 threads a workgroup that gives each of the sum a thread.
+    /// Records that the `u32` values of a buffer are replaced by their exclusive prefix sums modulo 2^32. `total` receives
+    /// `[sum, x, y, z]`, with the dispatch of workgroups of 64 threads, `sum` threads in all.
     ///
     /// # Errors
-    /// For ranges that no kernel can see.
+    /// For ranges that cannot be bound.
     pub fn encode(
         &mut self,
         frame: &mut Frame,

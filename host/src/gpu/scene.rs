@@ -1,4 +1,4 @@
-//! A scene in buffers.
+//! A scene in the GPU's memory.
 
 use super::buffer::{Range, upload};
 use super::mesh::check_storage;
@@ -7,7 +7,7 @@ use crate::Material;
 use slimbvh_core::shade::Material as CoreMaterial;
 use wgpu::BufferUsages;
 
-/// A mesh in the GPU's memory, and what its surfaces are made of.
+/// A mesh in the GPU's memory, with its materials.
 #[derive(Clone, Debug)]
 pub struct Scene {
     /// The triangles.
@@ -42,11 +42,11 @@ impl Scene {
         })
     }
 
-    /// A mesh that is on the GPU already, shaded flat where it has no normals (three `f32` a vertex, unit length), and
-    /// all of the first material where it has no material indices (a `u32` a triangle). Without materials, a default one.
+    /// Uses a mesh that is on the GPU. Without normals (three `f32` a vertex, unit length) it is shaded flat. Without
+    /// material indices (a `u32` a triangle) it has the first material; without materials, a default one.
     ///
     /// # Errors
-    /// For a buffer that is not a storage buffer.
+    /// For a buffer without the usage `STORAGE`.
     pub fn from_buffers(
         gpu: &Gpu,
         mesh: Mesh,
@@ -69,19 +69,19 @@ impl Scene {
         let materials = scene.core_materials();
         gpu.checked(|| {
             let usage = BufferUsages::STORAGE;
-            let nothing = || Range::whole(&upload::<[f32; 3]>(gpu, "slimbvh nothing", usage, &[]));
+            let empty = || Range::whole(&upload::<[f32; 3]>(gpu, "slimbvh nothing", usage, &[]));
             let buffer = upload(gpu, "slimbvh materials", usage, &materials);
             Ok(Self {
                 mesh,
-                normals: normals.unwrap_or_else(nothing),
-                material_indices: material_indices.unwrap_or_else(nothing),
+                normals: normals.unwrap_or_else(empty),
+                material_indices: material_indices.unwrap_or_else(empty),
                 materials: Range::whole(&buffer),
                 has_mirrors: has_mirrors(&materials),
             })
         })
     }
 
-    /// Copies vertices that have moved, and the normals with them.
+    /// Copies vertices that have moved, and their normals.
     pub(super) fn move_vertices(&self, gpu: &Gpu, mesh: &crate::Mesh) {
         for (to, bytes) in [
             (&self.mesh.vertices, bytemuck::cast_slice(&mesh.vertices)),
@@ -100,7 +100,7 @@ impl Scene {
     }
 }
 
-/// Whether paths may go on, at mirrors or through glass.
+/// Whether paths may continue at mirrors or through glass.
 fn has_mirrors(materials: &[CoreMaterial]) -> bool {
     materials
         .iter()

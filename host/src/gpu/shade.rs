@@ -8,7 +8,7 @@ use slimbvh_core::Hit;
 use slimbvh_core::shade::{Environment, Light, Path};
 
 impl PicturePlan<'_> {
-    /// Gathers light, and follows mirrors and glass.
+    /// Adds light, and follows paths through mirrors and glass.
     pub(super) fn record_light(&self, recorder: &mut Recorder, wave: &Wave) {
         let samples = u64::from(wave.sample_count);
         let all = &self.buffers;

@@ -1,4 +1,4 @@
-//! What rays of one origin may hit, in buffers.
+//! The triangles that rays of one target may hit, in the GPU's memory.
 
 use super::buffer::{Range, Slot, upload};
 use super::decide::Decider;
@@ -8,7 +8,7 @@ use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use wgpu::BufferUsages;
 
-/// Which component each triangle of a mesh belongs to.
+/// The component of each triangle of a mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Components(pub(super) Range);
 
@@ -16,7 +16,7 @@ impl Components {
     /// Copies the component of each triangle to the GPU.
     ///
     /// # Errors
-    /// For more triangles than the GPU takes.
+    /// For more triangles than the GPU's limits allow.
     pub fn upload(gpu: &Gpu, components: &[u32]) -> Result<Self, GpuError> {
         let bytes = size_of_val(components) as u64;
         gpu.check_sizes(
@@ -31,7 +31,7 @@ impl Components {
     }
 }
 
-/// A target of rays, and the outer side of each component as it matters to that. Filled by [`Self::set`], or on the GPU by
+/// A target of rays, and the side of each component that faces outward for it. [`Self::set`] fills it, or on the GPU
 /// [`Self::decide`], which can fill it again without allocating.
 #[derive(Debug)]
 pub struct TargetSides {
@@ -39,21 +39,21 @@ pub struct TargetSides {
     frustum: Slot,
     needed: Slot,
     sides: Slot,
-    /// How large both sets are that answer for a light.
+    /// The sizes of both sets of a light.
     pub(super) counts: Slot,
     pub(super) decider: Option<Decider>,
     pub(super) ranges: Option<TargetRanges>,
 }
 
-/// That something needs the set.
+/// The mark of a set that rays need.
 const NEEDED: [u32; 4] = [1, 0, 0, 0];
 
-/// Where the kernels find it.
+/// The ranges that kernels read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TargetRanges {
     pub target: Range,
     pub frustum: Range,
-    /// Whether anything needs the set: its first word is 0 where nothing does.
+    /// Whether any ray needs the set: the first word is 0 if none does.
     pub needed: Range,
     pub sides: Range,
 }
@@ -96,15 +96,14 @@ impl Default for TargetSides {
 }
 
 impl TargetSides {
-    /// Nothing yet.
+    /// Empty buffers.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and these sides of the
-    /// components: 1 where the front counts, −1 where the back does, 0 where all of a component counts. The frustum bounds
-    /// sets only.
+    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and these sides: 1 if
+    /// front faces of the component count, −1 if back faces count, 0 if both count. The frustum bounds sets only.
     ///
     /// # Errors
     /// If memory is exhausted.
@@ -121,14 +120,15 @@ impl TargetSides {
             let ranges = self.reserve(frame, sides.len(), frustum);
             Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
             Self::put(frame, bytemuck::cast_slice(sides), &ranges.sides);
-            // Nothing was counted for these.
+            // These sides have no counts.
             self.decider = None;
             self.ranges = Some(ranges);
             Ok(())
         })
     }
 
-    /// Makes room for a target and its sides, and records that later commands find this frustum and the set needed.
+    /// Makes room for a target and its sides, and records that later commands find this frustum, and the set marked as
+    /// needed.
     pub(super) fn reserve(
         &mut self,
         frame: &mut Frame,
@@ -147,7 +147,7 @@ impl TargetSides {
         ranges
     }
 
-    /// Records that bytes be put into a range.
+    /// Records an upload of bytes to a range.
     pub(super) fn put(frame: &mut Frame, bytes: &[u8], to: &Range) {
         let usage = BufferUsages::COPY_SRC;
         let from = upload(frame.gpu(), "slimbvh sides to upload", usage, bytes);
@@ -161,16 +161,16 @@ impl TargetSides {
     }
 }
 
-/// Which triangles a hierarchy is built over.
+/// The triangles of a hierarchy.
 #[derive(Clone, Copy, Debug)]
 pub enum Subset<'a> {
-    /// All of the mesh.
+    /// All triangles of the mesh.
     All,
     /// Those that rays from or to a target may hit.
     Of {
         /// The component of each triangle.
         components: &'a Components,
-        /// The target, and which sides of which components face out.
+        /// The target, and the sides that face outward.
         sides: &'a TargetSides,
     },
 }

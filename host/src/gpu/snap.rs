@@ -6,7 +6,7 @@ use super::program::{Groups, Recorder, Uniform, threads};
 use super::{Builder, Gpu, Kernel, Mesh};
 
 impl Builder {
-    /// Records triangles in leaf order, as many of the items as `bvh.count` says. Returns their codes.
+    /// Records triangles in leaf order, the first `bvh.count` items. Returns their codes.
     pub(super) fn record_snap(
         &mut self,
         gpu: &Gpu,
@@ -31,7 +31,7 @@ impl Builder {
         codes
     }
 
-    /// Records that triangles that are in leaf order move to where the vertices are now.
+    /// Records an update of triangles, already in leaf order, to the present vertices.
     pub(super) fn record_snap_again(
         &mut self,
         gpu: &Gpu,

@@ -7,7 +7,7 @@ use super::scan::{Scan, TOTAL_BYTES};
 use super::{Frame, Gpu, GpuError, Kernel};
 use slimbvh_core::launch::{BLOCK, DIGITS};
 
-/// What the radix sort takes.
+/// The form of the items to sort.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keys {
     /// Items `[key, value]`, by all 32 bits of the key.
@@ -34,7 +34,7 @@ impl Keys {
     }
 }
 
-/// Sorts items by their keys, and keeps its buffers.
+/// Sorts items by their keys. Keeps its buffers.
 #[derive(Debug)]
 pub struct Sort {
     other: Slot,
@@ -50,7 +50,7 @@ impl Default for Sort {
 }
 
 impl Sort {
-    /// A sort without buffers yet.
+    /// A sort with empty buffers.
     #[must_use]
     pub const fn new() -> Self {
         Self {
@@ -61,10 +61,10 @@ impl Sort {
         }
     }
 
-    /// Records that the items of a buffer be sorted by their keys; those of equal keys stay in order.
+    /// Records a stable sort of a buffer's items by their keys.
     ///
     /// # Errors
-    /// For a range that no kernel can see.
+    /// For a range that cannot be bound.
     pub fn encode(
         &mut self,
         frame: &mut Frame,
@@ -101,7 +101,7 @@ impl Sort {
         let tiles = || groups(item_count.div_ceil(BLOCK));
         let digit_bits = DIGITS.ilog2();
 
-        // An even number of passes brings the items back to where they were.
+        // After an even number of passes the items are back in their buffer.
         const { assert!((32 / DIGITS.ilog2()).is_multiple_of(2)) };
         let (mut from, mut to) = (items, &other);
         for pass in 0..keys.bits() / digit_bits {

@@ -1,4 +1,4 @@
-//! Timestamps at the beginning and the end of each pass, where the adapter has them.
+//! Timestamps at the beginning and the end of each pass, if the adapter has them.
 
 use super::buffer::read_mapped;
 use super::{Gpu, GpuError};
@@ -6,7 +6,7 @@ use crate::Stages;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// Passes that one frame can time; those after them are not timed.
+/// The number of passes that are timed in a frame; later ones are not.
 const PASSES: u32 = 1024;
 const QUERIES: u32 = 2 * PASSES;
 
@@ -19,7 +19,7 @@ pub struct Timer {
     stages: Vec<&'static str>,
 }
 
-/// Timers that wait for the next frame. None where the device has no timestamps.
+/// Idle timers. `None` if the device has no timestamps.
 #[derive(Debug)]
 pub struct TimerPool {
     has_timestamps: bool,
@@ -42,7 +42,7 @@ impl TimerPool {
         Some(free.unwrap_or_else(|| Timer::new(device)))
     }
 
-    /// Keeps a timer for another frame.
+    /// Returns a timer to the pool.
     pub fn give_back(&self, mut timer: Timer) {
         timer.stages.clear();
         self.free().push(timer);
@@ -95,7 +95,7 @@ impl Timer {
         })
     }
 
-    /// Records that the times be made readable.
+    /// Records that the times are made readable.
     pub fn resolve(&self, encoder: &mut wgpu::CommandEncoder) {
         let count = 2 * self.stages.len() as u32;
         if count > 0 {
@@ -105,7 +105,7 @@ impl Timer {
         }
     }
 
-    /// The times of a frame that is done. The timer goes back to its pool.
+    /// The times of a finished frame. Returns the timer to its pool.
     pub fn read(self, gpu: &Gpu) -> Result<Stages, GpuError> {
         let mut stages = Stages::default();
         if !self.stages.is_empty() {

@@ -6,7 +6,7 @@ use super::program::{Recorder, Uniform, threads};
 use super::{Builder, Gpu, Kernel};
 
 impl Builder {
-    /// Records the nodes over sorted codes, as many of these as `bvh.count` says.
+    /// Records the nodes over the first `bvh.count` sorted codes.
     pub(super) fn record_topology(
         &mut self,
         gpu: &Gpu,
@@ -35,7 +35,7 @@ impl Builder {
             &[total],
             &[codes, kept, before],
             &[&bvh.nodes, splits],
-            // A tree over nothing has a node, too.
+            // An empty tree has a node, too.
             threads(count),
         );
     }

@@ -1,4 +1,4 @@
-//! Which hierarchy rays of each kind are traced through.
+//! The GPU's trees, and their ranges.
 
 use super::buffer::Range;
 use super::bvh::Built;
@@ -37,7 +37,7 @@ impl Trees<'_> {
     }
 }
 
-/// Where the kernels find a tree.
+/// The ranges of a tree that kernels read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreeRanges {
     pub built: Built,
@@ -49,7 +49,7 @@ pub struct TreeRanges {
 pub enum DeferralRange {
     Ready,
     Always,
-    /// Where the kernel finds whether the light reaches anything.
+    /// Holds 0 if the light reaches no hit.
     IfReached(Range),
 }
 
@@ -66,7 +66,7 @@ impl DeferralRange {
     }
 }
 
-/// Where the kernels find all trees.
+/// The ranges of all trees that kernels read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreesRanges {
     pub primary: TreeRanges,

@@ -1,4 +1,4 @@
-//! Stage `view` on the GPU: normals, primitives, depth and heat.
+//! Stage `view` on the GPU: normals, primitives, depth and heatmap.
 
 use super::program::{Program, Recorder, Uniform, groups, threads};
 use super::render::{PicturePlan, Wave, row_texels};
@@ -9,7 +9,7 @@ use slimbvh_core::Hit;
 use slimbvh_core::shade::Path;
 
 impl PicturePlan<'_> {
-    /// Records what a wave's first hits show; heat is counted by the trace.
+    /// Records the colors of a wave's first hits; the trace counts nodes for the heatmap.
     pub(super) fn record_view(&self, recorder: &mut Recorder, wave: &Wave, view: View) {
         let samples = u64::from(wave.sample_count);
         let all = &self.buffers;
@@ -51,7 +51,7 @@ impl PicturePlan<'_> {
 }
 
 impl Renderer {
-    /// What needs all samples of the picture.
+    /// The final program, which needs all samples of the picture.
     pub(super) fn last_program(
         &mut self,
         gpu: &Gpu,

@@ -1,18 +1,18 @@
-//! What the stages ask of the GPU's memory.
+//! The memory traffic of stages.
 
 use std::ops::AddAssign;
 
-/// Bytes, some of which depend on how many nodes a hierarchy has: only the GPU knows that.
+/// A number of bytes, part of which depends on the node count, which only the GPU knows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Traffic {
-    /// Whatever the number of nodes.
+    /// Bytes that do not depend on the node count.
     pub bytes: u64,
-    /// For each node.
+    /// Bytes for each node.
     pub bytes_per_node: u64,
 }
 
 impl Traffic {
-    /// All bytes, for N nodes.
+    /// All bytes, for `node_count` nodes.
     #[must_use]
     pub const fn total(self, node_count: u64) -> u64 {
         self.bytes + self.bytes_per_node * node_count
@@ -26,18 +26,17 @@ impl AddAssign for Traffic {
     }
 }
 
-/// What a stage asks of the GPU. Each range counts once a dispatch.
+/// The work of a stage. Each range counts once a dispatch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// The stage.
     pub stage: &'static str,
     /// Dispatches.
     pub dispatch_count: u32,
-    /// What is read.
+    /// Bytes read.
     pub read: Traffic,
-    /// What is written.
+    /// Bytes written.
     pub written: Traffic,
-    /// What the stage reads that is not its own, and what it leaves for others, each counted once: no stage that does the
-    /// same can move less.
+    /// The least possible traffic: inputs from other stages and results for later ones, each counted once.
     pub least: Traffic,
 }

@@ -1,12 +1,12 @@
-//! Why a mesh is refused.
+//! Why a mesh is invalid.
 
 use thiserror::Error;
 
-/// What makes a mesh unfit to build from.
+/// A fault that makes a mesh unfit to build from.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// More triangles than a `u32` or a node reference can number.
+    /// More triangles than a `u32` or a node reference can index.
     #[error("{triangle_count} triangles are too many: at most {limit} can be numbered")]
     TooManyTriangles {
         /// How many there are.
@@ -14,20 +14,20 @@ pub enum MeshError {
         /// How many there may be.
         limit: usize,
     },
-    /// More vertices than a `u32` can number.
+    /// More vertices than a `u32` can index.
     #[error("{vertex_count} vertices are too many: at most 4294967295 can be numbered")]
     TooManyVertices {
         /// How many there are.
         vertex_count: usize,
     },
-    /// A face names a vertex that is not there.
+    /// A face refers to a vertex that does not exist.
     #[error("{part}face {face} names vertex {vertex}, but there are only {vertex_count} vertices")]
     IndexOutOfRange {
         /// `mesh "name", `, or empty.
         part: String,
         /// The face, counted from 0 within the part.
         face: usize,
-        /// The index it names.
+        /// The index in the face.
         vertex: u32,
         /// How many vertices there are.
         vertex_count: usize,
@@ -48,7 +48,7 @@ pub enum MeshError {
         /// Its coordinates.
         z: f32,
     },
-    /// A vertex is not on the lattice that triangles are to be stored on.
+    /// A vertex is off the lattice on which triangles are to be stored.
     #[error(
         "face {face} has vertex {vertex} at ({x}, {y}, {z}), which is not on the lattice of step 2^{step_exponent}; snap the mesh first"
     )]

@@ -1,4 +1,4 @@
-//! Vertices on a lattice of the scene.
+//! Snapping of vertices to a lattice.
 
 use super::{Mesh, MeshError};
 use rayon::prelude::*;
@@ -8,27 +8,27 @@ use slimbvh_core::encode::FINEST_STEP;
 use slimbvh_core::float::scale_by_power_of_two;
 use slimbvh_core::lattice::to_lattice;
 
-/// Coordinates are at most this many steps of the lattice: what floats count without gaps, and differences have the right
+/// The largest coordinate in steps of the lattice. Floats represent all integers up to it, and differences have the right
 /// exponent.
 const MOST_STEPS: i32 = (1 << 24) - 1;
 
 impl Mesh {
-    /// The finest lattice that vertices can be moved to: its step is 2 to this power, a 2^24th of the scene's size or less.
-    /// The mesh must be sound.
+    /// The exponent of the finest lattice step that vertices can be moved to: at most 2^−24 of the scene's size. The mesh
+    /// must be sound.
     #[must_use]
     pub fn finest_step(&self) -> i32 {
         let bounds = self.bounds().unwrap_or(Aabb::EMPTY);
         FINEST_STEP - scene_exponent(&bounds)
     }
 
-    /// Moves every vertex to the nearest point of the lattice whose step is 2 to this power, at most half a step along each
-    /// axis. Vertices at the same place stay together. Steps finer than [`Self::finest_step`] move nothing. The mesh must be
-    /// sound. Returns the largest distance that a vertex moved.
+    /// Moves every vertex to the nearest lattice point, at most half a step along each axis, and returns the largest
+    /// distance moved. The step is 2 to this power; steps finer than [`Self::finest_step`] move nothing. Vertices at the
+    /// same position stay together. The mesh must be sound.
     pub fn snap(&mut self, step_exponent: i32) -> f32 {
         let step_exponent = step_exponent.max(self.finest_step());
         let mut largest = 0.0f32;
         for vertex in &mut self.vertices {
-            // Those that no face uses may be anything.
+            // Unused vertices may have any value.
             if !vertex.iter().all(|x| x.is_finite()) {
                 continue;
             }
@@ -41,14 +41,14 @@ impl Mesh {
         largest
     }
 
-    /// Whether all corners lie on the lattice whose step is 2 to this power.
+    /// Checks that all corners lie on the lattice whose step is 2 to this power.
     pub(crate) fn check_lattice(&self, step_exponent: i32) -> Result<(), MeshError> {
         let inverse = 2f64.powi(-step_exponent);
         let is_on = |vertex: &[f32; 3]| vertex.iter().all(|&x| is_on_lattice(x, inverse));
         if self.vertices.par_iter().all(is_on) {
             return Ok(());
         }
-        // Vertices that no face uses may be anything.
+        // Unused vertices may have any value.
         for (face, corners) in self.indices.iter().enumerate() {
             for &corner in corners {
                 let vertex = self.vertices[corner as usize];
@@ -82,9 +82,9 @@ fn snapped(x: f32, step_exponent: i32) -> f32 {
     }
 }
 
-/// Whether it is a whole number of steps, none too many, by how many steps make one.
+/// Whether `x` is a whole number of steps, at most [`MOST_STEPS`]. `inverse` is the number of steps in a unit.
 fn is_on_lattice(x: f32, inverse: f64) -> bool {
-    // Exact: doubles hold any float in steps of any size.
+    // Exact: a double holds any float times a power of two.
     let steps = f64::from(x) * inverse;
     let whole = steps as i32;
     f64::from(whole) == steps && whole.unsigned_abs() <= MOST_STEPS.unsigned_abs()
@@ -115,7 +115,7 @@ mod tests {
         }
     }
 
-    /// Minus 2^31 steps once had a magnitude below all bounds, as the number without a sign does not exist.
+    /// A magnitude of −2^31 steps does not exist as a signed integer and once passed the bound.
     #[test]
     fn the_smallest_integer_is_too_many_steps() {
         for (x, is_on) in [

@@ -1,8 +1,8 @@
-//! Several pictures in one.
+//! The mean of several pictures.
 
 use super::Picture;
 
-/// The mean of pictures of the same size, in linear RGB: what a shutter that stays open sees.
+/// The mean of pictures of the same size, in linear RGB, as an open shutter records it.
 ///
 /// Sums are in f64, so that the mean of up to 2^29 equal pictures is that picture, to the bit.
 ///
@@ -22,7 +22,7 @@ pub struct PictureMean {
 }
 
 impl PictureMean {
-    /// Of no picture yet.
+    /// The mean of no pictures yet.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -31,7 +31,7 @@ impl PictureMean {
     /// Adds a picture.
     ///
     /// # Panics
-    /// If it has another size than the first one.
+    /// If its size differs from the first one's.
     pub fn add(&mut self, picture: &Picture) {
         let size = [picture.width, picture.height];
         if self.count == 0 {
@@ -55,7 +55,7 @@ impl PictureMean {
         self.count += 1;
     }
 
-    /// The mean of what was added, an empty picture for nothing. Begins anew, in the same memory.
+    /// Returns the mean and starts again in the same memory. The mean of no pictures is an empty picture.
     #[must_use]
     pub fn take(&mut self) -> Picture {
         let count = f64::from(self.count);
@@ -97,7 +97,7 @@ mod tests {
             }
             let found = mean.take();
             prop_assert_eq!(&found, &equal);
-            // With another one among them it is not.
+            // With a different picture among them the mean differs.
             let mut other = equal.clone();
             other.pixels[0][1] += 1e3;
             mean.add(&equal);

@@ -1,9 +1,9 @@
-//! What building and tracing take.
+//! The model of what building and tracing cost.
 
 use super::Seams;
 use super::target::TargetKind;
 
-/// Times by triangle and by ray. Only their ratios decide anything.
+/// Times for each triangle and each ray. Decisions depend on their ratios only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Costs {
     /// Nanoseconds a triangle: stages `validate` to `sort`.
@@ -12,43 +12,45 @@ pub struct Costs {
     pub tree: f64,
     /// Nanoseconds a triangle of the mesh: stage `classify`.
     pub classify: f64,
-    /// Nanoseconds a triangle: taking stock of the surfaces.
+    /// Nanoseconds a triangle: survey of the surfaces.
     pub topology: f64,
-    /// Nanoseconds a triangle: finding seams, without the tree for it.
+    /// Nanoseconds a triangle: search for seams, without the tree that it needs.
     pub seams: f64,
-    /// Nanoseconds a ray from the camera and a level of the tree, of which there are `log2(triangles)`.
+    /// Nanoseconds for a camera ray and a level of the tree, which has `log2(triangles)` levels.
     pub primary_level: f64,
     /// The same for a shadow ray.
     pub shadow_level: f64,
-    /// Shadow rays a ray from the camera and a light.
+    /// Shadow rays for a camera ray and a light.
     pub shadow_rays: f64,
-    /// How long a shadow ray takes in a set of what faces away from the light, against one of what faces it: the surface that
-    /// it leaves is not in there.
+    /// Time of a shadow ray in L−, divided by that in L+. Rays in L− are faster: the surface that a ray leaves is not in
+    /// the set.
     pub away: f64,
-    /// How much more of that for each share of all triangles that is in both sets, as it is for many lights.
+    /// Increase of that ratio for each unit of the share of triangles that both sets hold; that share grows with the number
+    /// of lights.
     pub both: f64,
-    /// How much longer a ray takes in a whole tree when triangles that face away are passed over by rule.
+    /// Time of a ray in a whole tree with the facing filter, divided by that without it.
     pub rule: f64,
 }
 
 impl Costs {
-    /// Measured on two cores of a shared server with the CPU backend, at 1280x720 and one sample a pixel, in default views
-    /// of the Stanford dragon (871,414 triangles) and the armadillo (52,000), with one light; least of five runs (`slimbvh
-    /// render FILE --threads 2 --json -`, with `--reduce off` and `--reduce on`). Dragon and armadillo in this order: sort 25
-    /// and 26, tree 61 and 58, classify 8 and 7 (with the order of the mesh, of half the triangles), topology 143 and 156,
-    /// seams 600 and 560, primary 2.8 and 1.9, shadow 16 and 14 a level, shadow rays 0.18 and 0.09. A set of half the
-    /// triangles took 0.92 of the whole tree's time a ray from the camera; one level less makes it 0.95 and 0.94.
+    /// Measured on two cores of a shared server with the CPU backend, at 1280x720 with one sample a pixel and one light, in
+    /// default views of the Stanford dragon (871,414 triangles) and the armadillo (52,000). Least of five runs of `slimbvh
+    /// render FILE --threads 2 --json -` with `--reduce off` and `--reduce on`. Dragon and armadillo, in this order: sort
+    /// 25 and 26, tree 61 and 58, classify 8 and 7 (with the order of the mesh, of half the triangles), topology 143 and
+    /// 156, seams 600 and 560, primary 2.8 and 1.9, shadow 16 and 14 a level, shadow rays 0.18 and 0.09. A camera ray took
+    /// 0.92 of the whole tree's time in a set of half the triangles; one level less predicts 0.95 and 0.94.
     ///
-    /// Since then sorting takes 0.9 of the time against the tree's, and in packets rays from the camera 0.78, shadow rays 0.87 (both
-    /// programs in turn, on one thread, dragon, armadillo and sponza). Leaves of six and packets that stay together save about a fifth of
-    /// everything but classifying.
+    /// Later changes: sorting takes 0.9 of the time against the tree's; in packets, camera rays take 0.78 and shadow rays
+    /// 0.87 (both programs in turn, on one thread, dragon, armadillo and sponza). Leaves of six and packets that stay
+    /// together save about a fifth of everything but classifying.
     ///
-    /// For shadow rays in sets of either half, nodes were counted (`slimbvh-lab reproduce reduced`): of doll, toasters, 24-cell and
-    /// armadillo a ray opens 0.33, 0.61, 0.57 and 0.32 times as many in L− as in L+. With 39 % of the triangles in both sets, of
-    /// 4 and 9 lights, times were 0.82 and 0.84 of those in the whole tree, and with 56 %, of 16 lights, 2.6 times those in
-    /// sets of single lights.
+    /// For shadow rays in L+ and L−, nodes were counted (`slimbvh-lab reproduce reduced`): for doll, toasters, 24-cell and
+    /// armadillo a ray opens 0.33, 0.61, 0.57 and 0.32 times as many in L− as in L+. With 39 % of the triangles in both
+    /// sets (4 and 9 lights), times were 0.82 and 0.84 of those in the whole tree; with 56 % (16 lights), 2.6 times those
+    /// in sets of single lights.
     ///
-    /// The GPU backend goes by them as well: there all but the survey is faster, so plans for few frames still decline.
+    /// The GPU backend uses the same figures. On a GPU everything but the survey is faster, so plans for few frames still
+    /// decline it.
     pub const MEASURED: Self = Self {
         sort: 23.0,
         tree: 62.0,
@@ -63,17 +65,17 @@ impl Costs {
         rule: 1.02,
     };
 
-    /// Milliseconds for a tree over so many triangles that are sorted already.
+    /// Milliseconds to build a tree over `count` sorted triangles.
     pub(super) fn tree_ms(&self, count: f64) -> f64 {
         count * self.tree * 1e-6
     }
 
-    /// Milliseconds for a tree over a set, this share of the triangles.
+    /// Milliseconds to build a tree over a set, this share of the triangles.
     pub(super) fn set_ms(&self, count: f64, share: f64) -> f64 {
         count * self.classify * 1e-6 + self.tree_ms(count * share)
     }
 
-    /// How long a ray takes in what faces away, with this share of all triangles in both sets.
+    /// Time of a shadow ray in L− divided by that in L+, with this share of all triangles in both sets.
     pub(super) fn away_effort(&self, both: f64) -> f64 {
         (self.away + self.both * both.max(0.0)).min(1.0)
     }
@@ -87,7 +89,7 @@ impl Costs {
         count * (self.topology + seams) * 1e-6
     }
 
-    /// Milliseconds for the rays from the eye or to a light, in a tree over so many triangles.
+    /// Milliseconds to trace the camera's rays or those to a light, in a tree over `count` triangles.
     pub(super) fn trace_ms(&self, kind: TargetKind, primary_rays: f64, count: f64) -> f64 {
         let levels = count.max(2.0).log2();
         let ray = match kind {

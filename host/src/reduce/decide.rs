@@ -1,36 +1,36 @@
-//! Which rays get a tree of their own.
+//! The choice of which rays get their own tree.
 
 use super::target::TargetKind;
 use super::{Costs, PlanRequest, Reduce};
 
 const COSTS: Costs = Costs::MEASURED;
 
-/// How many times what it takes a survey must promise to save: that half can be left out is a hope.
+/// A survey must promise to save this many times its own cost, because the share that can be left out is only a guess.
 const CAUTION: f64 = 2.0;
 
-/// What a set keeps of a closed surface, before anything is known of it.
+/// The share of the triangles that a set keeps, guessed before a survey: half of a closed surface faces away.
 const LIKELY_SHARE: f64 = 0.5;
 
-/// Rays of one kind, as the model of costs sees them.
+/// Rays of one kind, as input of the cost model.
 #[derive(Clone, Copy, Debug)]
 pub struct Candidate {
-    /// Which rays.
+    /// The kind of the rays.
     pub kind: TargetKind,
-    /// How long a ray takes in the set, against one in what faces the target.
+    /// Time of a ray in the set, divided by that in a set of the same size that faces the target.
     pub effort: f64,
-    /// How many lights they go to.
+    /// The number of lights that they lead to.
     pub light_count: usize,
-    /// Whether there are any.
+    /// Whether there are such rays.
     pub is_used: bool,
-    /// Whether anything may be left out.
+    /// Whether a set could leave anything out.
     pub may_be_set: bool,
     /// The share of the triangles that a set keeps.
     pub share: f64,
-    /// What a set saves in tracing, less what it takes to build.
+    /// Milliseconds that a set saves in tracing, minus its build time.
     pub saving_ms: f64,
 }
 
-/// Fills in what each set saves.
+/// Sets each candidate's `saving_ms`.
 pub fn estimate(candidates: &mut [Candidate], request: &PlanRequest) {
     let count = request.scene.mesh.indices.len() as f64;
     let rays = primary_rays(request);
@@ -41,7 +41,7 @@ pub fn estimate(candidates: &mut [Candidate], request: &PlanRequest) {
     }
 }
 
-/// What a set takes to build and to trace, sorted triangles given.
+/// Milliseconds to build and trace a set, sorted triangles given.
 pub fn set_cost_ms(candidate: &Candidate, request: &PlanRequest) -> f64 {
     let count = request.scene.mesh.indices.len() as f64;
     let rays = primary_rays(request) * rays_per_sample(candidate);
@@ -49,13 +49,13 @@ pub fn set_cost_ms(candidate: &Candidate, request: &PlanRequest) -> f64 {
     set + COSTS.set_ms(count, candidate.share)
 }
 
-/// How often the rays of a sample go this way, by what they take against rays in what faces the target.
+/// Rays in this set for each sample, weighted by [`Candidate::effort`].
 fn rays_per_sample(candidate: &Candidate) -> f64 {
     candidate.light_count.max(1) as f64 * candidate.effort
 }
 
-/// Which rays get a set. `auto` takes what is cheapest: those that pay by themselves, or all, where then no whole tree is
-/// built.
+/// Which rays get a set. `auto` takes the cheaper of two choices: the sets that pay individually beside a whole tree, or
+/// sets for all rays without a whole tree.
 pub fn choose(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool) -> Vec<bool> {
     let may_be_set = |candidate: &Candidate| candidate.is_used && candidate.may_be_set;
     let pays = |candidate: &Candidate| may_be_set(candidate) && candidate.saving_ms > 0.0;
@@ -68,7 +68,8 @@ pub fn choose(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool
     }
 }
 
-/// Milliseconds a frame that the cheapest choice saves against one whole tree, and whether it is a set for all.
+/// Milliseconds a frame that the cheapest choice saves against one whole tree, and whether that choice is sets for all
+/// rays.
 fn best_saving(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool) -> (f64, bool) {
     let count = request.scene.mesh.indices.len() as f64;
     let used = || candidates.iter().filter(|candidate| candidate.is_used);
@@ -83,29 +84,30 @@ fn best_saving(candidates: &[Candidate], request: &PlanRequest, has_mirrors: boo
     (one_by_one.max(all), are_all_better)
 }
 
-/// Why a survey is not likely to pay, if so: when half of all triangles could be left out for the camera and each light.
+/// The reason not to survey, if a survey is not likely to pay even if half of all triangles could be left out for the
+/// camera and each light.
 pub fn decline(
     request: &PlanRequest,
     candidates: &[Candidate],
     has_mirrors: bool,
 ) -> Option<String> {
     let count = request.scene.mesh.indices.len() as f64;
-    let mut hoped: Vec<Candidate> = candidates.to_vec();
-    for candidate in &mut hoped {
+    let mut guessed: Vec<Candidate> = candidates.to_vec();
+    for candidate in &mut guessed {
         candidate.may_be_set = true;
         candidate.share = LIKELY_SHARE;
     }
-    estimate(&mut hoped, request);
-    let (saving, _) = best_saving(&hoped, request, has_mirrors);
+    estimate(&mut guessed, request);
+    let (saving, _) = best_saving(&guessed, request, has_mirrors);
     let survey = COSTS.survey_ms(count, request.switches.seams);
     let frame_count = f64::from(request.frame_count);
     (saving * frame_count <= CAUTION * survey).then(|| {
         let frames = match request.frame_count {
-            1 => "the one frame".to_owned(),
+            1 => "one frame".to_owned(),
             count => format!("{count} frames"),
         };
         format!(
-            "finding out what may be left out takes about {survey:.1} ms; it should save {CAUTION} times as much, and hardly saves more than {:.1} ms in {frames}",
+            "a survey of the surfaces takes about {survey:.1} ms and must save more than {CAUTION} times as much; it is expected to save at most {:.1} ms in {frames}",
             saving * frame_count
         )
     })

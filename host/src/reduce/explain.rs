@@ -7,7 +7,7 @@ use crate::text::{grouped, things};
 use crate::topology::{Facts, Topology};
 
 impl Plan<'_> {
-    /// One line a decision: what it is about, and what was decided, with the reason and figures.
+    /// One line for each decision: its subject, and the decision with reason and figures.
     #[must_use]
     pub fn explain(&self) -> Vec<(String, String)> {
         let mut lines = Vec::new();
@@ -51,15 +51,15 @@ impl Plan<'_> {
         let text = match view.choice {
             TreeChoice::Unused => return "no rays, no tree".to_owned(),
             TreeChoice::Whole if !view.may_be_set() => {
-                "the whole tree: nothing may be left out".to_owned()
+                "the whole tree: no triangle may be left out".to_owned()
             }
             TreeChoice::Whole if self.reduce == Reduce::Off => {
-                format!("the whole tree, as asked; a set would keep {kept}")
+                format!("the whole tree, because reduction is off; a set would keep {kept}")
             }
             TreeChoice::Whole => format!("the whole tree: a set of {kept} {saving}"),
             TreeChoice::Set => {
                 let besides = match (view.saving_ms < 0.0, self.reduce, self.needs_whole) {
-                    (true, Reduce::On, _) => ", but was asked for",
+                    (true, Reduce::On, _) => ", but reduction is forced on",
                     (true, _, false) => ", but no whole tree is built",
                     _ => "",
                 };
@@ -67,15 +67,15 @@ impl Plan<'_> {
             }
         };
         let text = match (view.half, view.frustum.is_bounded) {
-            (FacingSet::Back, _) => format!("{text}, of those that face away from it"),
-            (FacingSet::Front, 1) => format!("{text}, nothing outside the picture"),
+            (FacingSet::Back, _) => format!("{text}; holds triangles that face away (L−)"),
+            (FacingSet::Front, 1) => format!("{text}; leaves out triangles outside the picture"),
             (FacingSet::Front, _) => text,
         };
         let inside = self.inside_count(view);
         if inside > 0 {
             let them = if inside == 1 { "stays" } else { "stay" };
             format!(
-                "{text}; not certainly outside of {}, which {them} whole",
+                "{text}; possibly inside {}, which {them} whole",
                 things(inside, "closed component")
             )
         } else {
@@ -83,7 +83,7 @@ impl Plan<'_> {
         }
     }
 
-    /// Reducible components that a target needs whole.
+    /// The number of reducible components that a target may be inside of.
     fn inside_count(&self, view: &ViewTarget) -> usize {
         let facts = self.topology.map(Topology::facts).unwrap_or_default();
         let pairs = facts.iter().zip(&view.sides);
@@ -111,7 +111,7 @@ impl Plan<'_> {
     }
 }
 
-/// What is known of the mesh's surfaces.
+/// The survey's facts about the mesh's surfaces.
 fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
     let facts = topology.facts();
     let total = |which: &dyn Fn(&Facts) -> bool| {
@@ -122,8 +122,8 @@ fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
     let (reducible, triangles) = total(&|facts| facts.reducible);
     let seams = match topology.seam_count() {
         0 => String::new(),
-        1 => ", but 1 that may be met from behind".to_owned(),
-        count => format!(", but {} that may be met from behind", grouped(count)),
+        1 => ", except 1 that rays may hit from behind".to_owned(),
+        count => format!(", except {} that rays may hit from behind", grouped(count)),
     };
     let mut lines = vec![(
         "reducible",
@@ -139,9 +139,10 @@ fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
             "not closed",
             &(|facts: &Facts| !facts.closed) as &dyn Fn(&Facts) -> bool,
         ),
-        ("closed, but without a volume of certain sign", &|facts| {
-            facts.closed && !facts.reducible
-        }),
+        (
+            "closed, but the sign of the volume is uncertain",
+            &|facts| facts.closed && !facts.reducible,
+        ),
     ] {
         let (count, triangles) = total(which);
         if count > 0 {

@@ -1,17 +1,17 @@
-//! Which lights share a set.
+//! Grouping of lights that share a set.
 //!
-//! Lights near each other see almost the same triangles. One set for all of them keeps a triangle unless the ball that
-//! holds them is certainly behind it (Wong, Cheng and Lii 2012, the rule with R): it is built once, and holds more.
+//! Nearby lights see almost the same triangles. One set for all of them keeps a triangle unless the ball around them is
+//! certainly behind it (Wong, Cheng and Lii 2012, the rule with R). It is built once, but holds more triangles.
 
 use super::target::{TreeChoice, ViewTarget};
 use slimbvh_core::orientation::Target;
 use std::collections::BTreeSet;
 
-/// Pairs that are tried, as a multiple of the number of lights.
+/// The largest number of pairs tried, as a multiple of the number of lights.
 const TRIES: usize = 4;
 
-/// Unites targets at lights, nearest first, as long as one set costs less than two. `join` returns what the lights of both
-/// would share, if they can; `cost_ms` what a set takes to build and to trace. Suns stay alone.
+/// Merges targets of lights, nearest first, while one set costs less than two. `join` returns the target that both share,
+/// or `None` if they cannot share one. `cost_ms` is the cost of building and tracing a set. Directional lights stay alone.
 pub fn group(
     targets: Vec<ViewTarget>,
     join: impl Fn(&ViewTarget, &ViewTarget) -> Option<ViewTarget>,
@@ -39,7 +39,7 @@ pub fn group(
     groups.into_iter().map(|(_, view)| view).collect()
 }
 
-/// The two nearest groups of lamps that were not refused, by their places, the lower first.
+/// The indices of the two nearest groups of positional lights that were not refused, the lower first.
 fn nearest(groups: &[(usize, ViewTarget)], refused: &BTreeSet<[usize; 2]>) -> Option<[usize; 2]> {
     let is_lamp =
         |view: &ViewTarget| view.choice != TreeChoice::Unused && view.target.is_position == 1;
@@ -57,12 +57,12 @@ fn nearest(groups: &[(usize, ViewTarget)], refused: &BTreeSet<[usize; 2]>) -> Op
     best.map(|(_, pair)| pair)
 }
 
-/// A ball that holds two, each a point if its radius is 0.
+/// The smallest ball around two balls; a radius of 0 is a point.
 #[must_use]
 pub fn joined_target(a: &Target, b: &Target) -> Target {
     let apart = distance(a.point, b.point);
     let (radius_a, radius_b) = (f64::from(a.radius), f64::from(b.radius));
-    // The one holds the other.
+    // One contains the other.
     if apart + radius_b <= radius_a {
         return *a;
     }
@@ -75,7 +75,7 @@ pub fn joined_target(a: &Target, b: &Target) -> Target {
         let (a, b) = (f64::from(a.point[i]), f64::from(b.point[i]));
         (a + (b - a) * share) as f32
     });
-    // From where the middle came to lie, rounded up.
+    // Radii from the rounded center, rounded up.
     let reach_a = distance(center, a.point) + radius_a;
     let reach_b = distance(center, b.point) + radius_b;
     let radius = (reach_a.max(reach_b) * (1.0 + 1e-6)) as f32;
@@ -121,7 +121,7 @@ mod tests {
         )
     }
 
-    /// With a cost of 5 a set and the cube of the ball's radius, near lamps come together, and far ones do not.
+    /// With costs of 5 for each set plus the cube of the ball's radius, near lamps merge and far ones do not.
     #[test]
     fn lamps_come_together_while_it_pays() {
         let join = |a: &ViewTarget, b: &ViewTarget| {
@@ -141,7 +141,7 @@ mod tests {
         };
         let groups = group(lamps.clone(), join, cost);
         assert_eq!(lights(&groups), [vec![0, 1, 3], vec![2, 4], vec![5]]);
-        // Nothing is joined that cannot be, and suns are not asked about.
+        // A refused pair stays apart, and directional lights are not tried.
         let groups = group(lamps.clone(), |_, _| None, cost);
         assert_eq!(groups, lamps);
         let suns = lamps.into_iter().map(|mut view| {

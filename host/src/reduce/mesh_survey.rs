@@ -1,4 +1,4 @@
-//! Which triangles of a mesh count for a target, and the choice between L+ and L−.
+//! Which triangles of a mesh rays may hit, for each target, and the choice between L+ and L−.
 
 use super::Costs;
 use super::sample::Samples;
@@ -17,7 +17,7 @@ pub struct MeshSurvey<'a> {
 }
 
 impl<'a> MeshSurvey<'a> {
-    /// Of a scene's mesh with these bounds.
+    /// A survey of the scene's mesh, whose bounds these are.
     pub fn new(topology: &'a Topology, scene: &'a Scene, bounds: &Aabb) -> Self {
         let scale = PowerOfTwo::new(scene_exponent(bounds));
         Self {
@@ -27,7 +27,7 @@ impl<'a> MeshSurvey<'a> {
         }
     }
 
-    /// Finds which sides of which components a target sees, and what share of all triangles.
+    /// Measures a target: the sides of the components that it sees, and the share of all triangles that its set keeps.
     pub fn measure(&self, view: &mut ViewTarget) {
         view.sides = self.topology.sides(&(&view.target).into());
         let reducible = view.sides.iter().zip(&self.facts);
@@ -40,8 +40,8 @@ impl<'a> MeshSurvey<'a> {
         }
     }
 
-    /// Chooses L− over L+ for lights where that costs less and the eye, too, is outside of all that these lights are outside of:
-    /// then every shadow ray starts outside, and meets as many triangles of either set.
+    /// Replaces L+ by L− for lights, if L− costs less and the eye is outside of every component that the lights are outside
+    /// of. Then every shadow ray starts outside and meets the same number of triangles of either set.
     pub fn take_cheaper_set(
         &self,
         view: &mut ViewTarget,

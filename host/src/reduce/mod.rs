@@ -1,10 +1,11 @@
-//! The plan of a picture: what its hierarchies may leave out, and whether that pays.
+//! The plan of a picture: which triangles its hierarchies leave out, and where that pays.
 //!
-//! [`Plan::without_survey`] says whether anything can be gained at all. If so, [`survey`] looks at the mesh's surfaces,
-//! [`Plan::new`] decides for the camera and for each light, and [`Hierarchies`] builds what was decided. Wherever rays go through a whole tree instead of a set, the same rule applies to what they hit: with a survey,
-//! the picture does not depend on [`Switches::reduce`], the heat map aside.
+//! [`Plan::without_survey`] returns a plan if a survey cannot pay. Otherwise [`survey`] examines the mesh's surfaces,
+//! [`Plan::new`] decides for the camera and for each light, and [`Hierarchies`] builds the trees. Rays through a whole tree
+//! obey the same facing filter as rays through a set. So with a survey the picture does not depend on [`Switches::reduce`],
+//! except in the heatmap view.
 //!
-//! What is saved can be had or not, each by itself ([`Savings`]), and the picture stays the same.
+//! Each of the [`Savings`] can be turned off; the picture stays the same.
 
 mod cost;
 mod decide;
@@ -30,69 +31,69 @@ pub(crate) use trees::Work;
 
 use crate::{RenderSettings, Scene};
 
-/// Whether triangles that face away from the eye or a light count.
+/// Whether rays may hit triangles that face away from the camera or the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Cull {
-    /// On closed surfaces seen from outside they do not.
+    /// Not on closed surfaces seen from outside.
     On,
-    /// All triangles count.
+    /// All triangles can be hit.
     Off,
 }
 
-/// Whether trees are built without the triangles that do not count.
+/// Whether trees are built without the triangles that rays cannot hit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Reduce {
-    /// Where it saves time.
+    /// If the cost model predicts a gain.
     #[default]
     Auto,
-    /// Wherever anything may be left out.
+    /// If any triangle may be left out.
     On,
-    /// Nowhere.
+    /// Never.
     Off,
 }
 
-/// Where the triangles come from that stay in every set, because even rays from outside may meet them from behind.
+/// How seam triangles are found. They stay in every set, because even rays from outside may hit them from behind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Seams {
-    /// They are looked for, which takes a whole tree.
+    /// By a search, which needs a whole tree.
     #[default]
     Find,
-    /// The caller promises that there are none: no closed part cuts itself or has an inverted lobe.
+    /// Not at all: the caller promises that no closed part intersects itself or has an inverted lobe.
     None,
 }
 
-/// What the caller wants of the plan.
+/// The caller's settings of a plan.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Switches {
-    /// None where the plan decides: on where the surfaces are surveyed, else off.
+    /// `None`: on if the surfaces are surveyed, else off.
     pub cull: Option<Cull>,
     /// Whether to build reduced trees.
     pub reduce: Reduce,
-    /// Whether to look for seams.
+    /// Whether to search for seams.
     pub seams: Seams,
-    /// What else may be saved.
+    /// The savings allowed.
     pub savings: Savings,
 }
 
 impl Switches {
-    /// Whether they ask for trees without triangles that all count.
+    /// Whether the settings contradict each other: reduced trees, but no culling.
     #[must_use]
     pub fn is_contradiction(&self) -> bool {
         (self.cull, self.reduce) == (Some(Cull::Off), Reduce::On)
     }
 }
 
-/// What a plan is for. The scene's first camera is used.
+/// The input of a plan. The scene's first camera is used.
 #[derive(Clone, Copy, Debug)]
 pub struct PlanRequest<'a> {
     /// Geometry, materials, camera and lights.
     pub scene: &'a Scene,
     /// How pictures are made.
     pub settings: &'a RenderSettings,
-    /// What the caller wants.
+    /// The caller's settings.
     pub switches: Switches,
-    /// How many frames share a survey. Each builds its own trees.
+    /// The number of frames that share a survey. Each builds its own trees.
     pub frame_count: u32,
 }

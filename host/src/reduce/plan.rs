@@ -1,4 +1,4 @@
-//! What is built for a picture.
+//! The plan of a picture: which trees are built.
 
 use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
@@ -8,48 +8,49 @@ use super::{Cull, PlanRequest, Reduce, Saving};
 use crate::topology::Topology;
 use crate::{View, ViewError};
 
-/// The most samples in flight at once with deferred sets, 80 bytes each.
+/// The most samples in flight together with deferred sets, at 80 bytes each.
 const MOST_IN_FLIGHT: u64 = 1 << 22;
 
-/// What is built for a picture, and why.
+/// The trees of a picture, and the reasons for them.
 #[derive(Clone, Debug)]
 pub struct Plan<'a> {
-    /// The surfaces; none without a survey, and then nothing is left out.
+    /// The surfaces. `None` without a survey; then nothing is left out.
     pub topology: Option<&'a Topology>,
-    /// The camera, then the lights, each once, alone or with others.
+    /// The camera first, then each light once, alone or in a group.
     pub targets: Vec<ViewTarget>,
     /// Whether the whole tree is built.
     pub needs_whole: bool,
     /// Whether rays from mirrors and glass are traced, through the whole tree.
     pub has_mirrors: bool,
-    /// How many triangles the mesh has.
+    /// The number of triangles in the mesh.
     pub triangle_count: usize,
-    /// What the caller wanted.
+    /// The caller's setting.
     pub reduce: Reduce,
-    /// Whether there is one tree, a set, whose triangles are sorted alone.
+    /// Whether the only tree is a set, whose triangles are sorted alone.
     pub sorts_alone: bool,
-    /// Whether the sets of lights are deferred: each is built when the rays to its lights are traced.
+    /// Whether the sets of lights are deferred: each is built just before the rays to its lights are traced.
     pub defers_lights: bool,
-    /// Whether a deferred set is built even where its lights reach nothing.
+    /// Whether a deferred set is built even if its lights reach no point of the picture.
     pub(super) builds_unseen: bool,
-    /// Whether L− may stand for L+ in the sets of lights, where the eye is outside.
+    /// Whether L− may replace L+ in the sets of lights.
     pub may_turn_away: bool,
-    /// Why there was no survey.
+    /// The reason why there was no survey.
     pub(super) no_survey: Option<String>,
 }
 
 impl<'a> Plan<'a> {
-    /// The plan that needs no survey, where that is the better one or asked for: one whole tree, where all triangles count.
+    /// The plan without a survey, one whole tree in which all triangles count, if the settings ask for it or it is the
+    /// better one.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture.
+    /// For cameras and lights that cannot be rendered.
     pub fn without_survey(request: &PlanRequest) -> Result<Option<Self>, ViewError> {
         let targets = target::targets(request)?;
         let has_mirrors = has_mirrors(request);
         let switches = request.switches;
         let reason = match (switches.cull, switches.reduce) {
-            (Some(Cull::Off), _) => Some("all triangles were asked to count".to_owned()),
-            (None, Reduce::Off) => Some("nobody asked for it".to_owned()),
+            (Some(Cull::Off), _) => Some("culling is off, so all triangles count".to_owned()),
+            (None, Reduce::Off) => Some("reduction is off".to_owned()),
             (None, Reduce::Auto) => decide::decline(request, &candidates(&targets), has_mirrors),
             (Some(Cull::On), _) | (None, Reduce::On) => None,
         };
@@ -59,10 +60,10 @@ impl<'a> Plan<'a> {
         }
     }
 
-    /// One whole tree, where all triangles count, for this reason.
+    /// One whole tree in which all triangles count, for this reason.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture.
+    /// For cameras and lights that cannot be rendered.
     pub fn plain(request: &PlanRequest, reason: String) -> Result<Self, ViewError> {
         Ok(Self {
             topology: None,
@@ -79,11 +80,11 @@ impl<'a> Plan<'a> {
         })
     }
 
-    /// Decides, knowing the surfaces of the scene's mesh. What counts for which rays does not depend on
+    /// Decides from the surfaces of the scene's mesh. Which triangles count for which rays does not depend on
     /// [`Switches::reduce`](super::Switches::reduce).
     ///
     /// # Errors
-    /// For cameras and lights that make no picture.
+    /// For cameras and lights that cannot be rendered.
     pub fn new(topology: &'a Topology, request: &PlanRequest) -> Result<Self, ViewError> {
         let mesh = &request.scene.mesh;
         let savings = request.switches.savings;
@@ -99,7 +100,7 @@ impl<'a> Plan<'a> {
             }
             survey.measure(camera);
         }
-        // Behind mirrors and inside of glass, the origins of shadow rays are not known.
+        // Shadow rays that start behind mirrors or inside glass have unknown origins, which rules out L−.
         let eye_sides = targets.iter().map(|camera| camera.sides.clone()).next();
         let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
         let cost_ms = |view: &ViewTarget| decide::set_cost_ms(&candidate(view), request);
@@ -121,7 +122,7 @@ impl<'a> Plan<'a> {
                 let target = joined_target(&a.target, &b.target);
                 let mut joined = ViewTarget::new(TargetKind::Lights, lights, target);
                 measure(&mut joined);
-                // Outside of all that each of them is outside of.
+                // The group must be outside of every component that its members are outside of.
                 let outside =
                     |view: &ViewTarget| view.sides.iter().filter(|side| **side != 0).count();
                 let is_outside = outside(&joined) == outside(a) && outside(a) == outside(b);
@@ -164,8 +165,8 @@ impl<'a> Plan<'a> {
             may_turn_away: eye_sides.is_some(),
             no_survey: None,
         };
-        // Each deferred set is built once: all samples are in flight, no path goes on, and no light comes between two that
-        // share a set.
+        // Each deferred set is built only once: all samples are in flight, no path continues, and the lights of a set are
+        // adjacent.
         let [width, height] = request.settings.size.map(u64::from);
         let samples = width * height * u64::from(request.settings.sample_count);
         let defers_lights = savings.has(Saving::Turns)
@@ -179,25 +180,25 @@ impl<'a> Plan<'a> {
         })
     }
 
-    /// Whether lights that share a set follow each other.
+    /// Whether lights that share a set are adjacent.
     fn is_in_runs(&self) -> bool {
         let mut places = self.target_of_light();
         places.dedup();
         places.len() + 1 == self.targets.len()
     }
 
-    /// Whether everything is traced through one whole tree in which all triangles count.
+    /// Whether all rays go through one whole tree in which all triangles count.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         self.topology.is_none()
     }
 
-    /// The component of each triangle; none without a survey.
+    /// The component of each triangle; `None` without a survey.
     pub(super) fn components(&self) -> Option<&'a [u32]> {
         self.topology.map(Topology::components)
     }
 
-    /// The place among the targets of each light.
+    /// The index among the targets of each light.
     #[must_use]
     pub fn target_of_light(&self) -> Vec<usize> {
         let places = self.targets.iter().enumerate();
@@ -209,7 +210,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Whether any path may go on, at a mirror or through glass.
+/// Whether any path may continue at a mirror or through glass.
 fn has_mirrors(request: &PlanRequest) -> bool {
     let mut materials = request.scene.materials.iter();
     let settings = request.settings;
@@ -218,7 +219,7 @@ fn has_mirrors(request: &PlanRequest) -> bool {
         && materials.any(|material| material.mirror > 0.0 || material.transmission > 0.0)
 }
 
-/// The rays that there are, for the model of costs.
+/// The rays of each target, as input of the cost model.
 fn candidates(targets: &[ViewTarget]) -> Vec<Candidate> {
     targets.iter().map(candidate).collect()
 }

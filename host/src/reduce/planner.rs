@@ -1,9 +1,9 @@
-//! Plans frame by frame, with one survey for all.
+//! Plans from frame to frame, with one survey for all.
 
 use super::{Plan, PlanRequest, Reduce, Saving, Seams, Survey, Switches, survey};
 use crate::{BuildConfig, Mesh, MeshError, RenderSettings, Scene, ViewError};
 
-/// What stays as it is from frame to frame, so that trees can be kept.
+/// What does not change from frame to frame, so that trees can be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Still {
     /// No vertex moves.
@@ -15,16 +15,16 @@ pub struct Still {
 /// How frames are planned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlanConfig {
-    /// What is left out.
+    /// The caller's settings.
     pub switches: Switches,
-    /// How many frames share a survey.
+    /// The number of frames that share a survey.
     pub frame_count: u32,
-    /// What stays as it is from frame to frame; none where each frame is built anew.
+    /// What does not change from frame to frame; `None` if each frame is built anew.
     pub still: Option<Still>,
 }
 
 impl Default for PlanConfig {
-    /// One frame of a scene.
+    /// A single frame of a scene.
     fn default() -> Self {
         Self {
             switches: Switches::default(),
@@ -35,7 +35,7 @@ impl Default for PlanConfig {
 }
 
 impl PlanConfig {
-    /// Whether it asks for sets that bending vertices rule out: what bends may come to cut itself.
+    /// Whether it asks for sets although vertices deform: a deforming mesh may come to intersect itself.
     #[must_use]
     pub fn is_refused(&self) -> bool {
         self.must_stay_plain() && self.switches.reduce == Reduce::On
@@ -47,7 +47,7 @@ impl PlanConfig {
     }
 }
 
-/// Plans frame by frame, with one survey for all.
+/// Plans from frame to frame, with one survey for all.
 #[derive(Debug, Default)]
 pub struct Planner {
     config: PlanConfig,
@@ -56,7 +56,7 @@ pub struct Planner {
 }
 
 impl Planner {
-    /// Without a survey: all plans are plain until there is one.
+    /// A planner without a survey: all plans are plain until there is one.
     #[must_use]
     pub fn new(build: BuildConfig, config: PlanConfig) -> Self {
         Self {
@@ -66,10 +66,11 @@ impl Planner {
         }
     }
 
-    /// Surveys the scene's mesh, where that is likely to pay or is asked for; forgets what was known before. Returns the survey.
+    /// Surveys the scene's mesh, if that is likely to pay or the settings ask for it. Replaces the previous survey. Returns
+    /// the survey.
     ///
     /// # Errors
-    /// Those of [`Mesh::validate`], and for cameras and lights that make no picture.
+    /// Those of [`Mesh::validate`], and for cameras and lights that cannot be rendered.
     pub fn survey<E: From<MeshError> + From<ViewError>>(
         &mut self,
         scene: &Scene,
@@ -89,17 +90,17 @@ impl Planner {
         self.survey.as_ref()
     }
 
-    /// Follows vertices that have moved.
+    /// Updates the survey for vertices that have moved.
     pub fn follow(&mut self, mesh: &Mesh) {
         if let Some(survey) = &mut self.survey {
             survey.topology.update(mesh);
         }
     }
 
-    /// The plan for the scene as it is; a plain one without a survey.
+    /// The plan for the scene in its present state; a plain one without a survey.
     ///
     /// # Errors
-    /// For cameras and lights that make no picture.
+    /// For cameras and lights that cannot be rendered.
     pub fn plan(&self, scene: &Scene, settings: &RenderSettings) -> Result<Plan<'_>, ViewError> {
         if let Some(survey) = &self.survey {
             return Plan::new(&survey.topology, &self.request(scene, settings));
@@ -113,7 +114,7 @@ impl Planner {
         }
     }
 
-    /// The plan that needs no survey, if that is the one.
+    /// The plan without a survey, if that is the better one.
     fn plain(
         &self,
         scene: &Scene,
@@ -121,7 +122,8 @@ impl Planner {
     ) -> Result<Option<Plan<'static>>, ViewError> {
         let request = self.request(scene, settings);
         if self.config.must_stay_plain() {
-            let reason = "what bends may come to cut itself; --solid promises that it does not";
+            let reason =
+                "a deforming mesh may come to intersect itself; --solid promises that it does not";
             return Plan::plain(&request, reason.to_owned()).map(Some);
         }
         Plan::without_survey(&request)
@@ -133,11 +135,11 @@ impl Planner {
             frame_count,
             still,
         } = self.config;
-        // Triangles that the codec moves are not those that a set would be decided for.
+        // The codec moves triangles, so a set decided for the mesh's triangles would be wrong.
         if self.build.mesh.moves_vertices() {
             switches.reduce = Reduce::Off;
         }
-        // What is kept for the next frame needs a place of its own, and an order of all triangles.
+        // Trees kept for the next frame need separate memory and an order of all triangles.
         let savings = &mut switches.savings;
         if let Some(still) = still.filter(|still| still.vertices) {
             *savings = savings.without(Saving::Alone);

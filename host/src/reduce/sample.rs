@@ -1,4 +1,4 @@
-//! How large sets come to be, from evenly spaced samples.
+//! Estimates of the size of sets, from evenly spaced samples.
 
 use crate::Scene;
 use slimbvh_core::IndexedTriangles;
@@ -7,7 +7,7 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
-/// Triangles that are looked at.
+/// The number of triangles sampled.
 const SAMPLES: usize = 4096;
 
 /// Some of a mesh's triangles.
@@ -26,7 +26,7 @@ impl<'a> Samples<'a> {
         }
     }
 
-    /// The share of the triangles that rays may hit, with all in the mesh's unit.
+    /// The share of the triangles that rays may hit. All arguments in the mesh's unit.
     pub fn share(&self, sides: &[i32], target: &Target, frustum: &Frustum) -> f64 {
         let components = self.components;
         let reach = VisibleSet {

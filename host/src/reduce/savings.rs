@@ -1,25 +1,25 @@
-//! What a plan may save, each to be had or not.
+//! The savings of a plan, each of which can be turned off.
 
-/// Work that a picture can do without.
+/// Work that a picture does not need.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
 pub enum Saving {
     /// The camera's set leaves out triangles that are certainly outside the picture.
     Frustum,
-    /// A light's set holds the triangles that face away from the light, where these cost less and answer as well.
+    /// A light's set holds the triangles that face away from the light (L−), if these cost less and give the same answers.
     Away,
-    /// Lights near each other share a set, where that costs less than two.
+    /// Nearby lights share a set, if that costs less than two sets.
     Groups,
     /// Sets of lights are built and traced one after the other, in the same memory.
     Turns,
-    /// No set is built for a light that reaches nothing in the picture.
+    /// No set is built for a light that reaches no point of the picture.
     Unseen,
-    /// A set that is the only tree is sorted alone.
+    /// If a set is the only tree, its triangles are sorted alone.
     Alone,
 }
 
 impl Saving {
-    /// All of them.
+    /// All savings.
     pub const ALL: [Self; 6] = [
         Self::Frustum,
         Self::Away,
@@ -30,7 +30,7 @@ impl Saving {
     ];
 }
 
-/// Some savings.
+/// A set of savings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Savings(u32);
 
@@ -41,16 +41,16 @@ impl Default for Savings {
 }
 
 impl Savings {
-    /// All of them.
+    /// All savings.
     pub const ALL: Self = Self(u32::MAX);
 
-    /// All of these but one.
+    /// All of these except one.
     #[must_use]
     pub const fn without(self, saving: Saving) -> Self {
         Self(self.0 & !(1 << saving as u32))
     }
 
-    /// Whether it is one of these.
+    /// Whether the set contains this saving.
     #[must_use]
     pub const fn has(self, saving: Saving) -> bool {
         self.0 >> saving as u32 & 1 == 1

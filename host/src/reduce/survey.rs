@@ -1,10 +1,10 @@
-//! What a plan must know of the surfaces.
+//! The survey of a mesh's surfaces, on which plans depend.
 
 use super::Seams;
 use crate::topology::Topology;
 use crate::{BuildConfig, Builder, Bvh, Mesh, MeshError, Stages};
 
-/// The surfaces, and what it took to know them.
+/// The surfaces, and the time of the survey.
 #[derive(Clone, Debug)]
 pub struct Survey {
     /// Components, sides and seams.
@@ -13,7 +13,7 @@ pub struct Survey {
     pub stages: Stages,
 }
 
-/// Surveys a mesh. Seams are found with a whole tree of its own.
+/// Surveys a mesh. The search for seams builds a whole tree of its own.
 ///
 /// # Errors
 /// Those of [`Mesh::validate`].
@@ -23,7 +23,7 @@ pub fn survey(mesh: &Mesh, config: BuildConfig, seams: Seams) -> Result<Survey, 
     let mut topology = stages.time("components", || Topology::new(mesh));
     if seams == Seams::Find {
         let mut bvh = Bvh::default();
-        // Seams are looked for in boxes and triangles as they are.
+        // The search for seams needs exact boxes and triangles.
         let mut builder = Builder::new(config.code_bits.into());
         stages.time("whole tree", || builder.build_into(mesh, &mut bvh))?;
         stages.time("seams", || topology.find_seams(mesh, &bvh));

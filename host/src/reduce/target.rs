@@ -1,4 +1,4 @@
-//! Rays of one kind, and where they go.
+//! Targets of rays: the camera, and lights or groups of lights.
 
 use super::PlanRequest;
 use crate::backend::TargetSides;
@@ -8,16 +8,16 @@ use slimbvh_core::Aabb;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
-/// Which rays.
+/// The kind of the rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetKind {
     /// From the camera.
     Camera,
-    /// To one light, or to some.
+    /// To one light, or to a group.
     Lights,
 }
 
-/// Which triangles of closed surfaces may block rays.
+/// Which triangles of closed surfaces rays may hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FacingSet {
     /// Those that face the target (C+, L+).
@@ -26,42 +26,42 @@ pub enum FacingSet {
     Back,
 }
 
-/// What rays of one kind are traced through.
+/// The tree that rays of one kind are traced through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TreeChoice {
-    /// A tree over the triangles that count.
+    /// A tree over the triangles that rays may hit.
     Set,
-    /// The whole tree, where the rule says what counts if there was a survey.
+    /// The whole tree, with the facing filter if there was a survey.
     Whole,
-    /// There are no such rays.
+    /// None: there are no such rays.
     Unused,
 }
 
-/// Rays of one kind, and what was decided for them.
+/// Rays of one kind, and the decisions made for them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViewTarget {
-    /// Which rays.
+    /// The kind of the rays.
     pub kind: TargetKind,
-    /// The lights that they go to, by number from 0.
+    /// The lights that they lead to, numbered from 0.
     pub lights: Vec<usize>,
-    /// Where they come from or lead to, in the mesh's unit: all of the lights, for some.
+    /// Where they come from or lead to, in the mesh's unit; for a group, the ball around its lights.
     pub target: Target,
-    /// Where they go. It bounds a set only; where it bounds nothing, nothing is left out for it.
+    /// The region that they cross. It bounds the set only. An unbounded region leaves nothing out.
     pub frustum: Frustum,
-    /// Which half counts.
+    /// The set of triangles that rays may hit.
     pub half: FacingSet,
-    /// The side of each component that counts, see [`crate::topology::Topology::sides`]: negated for [`FacingSet::Back`]. Empty
-    /// without a survey, and where there are no rays.
+    /// For each component, the side that rays may hit, see [`crate::topology::Topology::sides`]; negated for
+    /// [`FacingSet::Back`]. Empty without a survey, and if there are no rays.
     pub sides: Vec<i32>,
-    /// What they are traced through.
+    /// The tree that they are traced through.
     pub choice: TreeChoice,
-    /// How many triangles belong to components that this target may see a part of.
+    /// The number of triangles in components of which only one side is visible to the target.
     pub reducible_count: usize,
-    /// The share of the mesh's triangles that a set keeps, estimated.
+    /// The estimated share of the mesh's triangles that a set keeps.
     pub share: f64,
-    /// How long a ray takes in the set, against one in a set of the same size of what faces the target; estimated.
+    /// The estimated time of a ray in the set, divided by that in a set of the same size that faces the target.
     pub effort: f64,
-    /// Milliseconds that a set saves in tracing, less those that it takes to build; estimated.
+    /// Estimated milliseconds that a set saves in tracing, minus its build time.
     pub saving_ms: f64,
 }
 
@@ -82,7 +82,7 @@ impl ViewTarget {
         }
     }
 
-    /// What a set for it depends on, besides the mesh.
+    /// The inputs of its set besides the mesh.
     pub(super) fn sides(&self) -> TargetSides {
         TargetSides {
             target: self.target,
@@ -91,13 +91,13 @@ impl ViewTarget {
         }
     }
 
-    /// Whether a set may leave out anything.
+    /// Whether a set could leave anything out.
     #[must_use]
     pub fn may_be_set(&self) -> bool {
         self.reducible_count > 0 || self.frustum.is_bounded == 1
     }
 
-    /// `camera`, or the lights with their numbers from 1.
+    /// `camera`, or the lights, numbered from 1.
     #[must_use]
     pub fn name(&self) -> String {
         let Some((first, rest)) = self.lights.split_first() else {
@@ -122,7 +122,7 @@ impl ViewTarget {
     }
 }
 
-/// The camera and each light, whole as long as nothing is known.
+/// The camera and each light, with nothing left out yet.
 pub fn targets(request: &PlanRequest) -> Result<Vec<ViewTarget>, ViewError> {
     let RenderSettings {
         size,
@@ -153,7 +153,7 @@ pub fn targets(request: &PlanRequest) -> Result<Vec<ViewTarget>, ViewError> {
     Ok(targets)
 }
 
-/// What the camera's rays can reach of a box, which bounds nothing where that is all of it.
+/// The part of a box that the camera's rays can reach; unbounded if that is all of it.
 pub fn frustum_within(request: &PlanRequest, bounds: &Aabb) -> Result<Frustum, ViewError> {
     let settings = request.settings;
     let camera = request.scene.cameras.first().ok_or(ViewError::NoCamera)?;

@@ -8,24 +8,24 @@ use crate::backend::{
     Backend, Deferral, DeferredTrees, Source, TargetSet, TargetSides, Tree, Trees, TreesOf,
 };
 
-/// The trees of a plan, whose memory the next plan's use again.
+/// The trees of a plan. The next plan's trees reuse their memory.
 #[derive(Debug)]
 pub struct Hierarchies<B: Backend> {
     whole: B::Bvh,
-    /// Whether the whole tree is that of the mesh as it is.
+    /// Whether the whole tree matches the present mesh.
     has_whole: bool,
-    /// As many as there are targets, or more.
+    /// One entry a target, or more.
     sets: Vec<OwnSet<B>>,
-    /// The set of the light whose rays are traced now, where sets are built one after the other.
+    /// The set of the light traced now, if sets are deferred.
     deferred: B::Bvh,
 }
 
-/// What a target has of its own.
+/// A target's own set.
 #[derive(Debug)]
 struct OwnSet<B: Backend> {
     bvh: B::Bvh,
     sides: B::TargetSides,
-    /// What the tree is of the mesh as it is.
+    /// The sides for which the tree was built over the present mesh; `None` if it is out of date.
     key: Option<TargetSides>,
 }
 
@@ -50,20 +50,20 @@ impl<B: Backend> Default for Hierarchies<B> {
     }
 }
 
-/// What builds trees, and of what.
+/// The inputs of builds.
 pub(crate) struct Work<'a, B: Backend> {
-    /// The frame that builds are part of.
+    /// The frame that records the builds.
     pub recording: &'a mut B::Recording,
-    /// It must have served these trees last.
+    /// The builder that served these trees last.
     pub builder: &'a mut B::Builder,
-    /// What the backend holds of the scene.
+    /// The scene as the backend holds it.
     pub held: &'a mut B::Scene,
     /// The mesh on the host.
     pub mesh: &'a Mesh,
 }
 
 impl<B: Backend> Work<'_, B> {
-    /// The parts, to build with.
+    /// The parts, borrowed for a build.
     fn split(&mut self) -> (&mut B::Recording, &mut B::Builder, Source<'_, B>) {
         let source = Source {
             held: self.held,
@@ -74,8 +74,8 @@ impl<B: Backend> Work<'_, B> {
 }
 
 impl<B: Backend> Hierarchies<B> {
-    /// Brings trees up to date for a plan: sorts and builds them anew; keeps their order where vertices moved a little; or where
-    /// none moved builds only those whose rays have moved or that are not there.
+    /// Updates the trees for a plan. If vertices moved, sorts and builds all trees, or refits them in their existing order
+    /// after small movements. If none moved, builds only the trees that are missing or whose rays moved.
     pub(crate) fn update(
         &mut self,
         work: &mut Work<B>,
@@ -83,7 +83,7 @@ impl<B: Backend> Hierarchies<B> {
         action: Action,
     ) -> Result<(), B::Error> {
         let decides = B::decides(work.held);
-        // An order is kept for sets; a whole tree needs none to be refitted.
+        // Sets need their order kept. A whole tree can be refitted without it.
         let keeps = |action| plan.is_plain() || B::KEEPS_ORDER || action != Action::Refitted;
         let action = match action {
             action if !decides && keeps(action) => action,
@@ -104,7 +104,7 @@ impl<B: Backend> Hierarchies<B> {
         }
         let built = self.build_missing(work, plan);
         if decides {
-            // Nothing is known of what these sets are.
+            // The host does not know which triangles these sets hold.
             self.forget();
         }
         built
@@ -122,7 +122,7 @@ impl<B: Backend> Hierarchies<B> {
         self.sets.resize_with(count, OwnSet::default);
     }
 
-    /// Moves the whole tree's boxes, and has the order of triangles follow for all other trees.
+    /// Refits the whole tree, and makes the order of triangles follow for all other trees.
     fn refit(&mut self, work: &mut Work<B>, plan: &Plan) -> Result<(), B::Error> {
         let had_whole = std::mem::take(&mut self.has_whole);
         self.forget();
@@ -137,7 +137,7 @@ impl<B: Backend> Hierarchies<B> {
         Ok(())
     }
 
-    /// Builds the one set that there is.
+    /// Builds the only set.
     fn build_alone(&mut self, work: &mut Work<B>, plan: &Plan) -> Result<(), B::Error> {
         self.make_room(plan);
         let (recording, builder, source) = work.split();
@@ -153,7 +153,7 @@ impl<B: Backend> Hierarchies<B> {
         Ok(())
     }
 
-    /// Builds what is not there, over sorted triangles.
+    /// Builds the missing trees, over sorted triangles.
     fn build_missing(&mut self, work: &mut Work<B>, plan: &Plan) -> Result<(), B::Error> {
         self.make_room(plan);
         let (recording, builder, source) = work.split();
@@ -187,7 +187,7 @@ impl<B: Backend> Hierarchies<B> {
         Ok(())
     }
 
-    /// What a renderer takes, once trees are up to date with the same plan: those that are there, and those that are deferred.
+    /// What a renderer needs once the trees match the plan: the trees built, and those deferred.
     pub(crate) fn split<'a>(
         &'a mut self,
         builder: &'a mut B::Builder,
@@ -216,7 +216,7 @@ impl<B: Backend> Hierarchies<B> {
         (trees::<B>(whole, sets, components, plan), deferred)
     }
 
-    /// All trees of a plan that defers none, once they are up to date with it.
+    /// All trees of a plan without deferred ones, once they match the plan.
     pub(crate) fn trees<'a>(&'a self, held: &'a B::Scene, plan: &'a Plan) -> TreesOf<'a, B> {
         let components = B::components(held, plan.components());
         trees::<B>(&self.whole, &self.sets, components, plan)
@@ -232,13 +232,13 @@ impl<B: Backend> Hierarchies<B> {
             .map(|(target, set)| (target, &set.bvh))
     }
 
-    /// All trees that a plan had built, but for deferred ones.
+    /// All trees that a plan built, except deferred ones.
     pub fn all<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = &'a B::Bvh> {
         let whole = plan.needs_whole.then_some(&self.whole);
         whole.into_iter().chain(self.sets(plan).map(|(_, set)| set))
     }
 
-    /// Each target that has rays, by name, with its sides.
+    /// The name and sides of each target that has rays.
     pub(crate) fn sides<'a>(&'a self, plan: &Plan) -> Vec<(String, &'a B::TargetSides)> {
         let targets = plan.targets.iter().zip(&self.sets);
         let used = targets.filter(|(target, _)| target.choice != TreeChoice::Unused);
@@ -246,12 +246,12 @@ impl<B: Backend> Hierarchies<B> {
             .collect()
     }
 
-    /// The whole tree, if it is up to date.
+    /// The whole tree, if it matches the present mesh.
     pub(crate) fn whole(&self) -> Option<&B::Bvh> {
         self.has_whole.then_some(&self.whole)
     }
 
-    /// Bytes of all memory that is held for trees.
+    /// Bytes of memory held for trees.
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         let sets = self.sets.iter().map(|set| &set.bvh);
@@ -260,12 +260,12 @@ impl<B: Backend> Hierarchies<B> {
     }
 }
 
-/// Whether a target's set is there from the beginning.
+/// Whether a target's set is built before the picture, in its own memory.
 fn has_own_place(plan: &Plan, target: &ViewTarget) -> bool {
     target.choice == TreeChoice::Set && !(plan.defers_lights && target.kind == TargetKind::Lights)
 }
 
-/// The trees that are there. Another tree stands where one is deferred, and where there are no rays.
+/// The trees built so far. A placeholder stands for deferred trees and for targets without rays.
 fn trees<'a, B: Backend>(
     whole: &'a B::Bvh,
     sets: &'a [OwnSet<B>],
@@ -295,20 +295,20 @@ fn trees<'a, B: Backend>(
 /// The sets of lights that a plan builds one after the other, in the same memory.
 pub struct Deferred<'a, B: Backend> {
     plan: &'a Plan<'a>,
-    /// The place among the targets of each light.
+    /// The index among the targets of each light.
     places: Vec<usize>,
     sets: &'a [OwnSet<B>],
     components: Option<B::Components<'a>>,
     builder: &'a mut B::Builder,
     source: Source<'a, B>,
     bvh: &'a mut B::Bvh,
-    /// The target whose set is there.
+    /// The target whose set is in memory.
     built: Option<usize>,
     sizes: Vec<(usize, B::PendingSize)>,
 }
 
 impl<B: Backend> Deferred<'_, B> {
-    /// The place among the plan's targets of each set that was built, and its size.
+    /// Each set that was built: its index among the plan's targets, and its size.
     pub fn sizes(self) -> Vec<(usize, B::PendingSize)> {
         self.sizes
     }
@@ -321,7 +321,7 @@ impl<B: Backend> DeferredTrees<B> for Deferred<'_, B> {
         if target.choice != TreeChoice::Set || has_own_place(self.plan, target) {
             return Deferral::Ready;
         }
-        // Where passes are recorded, another light of the same set may need it.
+        // A recording backend cannot skip the build: another light of the same set may need it.
         let is_shared = B::RECORDS && target.lights.len() > 1;
         if self.plan.builds_unseen || is_shared || self.built == Some(place) {
             return Deferral::Always(self.bvh);

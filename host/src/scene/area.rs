@@ -1,4 +1,4 @@
-//! Lights with an extent.
+//! Area lights.
 
 use super::view::unit;
 use super::{AreaShape, Light};
@@ -7,8 +7,8 @@ use glam::Vec3;
 use slimbvh_core::light::{DISC, RECTANGLE};
 
 impl Light {
-    /// A round light around `center`, which shines to the side that `normal` points to. The color is as in [`Light::Area`].
-    /// Without a normal it has no area, and no picture is made.
+    /// A round light around `center` that shines to the side that `normal` points to. The color is as in [`Light::Area`]. A
+    /// light with a zero normal has no area and cannot be rendered.
     #[must_use]
     pub fn disc(center: [f32; 3], normal: [f32; 3], radius: f32, color: [f32; 3]) -> Self {
         let (right, up) = unit(normal).map_or((Vec3::ZERO, Vec3::ZERO), Vec3::any_orthonormal_pair);
@@ -23,7 +23,7 @@ impl Light {
 }
 
 impl AreaShape {
-    /// As core names it.
+    /// The outline as a tag of core.
     pub(super) const fn to_core(self) -> u32 {
         match self {
             Self::Disc => DISC,
@@ -32,7 +32,7 @@ impl AreaShape {
     }
 }
 
-/// The unit vector across both edges, none where they are apart by less than a millionth of their length.
+/// The unit vector perpendicular to both edges; `None` if they are parallel within a millionth of their length.
 pub(super) fn normal([a, b]: [[f32; 3]; 2]) -> Option<[f32; 3]> {
     let [a, b] = [a, b].map(|edge| edge.map(f64::from));
     let across = cross(a, b);

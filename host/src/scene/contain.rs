@@ -1,4 +1,4 @@
-//! Keeps a panic inside the reader that has it.
+//! Catching a panic of a reader.
 
 use std::any::Any;
 use std::cell::Cell;
@@ -6,12 +6,12 @@ use std::panic::{self, AssertUnwindSafe};
 use std::sync::Once;
 
 thread_local! {
-    /// Whether this thread's panics are caught here, and so are not to be printed.
+    /// Whether this thread's panics are being caught, so that they are not printed.
     static CONTAINED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Does the work, or returns the message that it panicked with. Nothing is printed; panics of other threads print as
-/// before. A program built with `panic = "abort"` still ends.
+/// Runs the work, or returns the message of its panic. That panic is not printed; panics of other threads are. A program
+/// built with `panic = "abort"` still ends.
 ///
 /// # Errors
 /// The panic's message.
@@ -23,13 +23,13 @@ pub(super) fn contain<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     result.map_err(|payload| message(payload.as_ref()))
 }
 
-/// Puts a hook before the current one, once a process.
+/// Wraps the current panic hook, once in a process.
 fn silence_contained_panics() {
     static INSTALL: Once = Once::new();
     INSTALL.call_once(|| {
         let previous = panic::take_hook();
         panic::set_hook(Box::new(move |info| {
-            // A thread past its locals contains nothing.
+            // A thread whose locals are gone catches nothing.
             if !CONTAINED.try_with(Cell::get).unwrap_or(false) {
                 previous(info);
             }

@@ -7,8 +7,8 @@ pub(super) use crate::text::excerpt;
 use std::io;
 use thiserror::Error;
 
-/// Why a scene cannot be loaded: one sentence that names the file, the place and the numbers. The sentence includes that of the
-/// cause, which [`source`](std::error::Error::source) returns by its type.
+/// Why a scene cannot be loaded: one sentence that names the file, the place and the numbers. It includes the cause's
+/// sentence; [`source`](std::error::Error::source) returns the cause itself.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum LoadError {
@@ -17,7 +17,7 @@ pub enum LoadError {
     Read {
         /// The path as given.
         file: String,
-        /// What the operating system says.
+        /// The operating system's error.
         #[source]
         error: io::Error,
     },
@@ -37,32 +37,32 @@ pub enum LoadError {
         /// The largest size that is read.
         limit_bytes: u64,
     },
-    /// No loader goes by the extension.
+    /// The extension belongs to no known format.
     #[error(
         "\"{file}\" has the extension \"{extension}\"; slimbvh reads gltf, glb, obj, ply, stl, off and slim"
     )]
     UnknownExtension {
         /// The path as given.
         file: String,
-        /// What follows its last dot.
+        /// The text after its last dot.
         extension: String,
     },
-    /// The path has no extension to tell the format by.
+    /// The path has no extension, so the format is unknown.
     #[error("\"{file}\" has no extension; slimbvh reads gltf, glb, obj, ply, stl, off and slim")]
     NoExtension {
         /// The path as given.
         file: String,
     },
-    /// The file stops before all that it announces.
+    /// The file ends before everything that its header states.
     #[error("\"{file}\" ends early: {announced} {what} are announced, {found} are there")]
     EndsEarly {
         /// The path as given.
         file: String,
-        /// What is counted, in the plural.
+        /// The counted items, in the plural.
         what: String,
-        /// How many the header promises.
+        /// The count in the header.
         announced: u64,
-        /// How many are complete.
+        /// The number of complete items.
         found: u64,
     },
     /// The file stops before its header is complete.
@@ -81,25 +81,25 @@ pub enum LoadError {
         /// The line's first characters.
         text: String,
     },
-    /// Something that the format requires is absent.
+    /// A required item is missing.
     #[error("\"{file}\" has no {what}")]
     Missing {
         /// The path as given.
         file: String,
-        /// What is absent.
+        /// The missing item.
         what: String,
     },
-    /// An OFF file of a kind that is not read.
+    /// An OFF file of an unsupported kind.
     #[error(
-        "\"{file}\" begins with \"{header}\"; of OFF files, text with the prefixes C, N and ST is read"
+        "\"{file}\" begins with \"{header}\"; slimbvh reads OFF text with the prefixes C, N and ST"
     )]
     OffKind {
         /// The path as given.
         file: String,
-        /// What it begins with.
+        /// Its first word.
         header: String,
     },
-    /// A word stands where a number belongs.
+    /// A word in place of a number.
     #[error("\"{file}\", line {line}: \"{text}\" is not {expected}")]
     BadNumber {
         /// The path as given.
@@ -125,19 +125,19 @@ pub enum LoadError {
         /// `a count` or `an index`.
         expected: &'static str,
     },
-    /// A line stops before all its numbers.
+    /// A line ends before all its numbers.
     #[error("\"{file}\", line {line}: {needed} numbers are needed, {found} are there")]
     TooFewNumbers {
         /// The path as given.
         file: String,
         /// The line, counted from 1.
         line: usize,
-        /// How many belong there.
+        /// The number of numbers required.
         needed: u64,
-        /// How many there are.
+        /// The number of numbers found.
         found: u64,
     },
-    /// A face names a vertex or a normal that is not there.
+    /// A face refers to a vertex or a normal that does not exist.
     #[error("\"{file}\"{}: {part}face {face} names {} {index}, but there are only {count} {}", at(*line), list.one(), list.many())]
     IndexOutOfRange {
         /// The path as given.
@@ -148,21 +148,21 @@ pub enum LoadError {
         part: String,
         /// The face, counted from 0 in the file or the part.
         face: usize,
-        /// What the face names.
+        /// The list that the face refers to.
         list: Indexed,
         /// The index as the file writes it.
         index: i64,
-        /// How many there are.
+        /// The length of the list.
         count: usize,
     },
-    /// The OBJ reader refuses the file.
+    /// The OBJ reader rejects the file.
     #[error("\"{file}\"{}: {error}", at(*line))]
     Obj {
         /// The path as given.
         file: String,
-        /// The line, counted from 1, where it is known.
+        /// The line, counted from 1, if known.
         line: Option<usize>,
-        /// What the reader says.
+        /// The reader's error.
         #[source]
         error: tobj::LoadError,
     },
@@ -171,21 +171,21 @@ pub enum LoadError {
     PlyHeader {
         /// The path as given.
         file: String,
-        /// What the header reader says.
+        /// The header reader's message.
         message: String,
     },
-    /// The STL reader refuses a face.
+    /// The STL reader rejects a face.
     #[error("\"{file}\", face {face}: {error}")]
     Stl {
         /// The path as given.
         file: String,
         /// The face, counted from 0.
         face: usize,
-        /// What the reader says.
+        /// The reader's error.
         #[source]
         error: io::Error,
     },
-    /// An STL text stops before `endsolid`.
+    /// An STL text ends before `endsolid`.
     #[error("\"{file}\" ends early: face {face} is not complete, or \"endsolid\" is missing")]
     StlCut {
         /// The path as given.
@@ -198,49 +198,49 @@ pub enum LoadError {
     Gltf {
         /// The path as given.
         file: String,
-        /// What is wrong.
+        /// The fault.
         #[source]
         error: GltfError,
     },
-    /// A saved hierarchy is damaged, foreign, or not sound.
+    /// A saved hierarchy is damaged, of another format, or invalid.
     #[error("\"{file}\": {error}")]
     Saved {
         /// The path as given.
         file: String,
-        /// What is wrong.
+        /// The fault.
         #[source]
         error: FileError,
     },
-    /// The faces are not fit to build from.
+    /// The mesh is invalid.
     #[error("\"{file}\": {error}")]
     Mesh {
         /// The path as given.
         file: String,
-        /// What is wrong.
+        /// The fault.
         #[source]
         error: MeshError,
     },
-    /// There is nothing to draw.
+    /// The file holds no triangles.
     #[error("\"{file}\" holds no triangles{}", left_out(*dropped_face_count))]
     NoTriangles {
         /// The path as given.
         file: String,
-        /// How many broken faces were left out.
+        /// The number of broken faces that were dropped.
         dropped_face_count: usize,
     },
-    /// A reader has a fault that the file brings to light.
+    /// A reader panicked on the file.
     #[error("the {format} reader failed on \"{file}\": {message}; please report it with the file")]
     Panicked {
         /// The path as given.
         file: String,
         /// The format's name.
         format: &'static str,
-        /// What the reader says.
+        /// The panic's message.
         message: String,
     },
 }
 
-/// What a face's corner can name.
+/// The lists that a face's corner can refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Indexed {
     /// Positions.
@@ -265,7 +265,7 @@ impl Indexed {
     }
 }
 
-/// `, line 12`, or nothing where lines are not known.
+/// `, line 12`, or empty if the line is unknown.
 fn at(line: Option<usize>) -> String {
     line.map_or_else(String::new, |line| format!(", line {line}"))
 }
@@ -277,7 +277,7 @@ fn left_out(dropped_face_count: usize) -> String {
     }
 }
 
-/// A size in bytes, with the largest unit below it.
+/// A size in bytes, printed in the largest unit below it.
 struct Size(u64);
 
 impl std::fmt::Display for Size {

@@ -1,36 +1,36 @@
-//! Polygons to triangles, checked against the vertices that they name.
+//! Polygons to triangles, with their vertex indices checked.
 
 use super::error::{Indexed, excerpt};
 use super::load::Source;
 use super::{LoadError, Scene};
 use crate::{Mesh, MeshError};
 
-/// A mesh in the making.
+/// A mesh under construction.
 pub(super) struct Faces<'a> {
     source: &'a Source<'a>,
-    /// All but the triangles is the reader's to fill.
+    /// The reader fills everything but the triangles.
     pub mesh: Mesh,
     /// Faces left out so far.
     pub dropped_count: usize,
 }
 
-/// Where a face stands, for messages.
+/// The place of a face, for messages.
 #[derive(Clone, Copy)]
 pub(super) struct FaceSite<'a> {
-    /// The line, counted from 1, where the format has lines.
+    /// The line, counted from 1, if the format has lines.
     pub line: Option<usize>,
-    /// The name of the face's part, where it has one.
+    /// The name of the face's part, if it has one.
     pub part: Option<&'a str>,
     /// The face, counted from 0 in the file or the part.
     pub face: usize,
 }
 
-/// A run of the mesh's vertices, which faces number from 0.
+/// A run of the mesh's vertices, which faces index from 0.
 #[derive(Clone, Copy)]
 pub(super) struct Run {
     /// The run's first vertex in the mesh.
     pub first: u32,
-    /// How many there are.
+    /// The number of vertices.
     pub count: usize,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// The run that the next `count` vertices will be.
+    /// The run of the next `count` vertices.
     pub fn next_run(&self, count: usize) -> Result<Run, LoadError> {
         let first = self.mesh.vertices.len();
         if first.saturating_add(count) > u32::MAX as usize {
@@ -57,8 +57,8 @@ impl<'a> Faces<'a> {
         })
     }
 
-    /// Adds a polygon as a fan around its first corner; fewer than three corners add nothing. A polygon that names a
-    /// vertex outside of the run is left out if the options are lenient.
+    /// Adds a polygon as a fan around its first corner. Fewer than three corners add nothing. With lenient options, a
+    /// polygon with an index out of range is left out.
     pub fn polygon(
         &mut self,
         corners: &[i64],
@@ -83,7 +83,7 @@ impl<'a> Faces<'a> {
                 count: run.count,
             });
         }
-        // Below `run.count`, and so below 2^32.
+        // Less than `run.count`, and so less than 2^32.
         let vertex = |i: usize| run.first + corners[i] as u32;
         for i in 2..corners.len() {
             self.mesh
@@ -93,7 +93,7 @@ impl<'a> Faces<'a> {
         self.check_triangle_count()
     }
 
-    /// Refuses more triangles than can be built from, before they fill the memory.
+    /// Refuses more triangles than a tree can hold, before they fill the memory.
     fn check_triangle_count(&self) -> Result<(), LoadError> {
         let limit = slimbvh_core::MAX_TRIANGLES as usize;
         if self.mesh.indices.len() <= limit {
@@ -112,7 +112,7 @@ impl<'a> Faces<'a> {
         }
     }
 
-    /// A scene of the mesh alone.
+    /// A scene with only the mesh.
     pub fn into_scene(self) -> Scene {
         Scene {
             mesh: self.mesh,
@@ -122,14 +122,14 @@ impl<'a> Faces<'a> {
     }
 }
 
-/// The normal with length 1; zero, which asks for flat shading, if it has no direction.
+/// The normal, with length 1. Zero (flat shading) if it has no direction.
 pub(super) fn unit_or_zero(normal: [f32; 3]) -> [f32; 3] {
     glam::Vec3::from_array(normal)
         .normalize_or_zero()
         .to_array()
 }
 
-/// A share between 0 and 1; 0 for NaN.
+/// A share, clamped to 0 to 1; 0 for NaN.
 pub(super) fn share(value: f32) -> f32 {
     if value > 0.0 { value.min(1.0) } else { 0.0 }
 }

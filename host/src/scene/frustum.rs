@@ -1,18 +1,18 @@
-//! The planes beyond which no ray of a camera comes.
+//! The frustum of a camera: planes that contain all its rays.
 
 use crate::dvec3::{cross, dot, normalized};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::frustum::Frustum;
 
-/// How far each plane is turned, or moved, away from the picture: a share of the picture's half width or height.
+/// How far each plane is turned or moved outward: a share of the picture's half width or height.
 const MARGIN: f64 = 1.0 / 4096.0;
 
-/// What rounding may do to a ray's direction, or a parallel ray's origin, as a share of its length: two products, two sums
-/// and the plane's own coordinates round by 2^-24 each.
+/// A bound on the rounding error of a ray's direction, or of a parallel ray's origin, as a share of its length: two
+/// products, two sums and the plane's own coordinates each round by 2^-24.
 const ROUNDING: f64 = 1.0 / 524_288.0;
 
-/// The planes around a camera's picture, in the caller's unit. No ray that [`Camera::ray`] makes leaves them, rounding
-/// included. A side that cannot be told apart from rounding, as of a picture that is all but a point, bounds nothing.
+/// The planes around a camera's picture, in the caller's unit. No ray of [`Camera::ray`] leaves them, rounding included. An
+/// edge that rounding cannot separate from the middle, as of a nearly empty picture, gets a plane that bounds nothing.
 #[must_use]
 pub fn frustum(camera: &Camera) -> Frustum {
     let wide = |v: [f32; 3]| v.map(f64::from);
@@ -46,8 +46,8 @@ pub fn frustum(camera: &Camera) -> Frustum {
     }
 }
 
-/// The plane through the eye and the edge of the picture that lies `toward` its middle, and runs `along`. Behind what is in
-/// focus the rays through a lens spread by more than the picture's half: by this share of it.
+/// The plane through the eye and one edge of the picture. `toward` points from the edge to the middle, `along` runs along
+/// the edge. Beyond the focus, the rays through a lens spread past the edge by the share `spread` of the picture's half.
 fn perspective_side(forward: [f64; 3], toward: [f64; 3], along: [f64; 3], spread: f64) -> [f64; 3] {
     let longest = length(forward) + length(toward) + length(along);
     let edge_at = |share: f64| std::array::from_fn(|i| forward[i] + share * toward[i]);
@@ -79,8 +79,8 @@ fn lens_offset(eye: [f64; 3], radius: f32) -> f64 {
     f64::from(radius) * (1.0 + MARGIN) + ROUNDING * largest
 }
 
-/// The plane at the edge of the picture that lies `toward` its middle. The farther a ray goes, the farther rounding of its
-/// direction takes it: the test itself allows for that.
+/// The plane at one edge of the picture; `toward` points from the edge to the middle. Rounding of a ray's direction grows
+/// with its length; the test of the frustum allows for that.
 fn parallel_side(eye: [f64; 3], toward: [f64; 3], along: f64) -> [f64; 4] {
     let half = length(toward);
     let [x, y, z] = normalized(toward).map(|x| -x);
@@ -167,7 +167,7 @@ mod tests {
             }
         }
 
-        /// The control: what lies a hundredth of the picture outside is found to be so.
+        /// The control: objects a hundredth of the picture outside are found to be outside.
         #[test]
         fn little_more_than_the_picture_is_inside(
             eye in points(1.0),

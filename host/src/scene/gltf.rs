@@ -1,7 +1,7 @@
-//! glTF 2.0, as JSON with buffers beside or as one GLB file.
+//! glTF 2.0: JSON with buffers in other files, or one GLB file.
 //!
-//! `gltf` reads and checks the JSON; [`document`] makes up for what its check does not see. Buffers and accessors are
-//! read here, since its iterators panic at or pass over accessors that do not fit.
+//! The crate `gltf` reads and checks the JSON; [`document`] adds checks that it lacks. Buffers and accessors are read here,
+//! because the crate's iterators panic at accessors that do not fit, or skip them.
 
 mod accessor;
 mod buffers;
@@ -47,7 +47,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         lights,
         ..faces.into_scene()
     };
-    // Without materials, a list of them says nothing.
+    // Without materials, the list of indices has no meaning.
     if scene.materials.is_empty() {
         scene.mesh.materials.clear();
     } else if scene.mesh.materials.contains(&default_material) {
@@ -56,19 +56,19 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
     Ok(scene)
 }
 
-/// A scene in the making.
+/// A scene under construction.
 struct Flat<'a> {
     source: &'a Source<'a>,
     buffers: &'a Buffers<'a>,
     faces: Faces<'a>,
     cameras: Vec<Camera>,
     lights: Vec<Light>,
-    /// The index that stands for no material.
+    /// The index of the default material.
     default_material: u32,
 }
 
 impl Flat<'_> {
-    /// Visits every node below the roots once, parents first. Nothing recurses, so depth is no danger.
+    /// Visits every node below the roots once, parents first. Iterative, so depth cannot overflow the stack.
     fn walk(&mut self, document: &Document) -> Result<(), LoadError> {
         let mut is_visited = vec![false; document.nodes().len()];
         let mut stack: Vec<(Node<'_>, Mat4)> = document::roots(document)
@@ -107,7 +107,7 @@ impl Flat<'_> {
         Ok(())
     }
 
-    /// A camera or a light that points nowhere is refused, or left out if the options are lenient.
+    /// Rejects a camera or a light without a direction; with lenient options, leaves it out.
     fn or_refuse<T>(&self, found: Option<T>, node: &Node<'_>) -> Result<Option<T>, LoadError> {
         match found {
             None if !self.source.options.lenient => {
@@ -147,7 +147,7 @@ impl Flat<'_> {
     }
 }
 
-/// The base colour; a smooth metal as a mirror; what transmits as glass, rough or not.
+/// The base color; a smooth metal as a mirror; a transmitting material as glass, rough or not.
 fn convert(material: &::gltf::Material<'_>) -> Material {
     const LEAST_METALLIC: f32 = 0.5;
     const MOST_ROUGH: f32 = 0.2;

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 /// How to load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LoadOptions {
-    /// Drop broken faces instead of refusing the file; [`Scene::dropped_face_count`] tells how many.
+    /// Drops broken faces instead of rejecting the file; [`Scene::dropped_face_count`] is their number.
     pub lenient: bool,
-    /// Largest file read, in bytes. A glTF scene's buffers together must keep to it as well.
+    /// The largest file that is read, in bytes. A glTF scene's buffers together have the same limit.
     pub max_file_bytes: u64,
 }
 
@@ -24,14 +24,14 @@ impl Default for LoadOptions {
     }
 }
 
-/// The scene in a file; the extension tells the format: gltf, glb, obj, ply, stl, off or slim. Its mesh
-/// is [valid](crate::Mesh::validate) and has a triangle.
+/// Loads a scene from a file. The extension gives the format: gltf, glb, obj, ply, stl, off or slim. The mesh is
+/// [valid](crate::Mesh::validate) and has at least one triangle.
 ///
-/// Textures, animations and skins are left out. Other files that the scene names are read too: buffers of a glTF scene,
+/// Textures, animations and skins are ignored. Files that the scene refers to are read too: buffers of a glTF scene, and
 /// material libraries of an OBJ scene, which may be missing.
 ///
 /// # Errors
-/// The file cannot be read, does not follow its format, or has a broken face and `options` are not lenient.
+/// If the file cannot be read, does not follow its format, or has a broken face and `options` are not lenient.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
     let source = Source {
         path,
@@ -43,8 +43,8 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
     parse(source, reader, bytes)
 }
 
-/// [`load`] for a file that is in memory already. The path tells the format, and where other files are that the scene names;
-/// nothing need be there.
+/// [`load`] for a file in memory. The path gives the format, and the folder of files that the scene refers to; no file need
+/// exist there.
 ///
 /// # Errors
 /// Those of [`load`].
@@ -58,7 +58,7 @@ pub fn load_bytes(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<
     parse(source, reader, bytes)
 }
 
-/// Reads with one of the readers, and checks what it returns.
+/// Parses with one of the readers, and checks the result.
 fn parse(
     source: Source<'_>,
     (format, read): (&'static str, Reader),
@@ -74,18 +74,18 @@ fn parse(
     }
 }
 
-/// What every reader is told beside the file's bytes.
+/// The inputs of every reader besides the file's bytes.
 pub(super) struct Source<'a> {
     /// The path as given.
     pub path: &'a Path,
     /// The path, for messages.
     pub file: String,
-    /// How to load.
+    /// The options.
     pub options: &'a LoadOptions,
 }
 
 impl Source<'_> {
-    /// A path that the file names, as seen from the file.
+    /// A path in the file, relative to the file.
     pub fn beside(&self, relative: impl AsRef<Path>) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(relative)
     }
@@ -115,7 +115,7 @@ fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
     }
 }
 
-/// A file's bytes, if it is a regular file of at most the given size.
+/// A file's bytes, if it is a regular file of at most this size.
 pub(super) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadError> {
     let file = || path.display().to_string();
     let cannot_read = |error| LoadError::Read {
@@ -128,7 +128,7 @@ pub(super) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadEr
         limit_bytes,
     };
 
-    // Ask before opening: to open a pipe is to wait for a writer.
+    // Check before opening: opening a pipe waits for a writer.
     let metadata = std::fs::metadata(path).map_err(cannot_read)?;
     if !metadata.is_file() {
         return Err(LoadError::NotAFile { file: file() });
@@ -149,7 +149,7 @@ pub(super) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadEr
     Ok(bytes)
 }
 
-/// Checks what a reader returns.
+/// Checks a reader's result.
 fn finish(mut scene: Scene, source: &Source<'_>) -> Result<Scene, LoadError> {
     if source.options.lenient {
         scene.dropped_face_count += scene.mesh.drop_unsound_faces();

@@ -40,34 +40,34 @@ pub use view::ViewError;
 
 use crate::Mesh;
 
-/// Everything a picture is made from, in the caller's unit.
+/// The inputs of a picture, in the caller's unit.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     /// All geometry, flattened to one level.
     pub mesh: Mesh,
-    /// What `Mesh::materials` points into. Empty stands for one default material.
+    /// The materials that `Mesh::materials` indexes. If empty, all triangles have one default material.
     pub materials: Vec<Material>,
-    /// Cameras, the first of which is used. Empty asks for a default camera that sees the whole model.
+    /// The first camera is used. If empty, a default camera sees the whole model.
     pub cameras: Vec<Camera>,
-    /// Lights. Empty asks for a default light.
+    /// Lights. If empty, a default light is used.
     pub lights: Vec<Light>,
-    /// Faces that a lenient loader left out because they were broken.
+    /// Broken faces that a lenient loader dropped.
     pub dropped_face_count: usize,
 }
 
-/// Lambert reflection, with a share for a mirror, or for glass.
+/// Lambert reflection, with a share of mirror reflection or of transmission.
 ///
-/// Glass bends what passes through it (Snell), and mirrors it inside where it must. It reflects nothing outside, and stops
-/// light like any other surface: what is behind it lies in its shadow.
+/// Glass refracts light that passes through it (Snell), with total internal reflection. It reflects nothing on the outside.
+/// It casts a shadow like any other surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// Linear RGB, each 0 to 1. Of glass, also the share of each channel that passes a surface.
+    /// Linear RGB, each 0 to 1. For glass, also the transmitted share of each channel at a surface.
     pub base_color: [f32; 3],
-    /// Share of light that is reflected as by a mirror, 0 to 1. Of glass it does not count.
+    /// The share of light reflected as by a mirror, 0 to 1. Ignored for glass.
     pub mirror: f32,
-    /// Share of light that passes through, 0 to 1; above 0 for glass.
+    /// The share of light that passes through, 0 to 1; above 0 for glass.
     pub transmission: f32,
-    /// Index of refraction behind the front side, as a multiple of that before it. What is not above 0 counts as 1.
+    /// The index of refraction behind the front side relative to that in front. Values not above 0 count as 1.
     pub ior: f32,
 }
 
@@ -82,20 +82,20 @@ impl Default for Material {
     }
 }
 
-/// Where the picture is seen from.
+/// The point of view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// The eye's position.
     pub eye: [f32; 3],
     /// The point in the middle of the picture.
     pub target: [f32; 3],
-    /// A direction that points up in the picture; need not be perpendicular to the view.
+    /// The up direction in the picture; need not be perpendicular to the view.
     pub up: [f32; 3],
     /// Perspective or orthographic.
     pub projection: Projection,
 }
 
-/// How a camera spreads its rays.
+/// The rays of a camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Projection {
     /// All rays leave the eye.
@@ -103,17 +103,17 @@ pub enum Projection {
         /// Full vertical angle of view in degrees, above 0 and below 180.
         vertical_fov: f32,
     },
-    /// Rays leave a disc around the eye, across the view: a thin lens, which is sharp at one distance only. Blurred parts
-    /// need many samples a pixel.
+    /// Rays leave a disc around the eye, perpendicular to the view: a thin lens, sharp at one distance. Blurred parts need
+    /// many samples a pixel.
     ThinLens {
         /// As in [`Self::Perspective`].
         vertical_fov: f32,
-        /// The disc's radius in the scene's unit; 0 makes the picture of [`Self::Perspective`].
+        /// The disc's radius in the scene's unit; 0 gives the picture of [`Self::Perspective`].
         radius: f32,
-        /// Distance of what is sharp, along the view; above 0.
+        /// The distance in focus, along the view; above 0.
         focus_distance: f32,
     },
-    /// All rays are parallel. There is no lens for them.
+    /// All rays are parallel. Has no lens.
     Orthographic {
         /// Height of the picture in the scene's unit.
         height: f32,
@@ -125,40 +125,40 @@ pub enum Projection {
 pub enum Light {
     /// Parallel light, as from the sun.
     Directional {
-        /// Where the light travels to.
+        /// The direction in which the light travels.
         direction: [f32; 3],
         /// Linear RGB irradiance on a surface that faces the light.
         color: [f32; 3],
     },
     /// Light from one point, falling off with the squared distance.
     Point {
-        /// Where it is.
+        /// The light's position.
         position: [f32; 3],
         /// Linear RGB radiant intensity: irradiance at distance 1.
         color: [f32; 3],
-        /// Distance beyond which it lights nothing; `f32::INFINITY` for no limit.
+        /// The distance beyond which it lights nothing; `f32::INFINITY` for no limit.
         range: f32,
     },
-    /// Light from one side of a flat surface, which casts soft shadows: each sample sees one of its points, so that many
-    /// samples a pixel make them smooth. No ray sees the surface itself, and none is stopped by it.
+    /// Light from one side of a flat surface, with soft shadows. Each sample uses one point of the surface, so smooth
+    /// shadows need many samples a pixel. The surface itself is invisible and blocks no ray.
     Area {
         /// Its middle.
         center: [f32; 3],
-        /// From the middle to the rim in two directions: of a rectangle to the middles of two sides, else it is a
-        /// parallelogram; of a disc two radii, else it is an ellipse. It shines to the side where the first turns to the
-        /// second counter-clockwise. Two lights with the edges in either order shine to both sides.
+        /// From the middle to the rim in two directions. Rectangle: to the middles of two sides; a parallelogram if these
+        /// are not perpendicular. Disc: two radii; an ellipse if these differ. The light shines to the side from which the
+        /// first turns to the second counter-clockwise. For a two-sided light, add a second one with the edges exchanged.
         half_edges: [[f32; 3]; 2],
         /// Its outline.
         shape: AreaShape,
-        /// Linear RGB radiant intensity straight ahead, whatever its size: far away, irradiance at distance 1. To the
-        /// sides it falls off with the cosine (Lambert).
+        /// Linear RGB radiant intensity perpendicular to the surface, independent of its size: far away, the irradiance at
+        /// distance 1. It falls off with the cosine of the angle (Lambert).
         color: [f32; 3],
-        /// Distance beyond which none of its points lights anything; `f32::INFINITY` for no limit.
+        /// The distance beyond which none of its points lights anything; `f32::INFINITY` for no limit.
         range: f32,
     },
 }
 
-/// The outline of a light.
+/// The outline of an area light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AreaShape {
     /// A disc or an ellipse.

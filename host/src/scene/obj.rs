@@ -1,6 +1,6 @@
-//! OBJ: groups of polygons, with materials in files beside.
+//! OBJ: groups of polygons, with materials in other files.
 //!
-//! `tobj` reads what [`lines`] and [`materials`] let through.
+//! [`lines`] and [`materials`] filter the text that `tobj` reads.
 
 mod lines;
 mod materials;
@@ -12,13 +12,13 @@ use crate::{Mesh, Part};
 use lines::{BrokenFace, Fault, Lines};
 use std::cell::RefCell;
 
-/// The name that `tobj` gives to faces outside of any group.
+/// `tobj`'s name for faces outside of any group.
 const NO_NAME: &str = "unnamed_object";
 
-/// Reads all polygons; a part for each named group or object. Lines and points are passed over.
+/// Reads all polygons, with a part for each named group or object. Lines and points are skipped.
 pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
     let text = String::from_utf8_lossy(&bytes);
-    // `tobj` finds such faces late and without their line, or overflows at their indices.
+    // `tobj` reports such faces late and without their line, or overflows at their indices.
     let mut broken = Vec::new();
     for face in lines::broken_faces(&text) {
         if !source.options.lenient {
@@ -33,7 +33,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         ignore_points: true,
         ignore_lines: true,
     };
-    // A library that cannot be read stops the loading, which `tobj` alone would not.
+    // A library that cannot be read stops the loading; `tobj` alone would continue.
     let library_error = RefCell::new(None);
     let mut lines = Lines::new(&text, &broken);
     let read = tobj::load_obj_buf(&mut lines, &options, |library| {
@@ -67,7 +67,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
     Ok(scene)
 }
 
-/// Adds a model's triangles, with `default_material` where it names none.
+/// Adds a model's triangles, with `default_material` if the model has none.
 fn append(mesh: &mut Mesh, model: tobj::Model, default_material: usize) {
     let tobj::Model { mesh: added, name } = model;
     let first_vertex = mesh.vertices.len() as u32;
@@ -77,7 +77,7 @@ fn append(mesh: &mut Mesh, model: tobj::Model, default_material: usize) {
         return;
     }
 
-    // `tobj` gives normals to the vertices that have one and then no longer says to which.
+    // `tobj` lists normals only for vertices that have one, without saying which.
     let (vertices, _) = added.positions.as_chunks::<3>();
     let (normals, _) = added.normals.as_chunks::<3>();
     mesh.vertices.extend(vertices);
@@ -96,7 +96,7 @@ fn append(mesh: &mut Mesh, model: tobj::Model, default_material: usize) {
     let material = added.material_id.unwrap_or(default_material) as u32;
     mesh.materials.resize(mesh.indices.len(), material);
 
-    // A change of material begins a new model but no new part.
+    // A change of material starts a new model, but not a new part.
     match mesh.parts.last_mut() {
         Some(part) if part.name == name => part.triangle_count += triangle_count,
         _ => mesh.parts.push(Part {
@@ -107,7 +107,7 @@ fn append(mesh: &mut Mesh, model: tobj::Model, default_material: usize) {
     }
 }
 
-/// Removes lists that say nothing and adds the default material if a triangle has it.
+/// Removes lists without information, and adds the default material if a triangle uses it.
 fn tidy(scene: &mut Scene) {
     let mesh = &mut scene.mesh;
     if mesh.normals.iter().all(|normal| *normal == [0.0; 3]) {
@@ -123,7 +123,7 @@ fn tidy(scene: &mut Scene) {
     }
 }
 
-/// Whether the reader finds the fault in the line that it has just read, and not at the end of a group.
+/// Whether the reader reports the fault at the line just read, and not at the end of a group.
 fn is_of_a_line(error: tobj::LoadError) -> bool {
     use tobj::LoadError as E;
     !matches!(

@@ -6,7 +6,7 @@ use super::load::Source;
 use super::{LoadError, Scene};
 use std::str::FromStr;
 
-/// Reads OFF with the prefixes C, N and ST; colours and texture coordinates are passed over.
+/// Reads OFF with the prefixes C, N and ST. Colors and texture coordinates are skipped.
 pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
     let text = String::from_utf8_lossy(&bytes);
     let mut lines = Lines::new(text.trim_start_matches('\u{feff}'));
@@ -14,7 +14,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         file: source.file.clone(),
     };
 
-    // The counts stand behind the keyword or in the next line.
+    // The counts follow the keyword, or are in the next line.
     let mut header = lines.next().ok_or_else(cut)?;
     let has_normals = vertices_have_normals(&header, source)?;
     header.words.next();
@@ -35,7 +35,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         found,
     };
 
-    // Announced counts are only believed as far as the text can hold them: a vertex takes 6 bytes at least.
+    // The header's count reserves no more than the text can hold: a vertex takes 6 bytes at least.
     let believed = vertex_count.min(bytes.len() as u64 / 6) as usize;
     faces.mesh.vertices.reserve(believed);
     for found in 0..vertex_count {
@@ -49,7 +49,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         }
     }
 
-    // Every vertex was there, so the count is one of things in memory.
+    // Every vertex was read, so the count fits into memory.
     let run = super::faces::Run {
         first: 0,
         count: vertex_count as usize,
@@ -75,7 +75,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
     Ok(faces.into_scene())
 }
 
-/// Whether the keyword announces normals.
+/// Whether the keyword says that vertices have normals.
 fn vertices_have_normals(header: &Line<'_>, source: &Source<'_>) -> Result<bool, LoadError> {
     let mut words = header.words.clone();
     let keyword = words.next().unwrap_or_default();
@@ -92,7 +92,7 @@ fn vertices_have_normals(header: &Line<'_>, source: &Source<'_>) -> Result<bool,
     }
 }
 
-/// The lines that hold something besides comments.
+/// The lines, without comments and blank lines.
 struct Lines<'a> {
     rest: std::iter::Enumerate<std::str::Lines<'a>>,
 }
@@ -102,9 +102,9 @@ struct Line<'a> {
     /// Counted from 1.
     line: usize,
     words: std::str::SplitWhitespace<'a>,
-    /// How many numbers have been read.
+    /// The number of numbers read.
     found: u64,
-    /// How many numbers the line must have, for messages.
+    /// The number of numbers required, for messages.
     needed: u64,
 }
 

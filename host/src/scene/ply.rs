@@ -1,7 +1,7 @@
-//! PLY: elements with declared properties, as text or as bytes of either order.
+//! PLY: elements with declared properties, as text or binary in either byte order.
 //!
-//! `ply-rs-bw` reads the header. The rows are read here: its grammar refuses numbers such as `nan`, `.5` and `1.`, which
-//! files do hold, and it keeps a list on the heap for every face.
+//! `ply-rs-bw` reads the header. The rows are read here, because its grammar rejects numbers such as `nan`, `.5` and `1.`,
+//! which occur in files, and it allocates a list for every face.
 
 mod rows;
 
@@ -14,12 +14,12 @@ use ply_rs_bw::ply::{DefaultElement, ElementDef, PropertyType, ScalarType};
 use rows::{Fault, Rows};
 use std::io::ErrorKind;
 
-/// The properties of a vertex that are kept.
+/// The vertex properties that are used.
 const KEPT: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
-/// Reads the elements `vertex` and `face` and passes over all others.
+/// Reads the elements `vertex` and `face`, and skips all others.
 pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
-    // Read the header; what it leaves are the rows.
+    // Read the header; the rest are the rows.
     let mut reader = Reader::new(bytes.as_slice());
     let header = Parser::<DefaultElement>::new()
         .read_header(&mut reader)
@@ -48,7 +48,7 @@ fn read_vertices(
     faces: &mut Faces<'_>,
     source: &Source<'_>,
 ) -> Result<(), LoadError> {
-    // Say which of the kept values each property is.
+    // For each property, the used value that it holds.
     let plan: Vec<(Option<usize>, &PropertyType)> = element
         .properties
         .values()
@@ -66,7 +66,7 @@ fn read_vertices(
     }
     let has_normals = KEPT[3..].iter().all(|name| is_scalar(name));
 
-    // A row takes a byte a property at least, so that a count the bytes cannot hold reserves no more than they do.
+    // A row has at least a byte a property, so a false count reserves no more memory than the file has bytes.
     let believed = element
         .count
         .min(rows.byte_count() / element.properties.len().max(1));
@@ -99,7 +99,7 @@ fn read_faces(
     faces: &mut Faces<'_>,
     source: &Source<'_>,
 ) -> Result<(), LoadError> {
-    // Find the list; both names are in use.
+    // Find the list, which has either name.
     let list = ["vertex_indices", "vertex_index"]
         .iter()
         .find_map(|name| match element.properties.get(*name)?.data_type {
@@ -134,9 +134,9 @@ fn read_faces(
     Ok(())
 }
 
-/// Passes over an element's rows.
+/// Skips an element's rows.
 fn skip(rows: &mut Rows<'_>, element: &ElementDef, source: &Source<'_>) -> Result<(), LoadError> {
-    // Rows without properties take no bytes, however many are announced.
+    // Rows without properties take no bytes, whatever their number.
     if element.properties.is_empty() {
         return Ok(());
     }
@@ -171,7 +171,7 @@ fn header_error(error: &ParseError, source: &Source<'_>, bytes: &[u8]) -> LoadEr
     };
     let mut lines = bytes.split_inclusive(|&byte| byte == b'\n');
     let text = lines.nth(line.saturating_sub(1)).unwrap_or_default();
-    // A line that does not end is the last, and the header should have more.
+    // A line without an end is the last one, but the header should have more.
     if line > 1 && !text.ends_with(b"\n") {
         return LoadError::HeaderCut { file };
     }
@@ -182,7 +182,7 @@ fn header_error(error: &ParseError, source: &Source<'_>, bytes: &[u8]) -> LoadEr
     }
 }
 
-/// Names the element and the row that a fault stands in.
+/// Adds the element and the row of a fault.
 fn row_error(fault: Fault, element: &ElementDef, row: usize, source: &Source<'_>) -> LoadError {
     let file = source.file.clone();
     match fault {

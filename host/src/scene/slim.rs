@@ -1,9 +1,9 @@
-//! Saved hierarchies: a scene and a hierarchy over it in one file, `.slim`, so that nothing need be built to trace it.
+//! The `.slim` format: a scene with a hierarchy over its mesh in one file, so that tracing needs no build.
 //!
-//! All numbers are little-endian, in words of 4 bytes. There are no pointers and nothing is packed: each list lies in the file
-//! as buffers on the GPU hold it, from a multiple of 256 bytes on, at which every device binds buffers. So a file can be mapped
-//! into memory and uploaded whole. Everything between is zero, and nothing can be written in two ways: what [`read`] accepts,
-//! [`write()`] makes again, byte for byte.
+//! All numbers are little-endian, in words of 4 bytes. Nothing is packed, and there are no pointers: each list has the
+//! layout of a GPU buffer, at a multiple of 256 bytes, where every device can bind it. So a file can be mapped into memory
+//! and uploaded whole. Bytes between sections are zero, and each content has one encoding: [`write()`] reproduces what
+//! [`read`] accepts, byte for byte.
 //!
 //! ```text
 //! header, 64 bytes
@@ -26,8 +26,8 @@
 //!  3 normals         12  x, y, z; none, or one a vertex
 //!  4 materials used   4  one a triangle, or none
 //!  5 parts           16  length of the name in bytes, 0, first triangle, number of triangles
-//!  6 names            1  of the parts in UTF-8, one after the other
-//!  7 materials       32  base color: r, g, b; mirror's share; share that passes; index of refraction; zeros
+//!  6 names            1  the parts' names in UTF-8, without separators
+//!  7 materials       32  base color: r, g, b; mirror share; transmission; index of refraction; zeros
 //!  8 cameras         64  eye (3), kind (0 perspective, 1 thin lens, 2 parallel), target (3), degrees or height, up (3), lens
 //!                        radius, distance of what is sharp, zeros (3)
 //!  9 lights          64  color (3), kind (0 sun, 1 point, 2 disc, 3 rectangle), direction or place (3), range, first half
@@ -42,8 +42,8 @@
 //! 13 triangles           in full 40, in 10 bits 16, on the lattice 4: words, of which a triangle has 4, 7 or 10
 //! ```
 //!
-//! The items of sections 12 and 13 are specified in `slimbvh_core`: [`Node`](crate::Node),
-//! [`LeafTriangle`](crate::LeafTriangle) and `encode`. A section without items has a place all the same.
+//! `slimbvh_core` specifies the items of sections 12 and 13: [`Node`](crate::Node), [`LeafTriangle`](crate::LeafTriangle)
+//! and `encode`. A section without items still has a position.
 
 mod check;
 mod error;
@@ -69,15 +69,15 @@ pub struct Saved {
     pub scene: Scene,
     /// A hierarchy over its mesh.
     pub bvh: Bvh,
-    /// The box that the default camera frames; none for the mesh's bounds. It is stored where vertices were moved onto a lattice,
-    /// so that the camera does not move with them.
+    /// The box that the default camera frames; `None` for the mesh's bounds. It is stored if vertices were snapped to a
+    /// lattice, so that the camera stays in place.
     pub framing: Option<Aabb>,
 }
 
-/// The scene and the hierarchy in a file of at most this many bytes.
+/// Loads the scene and the hierarchy from a file of at most this many bytes.
 ///
 /// # Errors
-/// The file cannot be read, or is not sound.
+/// If the file cannot be read or is invalid.
 pub fn load(path: &Path, max_file_bytes: u64) -> Result<Saved, LoadError> {
     let bytes = read_file(path, max_file_bytes)?;
     read(&bytes).map_err(|error| LoadError::Saved {
@@ -86,7 +86,7 @@ pub fn load(path: &Path, max_file_bytes: u64) -> Result<Saved, LoadError> {
     })
 }
 
-/// The scene in a file, once all of the file is found sound.
+/// The scene in a file, after the whole file was checked.
 pub(super) fn read_scene(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
     match read(&bytes) {
         Ok(saved) => Ok(saved.scene),

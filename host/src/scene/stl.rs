@@ -1,7 +1,7 @@
-//! STL: triangles with their own corners, as text or as bytes; equal corners become one vertex.
+//! STL: triangles with separate corners, as text or binary. Equal corners weld to one vertex.
 //!
-//! `stl_io` reads the triangles. It takes any file that begins with `solid ` for text, stops at the first `endsolid`, and
-//! believes a binary file's count; so that is settled here.
+//! `stl_io` reads the triangles. It takes any file that starts with `solid ` for text, stops at the first `endsolid`, and
+//! trusts a binary file's count; this module checks all three first.
 
 use super::load::Source;
 use super::{LoadError, Scene};
@@ -9,16 +9,16 @@ use crate::{Mesh, Part};
 use std::collections::HashMap;
 use std::io::{Cursor, ErrorKind};
 
-/// Bytes before the first triangle of a binary file: 80 of any content, then the count.
+/// Bytes before the first triangle of a binary file: 80 arbitrary ones, then the count.
 const HEADER_BYTES: usize = 84;
 /// Bytes of a binary triangle.
 const TRIANGLE_BYTES: usize = 50;
 
-/// Reads text, a part for each solid, or bytes.
+/// Reads text, with a part for each solid, or binary.
 pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Scene, LoadError> {
     let mut weld = Weld::new(source);
     if is_text(&bytes) {
-        // The reader knows small letters only.
+        // The reader knows lower case only.
         let names: Vec<String> = solids(&bytes).map(name).collect();
         bytes.make_ascii_lowercase();
         for (solid, name) in solids(&bytes).zip(names) {
@@ -30,13 +30,13 @@ pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Scene, Loa
                 triangle_count: (weld.mesh.indices.len() - first) as u32,
             });
         }
-        // A single solid without a name needs no part.
+        // A single unnamed solid needs no part.
         if matches!(&weld.mesh.parts[..], [part] if part.name.is_empty()) {
             weld.mesh.parts.clear();
         }
     } else {
         check_length(&bytes, source)?;
-        // Whatever the header says, this is no text.
+        // The file is binary, whatever its header says.
         bytes[..HEADER_BYTES - 4].fill(0);
         weld.triangles(&bytes)?;
     }
@@ -47,7 +47,7 @@ pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Scene, Loa
     })
 }
 
-/// Whether the file begins with `solid` and is not, by its length and its zero bytes, a binary file that does so too.
+/// Whether the file starts with `solid` and is not binary; length and zero bytes reveal a binary file that starts so.
 fn is_text(bytes: &[u8]) -> bool {
     let begins = |bytes: &[u8]| {
         let word = bytes.trim_ascii_start().get(..5);
@@ -57,7 +57,7 @@ fn is_text(bytes: &[u8]) -> bool {
     begins(bytes) && !exact && !bytes.iter().take(512).any(|&byte| byte == 0)
 }
 
-/// The count that a binary file's header gives.
+/// The count in a binary file's header.
 fn announced(bytes: &[u8]) -> Option<u32> {
     let count = bytes.get(HEADER_BYTES - 4..)?.first_chunk()?;
     Some(u32::from_le_bytes(*count))
@@ -83,7 +83,7 @@ fn check_length(bytes: &[u8], source: &Source<'_>) -> Result<(), LoadError> {
     })
 }
 
-/// The solids of a text file, each up to and with its `endsolid` line; the last may lack that.
+/// The solids of a text file, each up to and including its `endsolid` line; the last may lack that.
 fn solids(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     let mut lines = bytes.split_inclusive(|&byte| byte == b'\n');
     let mut rest = bytes;
@@ -102,14 +102,14 @@ fn solids(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     })
 }
 
-/// What follows the word `solid`.
+/// The text after the word `solid`.
 fn name(solid: &[u8]) -> String {
     let line = solid.trim_ascii_start().split(|&byte| byte == b'\n').next();
     let name = line.and_then(|line| line.get(5..)).unwrap_or_default();
     String::from_utf8_lossy(name.trim_ascii()).into_owned()
 }
 
-/// The solid with a first line that the reader knows: it needs a space behind `solid`, and UTF-8.
+/// The solid with a first line that the reader accepts: a space after `solid`, and UTF-8.
 fn text_for_reader(solid: &[u8]) -> Vec<u8> {
     let solid = solid.trim_ascii_start();
     let end_of_line = solid.iter().position(|&byte| byte == b'\n');
@@ -117,14 +117,14 @@ fn text_for_reader(solid: &[u8]) -> Vec<u8> {
     [b"solid ", facets].concat()
 }
 
-/// How many faces a text begins.
+/// The number of faces that a text starts.
 fn facet_count(text: &[u8]) -> usize {
     text.split(|&byte| byte == b'\n')
         .filter(|line| line.trim_ascii_start().starts_with(b"facet"))
         .count()
 }
 
-/// A mesh in the making, with the vertex of every corner so far.
+/// A mesh under construction, with the vertex of every corner so far.
 struct Weld<'a> {
     source: &'a Source<'a>,
     mesh: Mesh,
@@ -155,7 +155,7 @@ impl<'a> Weld<'a> {
                     let corners = triangle.vertices.map(|corner| self.vertex(corner.into()));
                     self.mesh.indices.push(corners);
                 }
-                // The reader resumes in the next line, and so at the next face.
+                // The reader resumes at the next line, and so at the next face.
                 Err(e) if self.source.options.lenient && e.kind() == ErrorKind::InvalidData => {
                     has_bad_face = true;
                 }
@@ -169,7 +169,7 @@ impl<'a> Weld<'a> {
         Ok(())
     }
 
-    /// Names the face after all that have been read.
+    /// The error at the face after those read.
     fn error(&self, error: std::io::Error) -> LoadError {
         let (file, face) = (self.source.file.clone(), self.mesh.indices.len());
         match error.kind() {

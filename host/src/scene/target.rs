@@ -1,4 +1,4 @@
-//! Where rays come from or lead to, as a whole: a lens and a light with an extent lie in a ball.
+//! Targets of rays: balls that contain a camera's lens or an area light.
 
 use crate::dvec3::dot;
 use slimbvh_core::camera::Camera;
@@ -6,7 +6,7 @@ use slimbvh_core::float::{abs, max, next_up};
 use slimbvh_core::light::{DISC, Light, NO_EXTENT};
 use slimbvh_core::orientation::Target;
 
-/// What all rays of a camera start from, in the camera's unit.
+/// The ball from which all rays of a camera start, in the camera's unit.
 #[must_use]
 pub fn camera_target(camera: &Camera) -> Target {
     if camera.is_parallel == 1 {
@@ -18,7 +18,7 @@ pub fn camera_target(camera: &Camera) -> Target {
     }
 }
 
-/// What all shadow rays to a light lead to, in the light's unit.
+/// The ball to which all shadow rays to a light lead, in the light's unit.
 #[must_use]
 pub fn light_target(light: &Light) -> Target {
     if light.shape == NO_EXTENT {
@@ -33,13 +33,13 @@ pub fn light_target(light: &Light) -> Target {
         // The longer half axis of the ellipse.
         0.5 * (aa + bb + ((aa - bb).powi(2) + 4.0 * ab * ab).sqrt())
     } else {
-        // The farther corner.
+        // The further corner.
         aa + bb + 2.0 * ab.abs()
     };
     ball(light.point, squared.sqrt())
 }
 
-/// A ball that also holds points that rounding put a little outside: of a point's three terms and their sums, on each axis.
+/// A ball that also contains points displaced by rounding: of a point's three terms and their sums, on each axis.
 fn ball(center: [f32; 3], radius: f64) -> Target {
     let largest = center.iter().fold(0.0, |largest, &x| max(largest, abs(x)));
     let radius = radius * (1.0 + 1e-6) + f64::from(largest) * 2e-7;
@@ -80,7 +80,7 @@ mod tests {
                 farthest = farthest.max(distance(light.sampled(&draw).point, point));
             }
             prop_assert!(farthest <= ball, "{farthest} {ball}");
-            // And it is little larger: points come near the rim, rounding and corners aside.
+            // And it is hardly larger than needed: points come near the rim, rounding and corners aside.
             prop_assert!(farthest > 0.8 * (ball - 4e-3), "{farthest} {ball}");
         }
 

@@ -11,7 +11,7 @@ use super::{LoadError, LoadOptions, Scene, load};
 use std::path::PathBuf;
 use tempfile::TempDir;
 
-/// Corners of a box of 1×2×3; bit 0 of a corner's number is its place along x, bit 1 along y, bit 2 along z.
+/// Corners of a box of 1×2×3; bits 0, 1 and 2 of a corner's number are its places along x, y and z.
 const CORNERS: [[f32; 3]; 8] = [
     [0.0, 0.0, 0.0],
     [1.0, 0.0, 0.0],
@@ -91,7 +91,7 @@ fn lenient() -> LoadOptions {
     }
 }
 
-/// A sixth of the determinant of every triangle: the volume, if the surface is closed and counter-clockwise outside.
+/// The sum of a sixth of every triangle's determinant: the volume of a closed, counter-clockwise surface.
 fn volume(scene: &Scene) -> f32 {
     let mesh = &scene.mesh;
     let corner = |vertex: u32| glam::Vec3::from_array(mesh.vertices[vertex as usize]);

@@ -1,4 +1,4 @@
-//! From a scene's camera and lights to core's. Both are in the caller's unit; core scales them to the scene's magnitude.
+//! Conversion of a scene's camera and lights to core's, in the caller's unit. Core scales them to the scene's magnitude.
 
 use super::area::normal;
 use super::{Camera, Light, Material, Projection, Scene};
@@ -9,37 +9,37 @@ use slimbvh_core::float::{abs, exponent, max, scale_by_power_of_two};
 use slimbvh_core::shade::Environment;
 use thiserror::Error;
 
-/// Why a camera or a light cannot be used.
+/// Why a camera or a light cannot be rendered.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ViewError {
     /// A picture without pixels.
     #[error("the picture would be {width}x{height} pixels; both sides must be at least 1")]
     EmptyPicture {
-        /// Asked for.
+        /// The width.
         width: u32,
-        /// Asked for.
+        /// The height.
         height: u32,
     },
-    /// More samples than can be numbered.
+    /// More samples than a `u32` can index.
     #[error(
         "{width}x{height} pixels with {sample_count} samples each are too many: at most 4294967295 samples"
     )]
     TooManySamples {
-        /// Asked for.
+        /// The width.
         width: u32,
-        /// Asked for.
+        /// The height.
         height: u32,
-        /// Asked for.
+        /// Samples a pixel.
         sample_count: u32,
     },
-    /// No samples, or more than are of use.
+    /// The number of samples is 0 or too large.
     #[error("{sample_count} samples a pixel are asked for; it must be from 1 to 65536")]
     SampleCount {
-        /// Asked for.
+        /// Samples a pixel.
         sample_count: u32,
     },
-    /// The scene's mesh is not the one that the tree was built over.
+    /// The scene's mesh is not the one of the hierarchy.
     #[error(
         "the mesh has {triangle_count} triangles, the hierarchy {expected}; build it over this mesh"
     )]
@@ -49,72 +49,73 @@ pub enum ViewError {
         /// Triangles of the hierarchy.
         expected: usize,
     },
-    /// The camera is out of all proportion to the scene.
+    /// The camera is too far away for the scene's size.
     #[error("the camera at ({}, {}, {}) is too far away to see a scene this small", .eye[0], .eye[1], .eye[2])]
     TooFar {
-        /// Where it is.
+        /// The camera's position.
         eye: [f32; 3],
     },
-    /// The scene has none.
+    /// The scene has no camera.
     #[error("the scene has no camera")]
     NoCamera,
-    /// The camera looks nowhere.
+    /// The camera has no direction.
     #[error("the camera is at its own look-at point ({}, {}, {}); move one of them", .eye[0], .eye[1], .eye[2])]
     NoDirection {
-        /// Where it is.
+        /// The camera's position.
         eye: [f32; 3],
     },
     /// A number of the camera is NaN or infinite.
     #[error("the camera has a position or direction that is not finite")]
     CameraNotFinite,
-    /// The angle of view makes no picture.
+    /// The angle of view is out of range.
     #[error(
         "the camera's vertical angle of view is {degrees} degrees; it must be above 0 and below 180"
     )]
     AngleOfView {
-        /// Asked for.
+        /// The angle.
         degrees: f32,
     },
-    /// The height of a parallel view makes no picture.
+    /// The height of a parallel view is out of range.
     #[error("the camera's picture is {height} high; the height must be above 0")]
     PictureHeight {
-        /// Asked for.
+        /// The height.
         height: f32,
     },
-    /// The lens makes no picture.
+    /// The lens is out of range.
     #[error(
         "the camera's lens has radius {radius} and is sharp at distance {focus_distance}; the radius must be 0 or more, the \
          distance above 0"
     )]
     Lens {
-        /// Asked for.
+        /// The radius.
         radius: f32,
-        /// Asked for.
+        /// The distance in focus.
         focus_distance: f32,
     },
     /// A light with a NaN, a negative color, a zero direction, or no area.
     #[error("light {} {fault}", .index + 1)]
     Light {
-        /// Which, counted from 0; the message counts from 1.
+        /// The light, counted from 0; the message counts from 1.
         index: usize,
-        /// What is wrong with it.
+        /// Its fault.
         fault: &'static str,
     },
 }
 
 impl Camera {
-    /// A camera in front of a box, a little to the side and above, that sees all of it in a picture of this shape.
+    /// A camera in front of a box, a little to the side and above, that sees the whole box in a picture of this aspect
+    /// ratio.
     #[must_use]
     pub fn facing(bounds: &Aabb, aspect: f32) -> Self {
         const VERTICAL_FOV: f32 = 35.0;
         const MARGIN: f64 = 0.94;
-        // In f64, as a box may span all of f32.
+        // In f64, because a box may span all of f32.
         let wide = |v: Vec3| v.to_array().map(f64::from);
         let (low, high) = (wide(bounds.min), wide(bounds.max));
         let center: [f64; 3] = std::array::from_fn(|i| 0.5 * (low[i] + high[i]));
         let half: [f64; 3] = std::array::from_fn(|i| 0.5 * (high[i] - low[i]));
 
-        // Back off until every corner is inside the picture.
+        // Move back until every corner is inside the picture.
         let toward_eye = [0.36, 0.24, 0.9016];
         let right = normalized([toward_eye[2], 0.0, -toward_eye[0]]);
         let up = cross(toward_eye, right);
@@ -134,13 +135,13 @@ impl Camera {
             distance.max(dot(corner, toward_eye) + across.max(along))
         });
 
-        // A point, or almost: keep the eye apart from it.
+        // A point or almost: keep the eye away from it.
         let largest = center.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         let distance = distance
             .max(largest * 1e-4)
             .max(f64::from(f32::MIN_POSITIVE));
         Self {
-            // A box of all of `f32` is seen from within it.
+            // A box of all of `f32` is viewed from inside.
             eye: std::array::from_fn(|i| {
                 let eye = (center[i] + toward_eye[i] * distance) as f32;
                 eye.clamp(-f32::MAX, f32::MAX)
@@ -153,10 +154,10 @@ impl Camera {
         }
     }
 
-    /// The camera as core traces it, in the caller's unit.
+    /// The camera in core's form, in the caller's unit.
     ///
     /// # Errors
-    /// For a view that makes no picture.
+    /// For a camera that cannot be rendered.
     pub fn to_core(
         &self,
         [width, height]: [u32; 2],
@@ -191,7 +192,7 @@ impl Camera {
         let right = unit(toward.cross(unit(self.up).unwrap_or(Vec3::Y)).to_array())
             .unwrap_or_else(|| toward.any_orthonormal_vector());
         let up = right.cross(toward);
-        // A height in the caller's unit is brought to magnitude 1 and back.
+        // A height in the caller's unit is scaled to magnitude 1 and back.
         let (half_height, magnitude, is_parallel) = match self.projection {
             Projection::Perspective { vertical_fov }
             | Projection::ThinLens { vertical_fov, .. } => {
@@ -233,7 +234,7 @@ impl Camera {
         })
     }
 
-    /// The radius of the lens, and that by the distance of what is sharp; zeros without a lens.
+    /// The radius of the lens, and its quotient with the distance in focus; zeros without a lens.
     fn lens(&self) -> Result<(f32, f32), ViewError> {
         let Projection::ThinLens {
             radius,
@@ -255,10 +256,10 @@ impl Camera {
         }
     }
 
-    /// Whether a scene of this exponent can be seen from where the camera is.
+    /// Checks that a scene of this exponent can be seen from the camera's position.
     ///
     /// # Errors
-    /// [`ViewError::TooFar`] where it is farther away than numbers reach in the scene's magnitude.
+    /// [`ViewError::TooFar`] if its distance exceeds the range of numbers at the scene's magnitude.
     pub fn check_reach(&self, scene_exponent: i32) -> Result<(), ViewError> {
         let radius = match self.projection {
             Projection::ThinLens { radius, .. } => radius,
@@ -274,7 +275,7 @@ impl Camera {
 }
 
 impl Light {
-    /// A sun behind the camera's left shoulder.
+    /// A directional light from behind the camera, on its left.
     #[must_use]
     pub fn beside(camera: &Camera) -> Self {
         let toward = Vec3::from_array(camera.target) * 0.5 - Vec3::from_array(camera.eye) * 0.5;
@@ -289,11 +290,10 @@ impl Light {
         }
     }
 
-    /// The light as core shades with it, in the caller's unit.
+    /// The light in core's form, in the caller's unit.
     ///
     /// # Errors
-    /// For a light with numbers that make no light. `index` is for the message, and sets the points of its extent apart from
-    /// those of other lights.
+    /// For an invalid light. `index` is for the message, and gives each light different sample points on its surface.
     pub fn to_core(&self, index: usize) -> Result<slimbvh_core::shade::Light, ViewError> {
         let fault = |fault| ViewError::Light { index, fault };
         let (Self::Directional { color, .. }
@@ -361,23 +361,23 @@ impl Light {
 }
 
 impl Scene {
-    /// Adds what is missing for a picture of this size: a camera that sees the whole model, and a light.
+    /// Adds a camera that sees the whole model and a light, if they are missing, for a picture of this size.
     pub fn complete(&mut self, bounds: Option<Aabb>, [width, height]: [u32; 2]) {
         if self.cameras.is_empty() {
             let aspect = width.max(1) as f32 / height.max(1) as f32;
-            let nothing = Aabb {
+            let origin = Aabb {
                 min: Vec3::ZERO,
                 max: Vec3::ZERO,
             };
             self.cameras
-                .push(Camera::facing(&bounds.unwrap_or(nothing), aspect));
+                .push(Camera::facing(&bounds.unwrap_or(origin), aspect));
         }
         if self.lights.is_empty() {
             self.lights.push(Light::beside(&self.cameras[0]));
         }
     }
 
-    /// The surroundings that all pictures have: a pale sky, brighter at the horizon, and a little light from everywhere.
+    /// The environment of all pictures: a pale sky, brighter at the horizon, and a little ambient light.
     #[must_use]
     pub fn environment(up: [f32; 3]) -> Environment {
         Environment {
@@ -389,7 +389,7 @@ impl Scene {
         }
     }
 
-    /// The materials as core shades with them; a default one where there are none.
+    /// The materials in core's form; a default one if there are none.
     #[must_use]
     pub fn core_materials(&self) -> Vec<slimbvh_core::shade::Material> {
         let to_core = |material: &Material| slimbvh_core::shade::Material {
@@ -415,7 +415,7 @@ impl Scene {
 pub(super) fn unit(v: [f32; 3]) -> Option<Vec3> {
     let finite = v.iter().all(|x| x.is_finite());
     let v = Vec3::from_array(v);
-    // Tiny vectors are lengthened first: their directions count as well.
+    // Tiny vectors are scaled up first: their directions are valid.
     let v = if v.abs().max_element() < 1e-20 {
         v * slimbvh_core::float::power_of_two(100)
     } else {

@@ -1,4 +1,4 @@
-//! Whether two triangles meet where they should not, decided exactly.
+//! Whether two triangles meet beyond their shared corners and side, decided exactly.
 
 use crate::analysis::{area_sign, volume_sign};
 
@@ -7,12 +7,12 @@ use crate::analysis::{area_sign, volume_sign};
 pub(super) struct Face {
     /// Positions.
     pub(super) corners: [[f32; 3]; 3],
-    /// Numbers that are equal where positions are.
+    /// Equal exactly if positions are equal.
     pub(super) ids: [u32; 3],
 }
 
-/// Whether two triangles of positive area have a point in common that is not on the corners and side that they share.
-/// Triangles with all corners in common do.
+/// Whether two triangles of positive area have a common point outside of their shared corners and side. Triangles that
+/// share all corners do.
 pub(super) fn collide(t: &Face, u: &Face) -> bool {
     let shared_t = t.ids.map(|id| u.ids.contains(&id));
     let shared_u = u.ids.map(|id| t.ids.contains(&id));
@@ -20,8 +20,8 @@ pub(super) fn collide(t: &Face, u: &Face) -> bool {
         return true;
     }
 
-    // On which side of the other's plane each corner lies. Without its shared corners, a triangle that lies strictly on
-    // one side does not meet the other.
+    // The sides of the other's plane on which the corners lie. If a triangle, its shared corners aside, lies strictly on
+    // one side, the triangles do not meet.
     let signs_t = signs(t, shared_t, u);
     if are_on_one_side(signs_t, shared_t) {
         return false;
@@ -33,15 +33,15 @@ pub(super) fn collide(t: &Face, u: &Face) -> bool {
 
     let shared_count = shared_t.iter().filter(|&&shared| shared).count();
     if shared_count == 2 {
-        // In one plane, hinged along a side.
+        // Coplanar, with a common side as hinge.
         return lie_on_one_side_of_hinge(t, shared_t, u);
     }
-    // The corners of what two triangles have in common lie on sides that share no corner with the other triangle, but
-    // for the shared corner itself.
+    // Each corner of the intersection lies on a side of one triangle that shares no corner with the other, or is a shared
+    // corner.
     any_side_meets(t, shared_t, signs_t, u) || any_side_meets(u, shared_u, signs_u, t)
 }
 
-/// The side of `other`'s plane on which each corner lies; 0 for shared ones.
+/// The side of `other`'s plane on which each corner lies; 0 for shared corners.
 fn signs(face: &Face, shared: [bool; 3], other: &Face) -> [i32; 3] {
     [0, 1, 2].map(|i| {
         if shared[i] {
@@ -52,13 +52,13 @@ fn signs(face: &Face, shared: [bool; 3], other: &Face) -> [i32; 3] {
     })
 }
 
-/// Whether all corners that are not shared lie strictly on the same side.
+/// Whether all unshared corners lie strictly on the same side.
 fn are_on_one_side(signs: [i32; 3], shared: [bool; 3]) -> bool {
     let all = |side| (0..3).all(|i| shared[i] || signs[i] == side);
     all(1) || all(-1)
 }
 
-/// For two triangles in one plane with two corners in common: whether they lie on the same side of those.
+/// For two coplanar triangles that share a side: whether they lie on the same side of it.
 fn lie_on_one_side_of_hinge(t: &Face, shared_t: [bool; 3], u: &Face) -> bool {
     let (x, y) = shadow_axes(t.corners);
     let flat = |p: [f32; 3]| [f64::from(p[x]), f64::from(p[y])];
@@ -71,7 +71,7 @@ fn lie_on_one_side_of_hinge(t: &Face, shared_t: [bool; 3], u: &Face) -> bool {
     area_sign(a, b, flat(t.corners[free_t])) == area_sign(a, b, flat(u.corners[free_u]))
 }
 
-/// Whether a side without shared corners meets the other triangle. `signs` tell where the corners lie.
+/// Whether a side without shared corners meets the other triangle. `signs` are the corners' sides of its plane.
 fn any_side_meets(face: &Face, shared: [bool; 3], signs: [i32; 3], other: &Face) -> bool {
     [(0, 1), (1, 2), (2, 0)].into_iter().any(|(i, j)| {
         if shared[i] || shared[j] || signs[i] * signs[j] > 0 {
@@ -86,7 +86,7 @@ fn any_side_meets(face: &Face, shared: [bool; 3], signs: [i32; 3], other: &Face)
     })
 }
 
-/// Whether a line that crosses a triangle's plane does so inside or on the border.
+/// Whether a line that crosses a triangle's plane does so inside the triangle or on its border.
 fn line_passes([p, q]: [[f32; 3]; 2], [a, b, c]: [[f32; 3]; 3]) -> bool {
     let first = volume_sign([p, q, a], b);
     let second = volume_sign([p, q, b], c);
@@ -97,7 +97,7 @@ fn line_passes([p, q]: [[f32; 3]; 2], [a, b, c]: [[f32; 3]; 3]) -> bool {
     first * third >= 0 && second * third >= 0
 }
 
-/// Whether a segment in a triangle's plane meets it.
+/// Whether a segment in a triangle's plane meets the triangle.
 fn meets_in_plane(segment: [[f32; 3]; 2], triangle: [[f32; 3]; 3]) -> bool {
     let (x, y) = shadow_axes(triangle);
     let flat = |p: [f32; 3]| [f64::from(p[x]), f64::from(p[y])];
@@ -105,7 +105,7 @@ fn meets_in_plane(segment: [[f32; 3]; 2], triangle: [[f32; 3]; 3]) -> bool {
     let [a, b, c] = corners;
     let turn = area_sign(a, b, c);
     let sides = [[a, b], [b, c], [c, a]];
-    // An end inside, or a side that is crossed.
+    // An end inside, or a crossed side.
     sides.iter().all(|&[a, b]| area_sign(a, b, p) * turn >= 0)
         || sides.iter().any(|&[a, b]| {
             let ends = [area_sign(a, b, p), area_sign(a, b, q)];
@@ -114,7 +114,7 @@ fn meets_in_plane(segment: [[f32; 3]; 2], triangle: [[f32; 3]; 3]) -> bool {
         })
 }
 
-/// Two axes along which a triangle of positive area has a shadow of positive area.
+/// Two axes whose plane a triangle of positive area projects to with positive area.
 fn shadow_axes(corners: [[f32; 3]; 3]) -> (usize, usize) {
     let has_area = |&(x, y): &(usize, usize)| {
         let [a, b, c] = corners.map(|p| [f64::from(p[x]), f64::from(p[y])]);

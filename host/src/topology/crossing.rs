@@ -1,21 +1,21 @@
-//! The winding number beside a triangle, by counting what lies between it and infinity along an axis.
+//! The winding number beside a triangle, by counting crossings along an axis out to infinity.
 
-/// A point inside a triangle, from which one looks along an axis. Only the point's shadow across the axis is exact; how
-/// far it lies from the triangle's plane is bounded.
+/// A line of sight from a point inside a triangle, along an axis. Only the point's projection along the axis is exact; its
+/// distance from the triangle's plane is bounded.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probe {
     /// The point.
     pub(super) point: [f64; 3],
-    /// Along which axis one looks.
+    /// The axis of the line.
     pub(super) axis: usize,
-    /// Whether towards larger coordinates.
+    /// Whether it runs toward larger coordinates.
     pub(super) is_upward: bool,
     slack: f64,
 }
 
 impl Probe {
-    /// Looks from a triangle out of its front (`side` 1) or back (`side` −1). `weights` place the point among the corners;
-    /// their sum is 1. `None` where the point is not certainly inside the triangle's shadow.
+    /// A line of sight that leaves a triangle through its front (`side` 1) or back (`side` −1). `weights` are the point's
+    /// barycentric coordinates, whose sum is 1. `None` if the point is not certainly inside the triangle's projection.
     pub(super) fn new(
         corners: [[f32; 3]; 3],
         weights: [f64; 3],
@@ -40,8 +40,8 @@ impl Probe {
         })
     }
 
-    /// By how much the winding number falls where the line of sight passes another triangle that does not touch the first
-    /// one's inside: 0 where it misses it. `None` where that is not certain.
+    /// The decrease of the winding number where the line crosses another triangle, which must not touch the first one's
+    /// inside: 0 if it misses. `None` if uncertain.
     pub(super) fn fall(&self, corners: [[f32; 3]; 3]) -> Option<i32> {
         let shadow = Shadow::new(corners, self.point, self.axis);
         let turn = match shadow.inside() {
@@ -56,13 +56,13 @@ impl Probe {
         }
         let is_above = height > 0.0;
         let is_seen = is_above == self.is_upward;
-        // Upward through a triangle that turns counter-clockwise leads out of its front.
+        // Crossing a counter-clockwise triangle upward leads out of its front.
         let out = if self.is_upward { turn } else { -turn };
         Some(if is_seen { out } else { 0 })
     }
 }
 
-/// A triangle seen along an axis, around a point: the areas that the point spans with each side.
+/// A triangle projected along an axis, relative to a point: the areas that the point spans with each side.
 struct Shadow {
     areas: [f64; 3],
     errors: [f64; 3],
@@ -72,7 +72,7 @@ struct Shadow {
     area_error: f64,
 }
 
-/// Whether a point lies inside a shadow, and which way that turns: 1 for counter-clockwise.
+/// Whether a point lies inside a projection, and its orientation: 1 for counter-clockwise.
 enum Inside {
     Yes(i32),
     No,
@@ -89,7 +89,7 @@ impl Shadow {
             let (b, c) = (flat[(i + 1) % 3], flat[(i + 2) % 3]);
             let (positive, negative) = (b[0] * c[1], b[1] * c[0]);
             areas[i] = positive - negative;
-            // Shewchuk 1997, section 4.2: below 4 halves of an epsilon, differences included.
+            // Shewchuk 1997, section 4.2: below 4 half epsilons, differences included.
             errors[i] = 4.0 * f64::EPSILON * (positive.abs() + negative.abs());
         }
         let sum: f64 = areas.iter().sum();
@@ -114,7 +114,7 @@ impl Shadow {
         }
     }
 
-    /// How far above a height the triangle lies at the point, times `area`, and a bound on the error. The point is inside.
+    /// The triangle's height above `height` at the point, times `area`, and a bound on the error. The point must be inside.
     fn height_times_area(&self, corners: [[f32; 3]; 3], height: f64) -> (f64, f64) {
         let (mut sum, mut error) = (0.0, 0.0);
         for (i, corner) in corners.iter().enumerate() {
@@ -152,10 +152,10 @@ mod tests {
             up.fall(lifted(2.0).map(|[x, y, z]| [x + 4.0, y, z])),
             Some(0)
         );
-        // One step of the float grid is enough; none is not.
+        // One step of the float grid suffices; height 0 does not.
         assert_eq!(up.fall(lifted(1.2e-7)), Some(1));
         assert_eq!(up.fall(FLOOR), None);
-        // A corner over the point.
+        // A corner directly above the point.
         assert_eq!(
             up.fall([[1.0, 1.5, 5.0], [9.0, 0.0, 5.0], [9.0, 8.0, 5.0]]),
             None

@@ -1,16 +1,16 @@
-//! Whether a ball stays clear of a triangle.
+//! Whether a ball is clear of a triangle.
 
 use crate::analysis::seen_from;
 
-/// Whether every point of the triangle is certainly farther from `center` than `radius`. Triangles of zero area are
-/// segments or points. May be false for a ball that stays clear by less than 10^-7 of the triangle's distance and size.
+/// Whether every point of the triangle is certainly further from `center` than `radius`. Triangles of zero area are
+/// segments or points. May be `false` for a ball that is clear by less than 10^-7 of the triangle's distance and size.
 pub(super) fn is_clear(center: [f64; 3], radius: f64, corners: [[f32; 3]; 3]) -> bool {
     let corners = seen_from(center, corners);
     let lengths = corners.map(length);
     let margin = 1e-8 * (lengths[0] + lengths[1] + lengths[2]);
     let needed = radius + margin;
 
-    // Most triangles are far away: no point is nearer than a corner less the longest side.
+    // Most triangles are far away: no point is nearer than a corner's distance minus the longest side.
     let sides = [0, 1, 2].map(|i| minus(corners[(i + 1) % 3], corners[i]));
     let sizes = sides.map(length);
     let longest = sizes[0].max(sizes[1]).max(sizes[2]);
@@ -24,7 +24,7 @@ pub(super) fn is_clear(center: [f64; 3], radius: f64, corners: [[f32; 3]; 3]) ->
         return false;
     }
 
-    // Points inside a triangle are nowhere farther from the border than its height.
+    // A point inside a triangle is at most the triangle's height away from the border.
     let normal = cross(sides[0], sides[1]);
     let area = length(normal);
     let height = area / longest;
@@ -41,7 +41,7 @@ pub(super) fn is_clear(center: [f64; 3], radius: f64, corners: [[f32; 3]; 3]) ->
     is_beside || dot(normal, corners[0]).abs() / area > needed
 }
 
-/// How far the origin is from a segment.
+/// The distance of the origin from a segment.
 fn distance_to_segment(start: [f64; 3], side: [f64; 3]) -> f64 {
     let squared = dot(side, side);
     let t = if squared > 0.0 {

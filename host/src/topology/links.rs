@@ -1,19 +1,19 @@
-//! Vertices that must stay together.
+//! Links: pairs of vertices that must stay at one position.
 
 use crate::Mesh;
 use crate::analysis::{Edges, Side};
 use rayon::prelude::*;
 
-/// Two vertices of a closed component that are one after welding. As long as all its links hold, every directed edge of
-/// the component meets its reverse; where an edge has two triangles, as in most meshes, only as long.
+/// Two vertices of a closed component that weld to one. While all its links hold, every directed edge of the component
+/// meets its reverse; if every edge has two triangles, as in most meshes, only while they hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Link {
     pub(super) component: u32,
     pub(super) vertices: [u32; 2],
 }
 
-/// The links of all closed components, by component. `triangles` are those of the mesh over welded vertices; `closed` tells the closed
-/// component that a triangle belongs to, if any.
+/// The links of all closed components, by component. `triangles` are those of the mesh over welded vertices; `closed`
+/// returns the closed component of a triangle, if any.
 pub(super) fn links(
     mesh: &Mesh,
     triangles: &[[u32; 3]],
@@ -31,7 +31,7 @@ pub(super) fn links(
         }
     };
 
-    // All sides of an edge lead between the same two places.
+    // All sides of an edge run between the same two positions.
     edges.for_each(|sides| {
         let Some(component) = closed(sides[0].triangle()) else {
             return;
@@ -52,7 +52,7 @@ pub(super) fn links(
         }
     });
 
-    // A side from a place to itself is no edge, as long as it is one.
+    // A side from a position to itself is not an edge, as long as its vertices stay together.
     for (number, (welded, own)) in (0_u32..).zip(triangles.iter().zip(&mesh.indices)) {
         for (from, to) in [(0, 1), (1, 2), (2, 0)] {
             if welded[from] == welded[to]
@@ -68,7 +68,7 @@ pub(super) fn links(
     links
 }
 
-/// The components with a link that does not hold, some more than once.
+/// The components with a broken link; a component may occur more than once.
 pub(super) fn broken(links: &[Link], vertices: &[[f32; 3]]) -> Vec<u32> {
     let is_broken = |link: &&Link| {
         let [a, b] = link.vertices.map(|vertex| vertices[vertex as usize]);

@@ -1,11 +1,11 @@
-//! What rays of one origin may skip: which triangles belong to closed surfaces, and which side of those faces out.
+//! Which triangles rays may skip: components that are closed surfaces, and the side of each that faces outward.
 //!
-//! A ray from outside a closed surface meets it from outside first. So of a component that is closed, whose volume has a
-//! certain sign and that the target is certainly outside of, the triangles that certainly face away may be left out: all
-//! but its *seams* ([`Topology::find_seams`]), where even a ray from outside may arrive from behind. Whatever is not
-//! certain stays.
+//! A ray from outside a closed surface hits its outer side first. So a set for a target may leave out triangles that
+//! certainly face away, if their component is closed, the sign of its volume is certain, and the target is certainly
+//! outside of it. *Seams* ([`Topology::find_seams`]) stay, because even a ray from outside may hit them from behind. In
+//! doubt, a triangle stays.
 //!
-//! Materials with holes or glass will have to keep their components whole too; there are none yet.
+//! There are no materials with holes, whose components would have to stay whole too.
 
 mod contact;
 mod crossing;
@@ -29,54 +29,55 @@ use shape::{Shape, Span};
 pub(crate) use runs::Runs;
 pub use sides::Target;
 
-/// What a mesh's indices and positions say about its surfaces. Made once; [`Self::update`] follows moving vertices.
+/// The facts about a mesh's surfaces, from indices and positions. Made once; [`Self::update`] follows moving vertices.
 #[derive(Clone, Debug)]
 pub struct Topology {
     /// See [`Topology::components`].
     components: Vec<u32>,
     /// One a component.
     shapes: Vec<Shape>,
-    /// Runs of one component's `faces`, all of them by component.
+    /// Runs of `faces` of one component, by component.
     spans: Vec<Span>,
-    /// The mesh's triangles, by component. Those of no component are missing.
+    /// The mesh's triangles, by component. Triangles without a component are absent.
     faces: Vec<[u32; 3]>,
     /// The mesh's positions.
     vertices: Vec<[f32; 3]>,
-    /// Vertices whose equality keeps components closed.
+    /// Pairs of vertices whose equality keeps components closed.
     links: Vec<Link>,
-    /// Seams with their own component, by triangle.
+    /// Seams with their component, by triangle.
     seams: Vec<(u32, u32)>,
 }
 
-/// What is known of one component. Triangles that hang together by shared edges between welded vertices make one.
+/// The facts of one component: triangles connected by shared edges between welded vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facts {
-    /// How many triangles it has, seams included.
+    /// The number of triangles, seams included.
     pub triangle_count: usize,
     /// Whether every directed edge occurs as often as its reverse.
     pub closed: bool,
-    /// Whether the front sides face out, by the sign of the volume; `None` when not closed, or when rounding could have
-    /// turned the sign.
+    /// Whether the front sides face outward, by the sign of the volume. `None` if open, or if rounding could change the
+    /// sign.
     pub outward: Option<bool>,
-    /// Whether it may be reduced, for targets outside: `outward` is known now, and was when seams were last looked for.
+    /// Whether sets may leave out its triangles, for targets outside: `outward` is known now, and was at the latest search
+    /// for seams.
     pub reducible: bool,
-    /// How many of its triangles are seams.
+    /// The number of its triangles that are seams.
     pub seam_count: usize,
 }
 
 impl Topology {
-    /// Takes stock of a mesh in O(n log n). No triangle is a seam: call [`Self::find_seams`], unless the mesh is known to
-    /// be a solid that does not cut itself.
+    /// Finds the surfaces of a mesh in O(n log n), without seams. Call [`Self::find_seams`] next, unless the mesh is known
+    /// to be a solid that does not intersect itself.
     ///
     /// # Panics
-    /// If a triangle names a vertex that is not there; [`Mesh::validate`] finds that.
+    /// If a triangle refers to a vertex that does not exist; [`Mesh::validate`] checks that.
     #[must_use]
     pub fn new(mesh: &Mesh) -> Self {
         let triangles = welded_triangles(mesh);
         let edges = Edges::new(&triangles, mesh.vertices.len());
         let Labels { of: labels, count } = Labels::new(&edges, &triangles);
 
-        // A component is closed where every edge is, for as long as its vertices stay together.
+        // A component is closed if every edge is, as long as its linked vertices stay together.
         let mut closed = vec![true; count as usize];
         edges.for_each(|sides| {
             closed[labels[sides[0].triangle() as usize] as usize] &= excess(sides) == 0;
@@ -101,12 +102,12 @@ impl Topology {
         topology
     }
 
-    /// Follows the mesh's vertices, in O(n): boxes, volumes, and whether what was closed still is. A component is open as
-    /// long as vertices that its closed edges need together lie apart; one that was open from the start stays so. Seams
-    /// stay as they were found: who deforms a mesh promises that none arise, or looks for them again.
+    /// Follows the mesh's vertices, in O(n): boxes, volumes, and whether closed components still are. A component is open
+    /// while linked vertices are apart; one that was open at first stays open. Seams stay as they were found: a caller who
+    /// deforms a mesh guarantees that no new ones arise, or searches again.
     ///
     /// # Panics
-    /// If it is another mesh, as far as the counts tell.
+    /// If the counts show that it is another mesh.
     pub fn update(&mut self, mesh: &Mesh) {
         let counts = (mesh.vertices.len(), mesh.indices.len());
         let expected = (self.vertices.len(), self.components.len());
@@ -131,37 +132,37 @@ impl Topology {
         &self.links[first(component)..first(component + 1)]
     }
 
-    /// How many vertices the mesh has.
+    /// The number of vertices in the mesh.
     pub(crate) fn vertex_count(&self) -> usize {
         self.vertices.len()
     }
 
     /// The component of each triangle, numbered in the order of their first triangles; [`Self::component_count`] for
-    /// triangles that are always kept: seams, and those that welding makes a point.
+    /// triangles that always stay: seams, and triangles whose corners all weld to one vertex.
     #[must_use]
     pub fn components(&self) -> &[u32] {
         &self.components
     }
 
-    /// How many components there are, open ones included.
+    /// The number of components, open ones included.
     #[must_use]
     pub fn component_count(&self) -> u32 {
         self.shapes.len() as u32
     }
 
-    /// What is known of each component.
+    /// The facts of each component.
     #[must_use]
     pub fn facts(&self) -> Vec<Facts> {
         self.shapes.iter().map(Shape::facts).collect()
     }
 
-    /// How many triangles are seams.
+    /// The number of seam triangles.
     #[must_use]
     pub fn seam_count(&self) -> usize {
         self.seams.len()
     }
 
-    /// Bytes of all that is held.
+    /// Bytes of memory held.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of_val(self.components.as_slice())

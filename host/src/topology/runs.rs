@@ -1,16 +1,16 @@
-//! What kernels must know to measure vertices that have moved.
+//! The inputs of kernels that measure moved vertices.
 
 use super::Topology;
 use super::shape::Shape;
 use slimbvh_core::decide::{Component, Span, Surfaces};
 use slimbvh_core::launch::BLOCK;
 
-/// Components that may be reduced as long as they are closed and have an outer side, their faces and links in runs.
+/// Components that may be reduced while they are closed and have an outer side, with their faces and links in runs.
 #[derive(Clone, Debug, Default)]
 pub struct Runs {
     /// The components, by their numbers.
     pub components: Vec<Component>,
-    /// Their spans, by component: work for one workgroup each.
+    /// Their spans, by component; each is the work of one workgroup.
     pub spans: Vec<Span>,
     /// Their faces, by component.
     pub faces: Vec<[u32; 3]>,
@@ -19,7 +19,7 @@ pub struct Runs {
 }
 
 impl Runs {
-    /// With the vertices as they are.
+    /// The runs with the present vertices.
     pub fn surfaces<'a>(&'a self, vertices: &'a [[f32; 3]]) -> Surfaces<'a> {
         Surfaces {
             vertices,
@@ -30,8 +30,8 @@ impl Runs {
 }
 
 impl Topology {
-    /// What does not change when vertices move. Components that were never closed and those whose seams are not known are
-    /// left out.
+    /// The facts that do not depend on positions. Leaves out components that were never closed and those without known
+    /// seams.
     pub(crate) fn runs(&self) -> Runs {
         let mut runs = Runs::default();
         let shapes = (0_u32..).zip(&self.shapes);
@@ -52,7 +52,7 @@ impl Topology {
         runs
     }
 
-    /// Cuts a component's faces into spans, and spreads its links over them.
+    /// Cuts a component's faces into spans, and distributes its links among them.
     fn add_spans(&self, runs: &mut Runs, shape: &Shape, link_count: u32) {
         let (first_face, first_link) = (runs.faces.len() as u32, runs.links.len() as u32);
         let face_count = shape.triangle_count;

@@ -1,4 +1,4 @@
-//! Triangles that a ray from outside may meet from behind.
+//! Seams: triangles that a ray from outside may hit from behind.
 
 use super::contact::{Face, collide};
 use super::crossing::Probe;
@@ -14,20 +14,19 @@ use std::ops::ControlFlow::{Break, Continue};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 impl Topology {
-    /// Finds the triangles that stay in every set though their component may be reduced, and takes them out of their
-    /// components. A triangle is a seam if
-    /// - it meets another triangle of its component anywhere but in the corners and the side that they share,
-    /// - its component winds a negative number of times around points just outside of it (an inverted lobe, as of a
-    ///   figure-eight tube), or that is not certain, or
+    /// Finds the seams, triangles that stay in every set although their component may be reduced, and removes them from
+    /// their components. A triangle is a seam if
+    /// - it meets another triangle of its component beyond the corners and the side that they share,
+    /// - its component's winding number just outside of it is negative (an inverted lobe, as of a figure-eight tube) or
+    ///   uncertain, or
     /// - it has no area.
     ///
-    /// `mesh` is the one last seen, `bvh` a hierarchy over all of it. Components that cannot be reduced now have no
-    /// seams, and will not be reduced before they are looked for again. Takes O(n log n) for surfaces that meet few
-    /// others.
+    /// `mesh` is the one seen last, `bvh` a hierarchy over all of it. Components that cannot be reduced now get no seams,
+    /// and will not be reduced before the next search. Takes O(n log n) for surfaces that meet few others.
     ///
     /// # Panics
-    /// If the hierarchy or the mesh is of another number of triangles, or the hierarchy's triangles are stored by a
-    /// codec that [moves vertices](crate::MeshCodec::moves_vertices).
+    /// If the hierarchy or the mesh has a different number of triangles, or the hierarchy's triangle codec [moves
+    /// vertices](crate::MeshCodec::moves_vertices).
     pub fn find_seams(&mut self, mesh: &Mesh, bvh: &Bvh) {
         let counts = [bvh.triangle_count(), mesh.indices.len()];
         assert_eq!(
@@ -75,16 +74,16 @@ impl Topology {
     }
 }
 
-/// A search under way.
+/// The state of a search.
 struct Search<'a> {
     mesh: &'a Mesh,
     bvh: &'a Bvh,
     components: &'a [u32],
-    /// By component: the side that faces out, 0 where seams are of no interest; one more 0.
+    /// For each component, the side that faces outward, or 0 if its seams are not needed; and a final 0.
     sides: Vec<i32>,
     /// The triangles over welded vertices.
     welded: Vec<[u32; 3]>,
-    /// Of components of interest.
+    /// Of each triangle; `false` in components whose seams are not needed.
     has_area: Vec<bool>,
     /// The result.
     is_seam: Vec<AtomicBool>,
@@ -116,8 +115,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Marks triangles that meet others of their component where they should not. Triangles without area do not count:
-    /// no ray can tell that they are there.
+    /// Marks triangles that meet others of their component beyond shared corners and sides. Triangles without area are
+    /// ignored, because no ray hits them.
     fn mark_collisions(&self) {
         self.bvh.leaf_triangles().par_iter().for_each(|own| {
             let first = own.primitive;
@@ -125,7 +124,7 @@ impl<'a> Search<'a> {
                 return;
             }
             let face = self.face(first);
-            // It never breaks off.
+            // The visitor never stops early.
             let _ = for_each_within(self.bvh, &own.triangle().bounds(), |other| {
                 let second = other.primitive;
                 let is_pair = first < second
@@ -141,9 +140,9 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// Marks triangles around whose outer side their component winds a negative number of times. Where exactly two
-    /// triangles share an edge, and no third is in the way, the number is the same beside both: one look is enough for
-    /// all triangles that hang together so.
+    /// Marks triangles with a negative winding number of their component at their outer side. If exactly two triangles
+    /// share an edge and no third intersects there, the number is the same beside both, so one line of sight decides for a
+    /// whole patch of such triangles.
     fn mark_inverted(&self) {
         let mut patches = UnionFind::new(self.welded.len());
         let is_sound = |triangle: u32| self.has_area[triangle as usize] && !self.is_seam(triangle);
@@ -175,8 +174,8 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// How often the component winds around points just outside of a patch, positive for a solid; `None` where no look is
-    /// certain.
+    /// The component's winding number at points just outside of a patch, positive for a solid. `None` if no line of sight
+    /// is certain.
     fn outer_winding(&self, patch: &[u64]) -> Option<i32> {
         const LOOK_COUNT: usize = 24;
         (0..LOOK_COUNT).find_map(|look| {
@@ -189,7 +188,7 @@ impl<'a> Search<'a> {
         })
     }
 
-    /// The winding number at a probe on a triangle; `None` where it is not certain.
+    /// The winding number along a probe of a triangle; `None` if uncertain.
     fn winding(&self, triangle: u32, probe: &Probe) -> Option<i32> {
         let mut number = 0;
         let flow = for_each_within(self.bvh, &self.line_of_sight(probe), |other| {
@@ -208,11 +207,11 @@ impl<'a> Search<'a> {
         flow.is_continue().then_some(number)
     }
 
-    /// The part of the tree's space that a probe looks along.
+    /// The box around a probe's line of sight, in the tree's space.
     fn line_of_sight(&self, probe: &Probe) -> Aabb {
         let scale = 2_f64.powi(self.bvh.scene_exponent());
         let point = Vec3::from(probe.point.map(|x| (x * scale) as f32));
-        // Rounded once here and once in the tree: a step to both sides holds the point.
+        // Rounded once here and once in the tree, so a step to both sides contains the point.
         let step = |p: Vec3, by: fn(f32) -> f32| Vec3::new(by(p.x), by(p.y), by(p.z));
         let mut region = Aabb {
             min: step(point, next_down),
@@ -246,7 +245,8 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Where in a triangle to look from: in no simple proportion, so that lines of sight seldom meet edges of regular meshes.
+/// Barycentric coordinates of the probes' points, in no simple ratio, so that lines of sight seldom hit edges of regular
+/// meshes.
 const WEIGHTS: [[f64; 3]; 8] = [
     [0.381_966, 0.311_310, 0.306_724],
     [0.234_131, 0.414_214, 0.351_655],
@@ -258,7 +258,7 @@ const WEIGHTS: [[f64; 3]; 8] = [
     [0.436_790, 0.090_169, 0.473_041],
 ];
 
-/// The axis along which a triangle has the largest shadow.
+/// The axis along which a triangle's projection is largest.
 fn widest_axis(corners: [[f32; 3]; 3]) -> usize {
     let [a, b, c] = corners.map(|p| p.map(f64::from));
     let area = |axis: &usize| {

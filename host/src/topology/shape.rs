@@ -1,4 +1,4 @@
-//! What depends on positions: each component's box, and the sign of its volume.
+//! The facts that depend on positions: each component's box, and the sign of its volume.
 
 use super::Facts;
 use crate::Mesh;
@@ -13,23 +13,23 @@ use std::ops::Range;
 pub(super) struct Shape {
     /// Its spans.
     pub(super) spans: Range<u32>,
-    /// How many triangles it has, seams included.
+    /// The number of triangles, seams included.
     pub(super) triangle_count: u32,
-    /// How many of its triangles are seams.
+    /// The number of its triangles that are seams.
     pub(super) seam_count: u32,
     was_closed: bool,
     /// Whether every directed edge meets its reverse.
     pub(super) closed: bool,
-    /// Whether the front sides face out; `None` when not closed or not certain.
+    /// Whether the front sides face outward; `None` if open or uncertain.
     pub(super) outward: Option<bool>,
-    /// Whether seams were looked for when `outward` was not known. Then nobody knows them.
+    /// Whether `outward` was unknown at the search for seams. Then its seams are unknown.
     pub(super) barred: bool,
     /// The box around it.
     pub(super) bounds: Aabb,
 }
 
 impl Shape {
-    /// What a caller may know.
+    /// The public facts.
     pub(super) fn facts(&self) -> Facts {
         Facts {
             triangle_count: self.triangle_count as usize,
@@ -40,24 +40,24 @@ impl Shape {
         }
     }
 
-    /// Takes note that an edge has come apart.
+    /// Records that an edge has come apart.
     pub(super) fn open(&mut self) {
         self.closed = false;
         self.outward = None;
     }
 
-    /// Whether it may be reduced wherever its vertices are, as long as it is closed and has an outer side there.
+    /// Whether it may be reduced at any vertex positions at which it is closed and has an outer side.
     pub(super) fn may_be_reduced(&self) -> bool {
         self.was_closed && !self.barred
     }
 
-    /// 1 or −1 for the side that faces out, front being 1.
+    /// The side that faces outward: 1 for the front, −1 for the back.
     pub(super) fn side(&self) -> Option<i32> {
         self.outward.map(|is_front| if is_front { 1 } else { -1 })
     }
 }
 
-/// A run of faces of one component: work for one thread, summed up in the same order on any number of threads.
+/// A run of faces of one component: work for one thread, summed in an order that does not depend on the number of threads.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     component: u32,
@@ -74,7 +74,7 @@ impl Span {
     }
 }
 
-/// Sorts a mesh's triangles by component, unmeasured.
+/// Sorts a mesh's triangles by component, without measures.
 pub(super) fn group(
     mesh: &Mesh,
     labels: &[u32],
@@ -86,7 +86,7 @@ pub(super) fn group(
         all.filter(|(label, _)| **label != NONE)
     };
 
-    // A counting sort by label, from the front: `starts[label + 1]` comes to be the end.
+    // A counting sort by label, from the front: `starts[label + 1]` ends up as the end.
     for (&label, _) in labelled() {
         starts[label as usize + 1] += 1;
     }
@@ -128,14 +128,14 @@ pub(super) fn group(
     (shapes, spans, faces)
 }
 
-/// Measures all components, taking those to be closed that were so at first.
+/// Measures all components, treating those as closed that were closed at first.
 pub(super) fn measure(
     shapes: &mut [Shape],
     spans: &[Span],
     faces: &[[u32; 3]],
     vertices: &[[f32; 3]],
 ) {
-    // Boxes first: volumes are taken from the middle.
+    // Boxes first, because volumes are relative to their middle.
     let boxes: Vec<Aabb> = spans
         .par_iter()
         .map(|span| {
@@ -150,7 +150,7 @@ pub(super) fn measure(
         shape.closed = shape.was_closed;
     }
 
-    // Sum up the tetrahedra between the middle and each triangle.
+    // Sum the tetrahedra between the middle and each triangle.
     let volumes: Vec<Volume> = spans
         .par_iter()
         .map(|span| {

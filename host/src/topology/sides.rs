@@ -1,4 +1,4 @@
-//! Which side of each component faces out, for a target outside of it.
+//! The outward side of each component, for a target outside of it.
 
 use super::Topology;
 use super::distance::is_clear;
@@ -6,18 +6,18 @@ use super::shape::{Shape, Span};
 use super::solid_angle::SolidAngle;
 use rayon::prelude::*;
 
-/// Where rays come from, or lead to.
+/// Where rays come from or lead to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Target {
     /// An eye or a light.
     Point([f32; 3]),
-    /// The direction to a light infinitely far away: outside of everything.
+    /// The direction to a light at infinity: outside of everything.
     Direction([f32; 3]),
-    /// A lens, or a group of lights. Outside only where the whole ball is.
+    /// A lens, or a group of lights. Outside only if the whole ball is.
     Ball {
         /// The middle.
         center: [f32; 3],
-        /// Not below 0.
+        /// At least 0.
         radius: f32,
     },
 }
@@ -34,9 +34,9 @@ impl From<&slimbvh_core::orientation::Target> for Target {
 }
 
 impl Topology {
-    /// For each component the side that faces out, 1 for the front (counter-clockwise) and −1 for the back; 0 where the
-    /// component must stay whole: it is not closed, its volume has no certain sign, its seams are not known, or the target
-    /// is not certainly outside. One more entry, 0, stands at [`Self::component_count`].
+    /// For each component, the side that faces outward: 1 for the front (counter-clockwise), −1 for the back. 0 if the
+    /// component must stay whole: it is open, the sign of its volume is uncertain, its seams are unknown, or the target is
+    /// not certainly outside. The entry at [`Self::component_count`] is 0.
     ///
     /// Takes O(1) for a component whose box the target does not touch, else O(n).
     #[must_use]
@@ -72,7 +72,7 @@ impl Topology {
             return true;
         }
 
-        // A ball that meets no triangle is outside where its middle is. A point on a triangle has no winding number.
+        // A ball that meets no triangle is outside if its middle is. A point on a triangle has no winding number.
         let spans = &self.spans[shape.spans.start as usize..shape.spans.end as usize];
         if radius > 0.0 {
             let clear = |span: &Span| {
@@ -100,7 +100,7 @@ impl Topology {
     }
 }
 
-/// Whether a ball certainly does not touch a component's box.
+/// Whether a ball is certainly clear of a component's box.
 fn is_clear_of_box(shape: &Shape, center: [f64; 3], radius: f64) -> bool {
     let gap = |axis: usize| {
         let low = f64::from(shape.bounds.min[axis]) - center[axis];

@@ -1,37 +1,37 @@
-//! How often a surface winds around a point.
+//! The winding number of a surface around a point, by solid angles.
 
 use crate::analysis::seen_from;
 
-/// A sum of the angles that triangles span as seen from a point: van Oosterom and Strackee 1983, "The Solid Angle of a
-/// Plane Triangle", halved, so that a closed surface spans 2π.
+/// The sum of the solid angles of triangles at a point, halved, so that a closed surface spans 2π (van Oosterom and
+/// Strackee 1983, "The Solid Angle of a Plane Triangle").
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SolidAngle {
     half: f64,
-    /// Bound on the error of `half`; infinite where the point may lie on a triangle.
+    /// A bound on the error of `half`; infinite if the point may lie on a triangle.
     error: f64,
 }
 
-/// Bound on the rounding errors of both of the formula's terms, when both are divided by the product of the distances:
-/// no more than 30 roundings in a row, of sums of magnitudes below 4.
+/// A bound on the rounding errors of both terms of the formula, divided by the product of the distances: at most 30
+/// successive roundings of sums of magnitudes below 4.
 const TERM_ERROR: f64 = 64.0 * f64::EPSILON;
 
-/// So many small angles are added by multiplying complex numbers: each below an eighth, they stay below π together.
+/// This many small angles are added by multiplying complex numbers: each is below an eighth, so the sum stays below π.
 const LONGEST_PRODUCT: u32 = 16;
 
 impl SolidAngle {
-    /// What triangles span as seen from a point, positive from behind.
+    /// The solid angle of triangles at a point, positive from behind.
     pub fn of(triangles: impl Iterator<Item = [[f32; 3]; 3]>, point: [f64; 3]) -> Self {
         let mut sum = Self::default();
         let (mut product, mut factor_count) = ((1.0, 0.0), 0);
         for corners in triangles {
             let (x, y) = term(seen_from(point, corners));
             let size = (x * x + y * y).sqrt();
-            // Near the branch cut, where the point may be on the triangle, both signs are possible.
+            // Near the branch cut, if the point may be on the triangle, either sign is possible.
             if x.is_nan() || (x <= TERM_ERROR && y.abs() <= TERM_ERROR) {
                 sum.error = f64::INFINITY;
                 return sum;
             }
-            // The second part is for the product or the arc tangent, and the sum.
+            // The second term covers the product or the arc tangent, and the sum.
             sum.error += 2.0 * TERM_ERROR / size + 16.0 * f64::EPSILON;
 
             if y.abs() * 8.0 < x {
@@ -49,7 +49,7 @@ impl SolidAngle {
         sum
     }
 
-    /// Both parts together.
+    /// The sum of both.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self {
@@ -58,8 +58,8 @@ impl SolidAngle {
         }
     }
 
-    /// How often the surface winds around the point: 0 outside, 1 in a solid whose front sides face out. `None` where that
-    /// is not certain, and for open surfaces.
+    /// The winding number of the surface around the point: 0 outside, 1 inside a solid whose front sides face outward.
+    /// `None` if uncertain, and for open surfaces.
     #[must_use]
     pub fn winding_number(&self) -> Option<i32> {
         const TOLERANCE: f64 = 0.01;
@@ -71,7 +71,7 @@ impl SolidAngle {
 }
 
 /// Denominator and numerator of the tangent of half the solid angle, both divided by the product of the three distances.
-/// NaN where a corner lies at the point.
+/// NaN if a corner lies at the point.
 fn term([a, b, c]: [[f64; 3]; 3]) -> (f64, f64) {
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let [length_a, length_b, length_c] = [a, b, c].map(|v| dot(v, v).sqrt());
@@ -88,7 +88,7 @@ fn term([a, b, c]: [[f64; 3]; 3]) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// A tetrahedron, front sides out.
+    /// A tetrahedron whose front sides face outward.
     const SOLID: [[[f32; 3]; 3]; 4] = {
         let [o, x, y, z] = [
             [0.0, 0.0, 0.0],
@@ -112,14 +112,14 @@ mod tests {
         assert_eq!(winding_number(&SOLID, [0.3, 0.2, 0.0]), None);
         assert_eq!(winding_number(&SOLID, [0.3, 0.0, 0.0]), None);
         assert_eq!(winding_number(&SOLID, [2.0, 0.0, 0.0]), None);
-        // In the plane of a side, but beside it.
+        // In the plane of a side, but outside of it.
         assert_eq!(winding_number(&SOLID, [-1.0, 2.0, 0.0]), Some(0));
         assert_eq!(winding_number(&SOLID[..3], [0.3, 0.2, 0.4]), None);
     }
 
     #[test]
     fn products_of_small_angles_do_not_lose_turns() {
-        // Many thin cones make up the floor of a pyramid.
+        // A pyramid's floor of many thin triangles.
         let count = 1000;
         let rim = |i: u32| {
             let (sin, cos) =

@@ -1,4 +1,4 @@
-//! Laws of [`Topology`], each with a control that would fail if the law were empty.
+//! Laws of [`Topology`], each with a control that would fail if the law were vacuous.
 
 mod facts;
 mod oracle;
@@ -17,14 +17,14 @@ fn build(mesh: &Mesh) -> Bvh {
     builder.build(mesh).expect("the mesh is sound")
 }
 
-/// What is known after seams have been looked for.
+/// A topology after the search for seams.
 fn with_seams(mesh: &Mesh) -> Topology {
     let mut topology = Topology::new(mesh);
     topology.find_seams(mesh, &build(mesh));
     topology
 }
 
-/// For each triangle whether it is always kept.
+/// For each triangle, whether it stays in every set.
 fn kept(topology: &Topology) -> Vec<bool> {
     let labels = topology.components().iter();
     labels

@@ -1,4 +1,4 @@
-//! Triangles near a box, by the tree.
+//! Triangles near a box, found with the tree.
 
 use crate::Bvh;
 use glam::Vec3;
@@ -6,7 +6,7 @@ use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
 use std::ops::ControlFlow;
 
-/// Shows every triangle whose box touches a region, in the tree's magnitude, until told to stop.
+/// Visits every triangle whose box touches a region, at the tree's magnitude, until the visitor stops.
 pub(super) fn for_each_within(
     bvh: &Bvh,
     region: &Aabb,
@@ -30,7 +30,7 @@ pub(super) fn for_each_within(
                 }
             }
         } else {
-            // Both may wait: one entry a level, and one more.
+            // Both children may wait: one entry a level, plus one.
             let node = &nodes[cursor.index() as usize];
             for (child, bounds) in [(node.left, node.left_box()), (node.right, node.right_box())] {
                 if touch(&bounds, region) {

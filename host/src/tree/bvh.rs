@@ -1,4 +1,4 @@
-//! A built hierarchy, and the questions it answers about one ray.
+//! A built hierarchy and its ray queries.
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::packets::filter_of;
@@ -15,7 +15,7 @@ use slimbvh_core::trace::{
 };
 use slimbvh_core::{LeafTriangle, Node};
 
-/// A bounding volume hierarchy over a mesh. Filled by a [`crate::Builder`], which can fill it again without allocating.
+/// A bounding volume hierarchy over a mesh. A [`crate::Builder`] fills it, and can fill it again without allocating.
 #[derive(Clone, Debug, Default)]
 pub struct Bvh {
     pub(crate) stored: StoredTree,
@@ -26,14 +26,14 @@ pub struct Bvh {
 }
 
 impl Bvh {
-    /// The hit with the smallest t, and among equals with the smallest primitive index; [`Hit::MISS`] where there is none.
+    /// The hit with the smallest t; among equals, the smallest primitive index. [`Hit::MISS`] if there is no hit.
     ///
-    /// Rays are in the mesh's unit. A ray with a zero direction, or with a NaN or infinite number in it (an
-    /// infinite `t_max` aside), hits nothing.
+    /// Rays are in the mesh's unit. A ray with a zero direction, or with a NaN or infinite component (except an infinite
+    /// `t_max`), hits nothing.
     #[must_use]
     pub fn closest_hit(&self, ray: &Ray) -> Hit {
         let prepared = PreparedRay::new(ray, self.scene_exponent);
-        // A plain tree has a collector of its own: it is the fastest.
+        // Plain trees use a specialised collector, which is the fastest.
         let Some(plain) = self.stored.as_plain() else {
             let hit = self.trace_alone(&prepared, ClosestOrAny::closest(prepared.t_max));
             return prepared.restore(hit);
@@ -43,7 +43,7 @@ impl Bvh {
         prepared.restore(collector.hit)
     }
 
-    /// Whether the ray meets anything; stops at the first triangle found.
+    /// Whether the ray hits any triangle; stops at the first hit found.
     #[doc(alias = "occluded")]
     #[must_use]
     pub fn any_hit(&self, ray: &Ray) -> bool {
@@ -57,7 +57,7 @@ impl Bvh {
         collector.found
     }
 
-    /// The K hits with the smallest `(t, primitive)`, in order; [`Hit::MISS`] fills what is left.
+    /// The K hits with the smallest `(t, primitive)`, in order, padded with [`Hit::MISS`].
     #[must_use]
     pub fn nearest_hits<const K: usize>(&self, ray: &Ray) -> [Hit; K] {
         if let Some(plain) = self.stored.as_plain() {
@@ -100,9 +100,9 @@ impl Bvh {
         });
     }
 
-    /// Traces one ray with any collector, which may count the nodes and triangles on the way. Slower than the other questions.
+    /// Traces one ray with any collector, for example one that counts nodes and triangles. Slower than the other queries.
     pub fn collect(&self, ray: &PreparedRay, skip: u32, collector: &mut dyn Collector) {
-        // The collector may use this thread's stacks.
+        // The collector may use this thread's stacks itself.
         if let Some(plain) = self.stored.as_plain() {
             let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
             let collector = &mut Shared(collector);
@@ -112,7 +112,7 @@ impl Bvh {
         }
     }
 
-    /// The same tree with nodes and triangles in full, as they are decoded.
+    /// The same tree, decoded: nodes and triangles in full.
     #[must_use]
     pub fn decoded(&self) -> Self {
         match self.stored.as_plain() {
@@ -124,7 +124,7 @@ impl Bvh {
         }
     }
 
-    /// The cost of tracing it: [`sah_cost`] of its nodes, as they are decoded.
+    /// The expected cost of tracing: [`sah_cost`] of the decoded nodes.
     #[must_use]
     pub fn sah_cost(&self) -> f64 {
         match self.stored.as_plain() {
@@ -133,14 +133,15 @@ impl Bvh {
         }
     }
 
-    /// The bytes of the nodes, and of the triangles in leaf order. The same tree has the same bytes on every backend.
+    /// The bytes of the nodes, and those of the triangles in leaf order. Every backend stores the same tree in the same
+    /// bytes.
     #[must_use]
     pub fn stored(&self) -> [&[u8]; 2] {
         let lists = self.stored.lists().lists();
         lists.map(|list| bytemuck::cast_slice(list.words))
     }
 
-    /// The root's box, where nodes are stored in a codec, and the exponent of its step, where it has one, as words.
+    /// The root's box and, on a lattice, the exponent of its step, as words. `None` for plain nodes.
     #[must_use]
     pub fn root_words(&self) -> Option<RootWords> {
         self.stored.lists().root_words()
@@ -152,7 +153,7 @@ impl Bvh {
         self.stored.lists().codecs(self.scene_exponent)
     }
 
-    /// Sets the bounds of the mesh, and the exponent that follows from them.
+    /// Sets the mesh's bounds and the exponent that follows from them.
     pub(crate) fn set_bounds(&mut self, bounds: Aabb) {
         self.bounds = (!bounds.is_empty()).then_some(bounds);
         self.scene_exponent = scene_exponent(&bounds);
@@ -164,13 +165,13 @@ impl Bvh {
         self.bounds
     }
 
-    /// The number of triangles in it.
+    /// The number of triangles in the hierarchy.
     #[must_use]
     pub fn triangle_count(&self) -> usize {
         self.stored.lists().triangle_count()
     }
 
-    /// The number of triangles of the mesh that it was built over. A reduced hierarchy leaves some out.
+    /// The number of triangles in the mesh it was built over. A reduced hierarchy holds fewer.
     #[must_use]
     pub fn mesh_triangle_count(&self) -> usize {
         self.mesh_triangle_count
@@ -194,44 +195,44 @@ impl Bvh {
         self.stored()[1].len()
     }
 
-    /// Bytes of the buffers of both lists, which may be larger than the lists.
+    /// Bytes of the two buffers, which may be larger than the lists.
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         self.stored.lists().held_bytes()
     }
 
-    /// An upper bound of the nodes on a path from the root.
+    /// An upper bound on the nodes along a path from the root.
     #[must_use]
     pub fn depth_bound(&self) -> u32 {
         self.depth_bound
     }
 
-    /// Stored coordinates are the mesh's times two to this power.
+    /// Stored coordinates are the mesh's, times two to this power.
     #[must_use]
     pub fn scene_exponent(&self) -> i32 {
         self.scene_exponent
     }
 
-    /// The nodes, the root first; none where they are stored in a codec.
+    /// The nodes, the root first; empty if a codec stores them.
     #[must_use]
     pub fn nodes(&self) -> &[Node] {
         self.stored.as_plain().map_or(&[], |plain| &plain.nodes)
     }
 
-    /// The triangles in leaf order, carried to magnitude 1; none where they are stored in a codec.
+    /// The triangles in leaf order, scaled to magnitude 1; empty if a codec stores them.
     #[must_use]
     pub fn leaf_triangles(&self) -> &[LeafTriangle] {
         let full = self.stored.lists().full_triangles();
         full.map_or(&[], Vec::as_slice)
     }
 
-    /// [`Self::nodes`], as the tracer reads them.
+    /// [`Self::nodes`] as a source for the traversal.
     #[must_use]
     pub fn node_source(&self) -> PlainNodes<'_> {
         PlainNodes(self.nodes())
     }
 
-    /// [`Self::leaf_triangles`], as the tracer reads them.
+    /// [`Self::leaf_triangles`] as a source for the traversal.
     #[must_use]
     pub fn triangle_source(&self) -> LeafTriangles<'_> {
         LeafTriangles(self.leaf_triangles())

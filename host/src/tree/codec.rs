@@ -1,4 +1,4 @@
-//! Codecs of nodes and triangles: their names, their tags in files, and which go together.
+//! Codecs of nodes and triangles: names, tags in files, and valid pairs.
 
 use slimbvh_core::Node;
 use slimbvh_core::encode::{LeafWidth, Paper10Node};
@@ -10,10 +10,10 @@ pub enum NodeCodec {
     /// 64 bytes: both children's boxes in full.
     #[default]
     F32,
-    /// 24 bytes: planes in 10 bits between those of the parent, by floats, as in the paper on compressed hierarchies and
-    /// meshes.
+    /// 24 bytes: 10-bit planes between those of the parent, decoded with floats. From the paper on compressed hierarchies
+    /// and meshes.
     Paper10,
-    /// 12 to 28 bytes: distances to the parent's planes, by integers.
+    /// 12 to 28 bytes: integer distances to the parent's planes.
     Lattice(LatticeBits),
 }
 
@@ -31,7 +31,7 @@ impl NodeCodec {
         Self::Lattice(LatticeBits::Q21),
     ];
 
-    /// The name, as in options and reports.
+    /// The name in options and reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -41,7 +41,7 @@ impl NodeCodec {
         }
     }
 
-    /// The codec of this name.
+    /// The codec with this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|codec| codec.name() == name)
@@ -57,7 +57,7 @@ impl NodeCodec {
         }
     }
 
-    /// The tag in files, and the bits of a plane on the lattice.
+    /// The tag in files, and the bits of a lattice plane.
     #[cfg(feature = "scenes")]
     const fn tags(self) -> [u32; 2] {
         match self {
@@ -87,7 +87,7 @@ pub enum LatticeBits {
     Q21,
 }
 
-/// Calls a function that is generic over the bits of a plane, the words of a node, and perhaps a type.
+/// Calls a function that is generic over the bits of a plane, the words of a node, and optionally a type.
 macro_rules! by_bits {
     ($bits:expr, $function:ident $(::<$type:ty>)? ($($argument:expr),* $(,)?)) => {
         match $bits {
@@ -104,7 +104,7 @@ macro_rules! by_bits {
 pub(crate) use by_bits;
 
 impl LatticeBits {
-    /// All codecs.
+    /// All widths.
     pub const ALL: [Self; 7] = [
         Self::Q4,
         Self::Q6,
@@ -129,7 +129,7 @@ impl LatticeBits {
         }
     }
 
-    /// The name, as in options and reports.
+    /// The name in options and reports.
     const fn name(self) -> &'static str {
         match self {
             Self::Q4 => "q4",
@@ -154,11 +154,11 @@ pub enum MeshCodec {
     /// 40 bytes: nine floats and the index.
     #[default]
     F32,
-    /// 16 bytes: 10 bits a coordinate in the leaf's box, as in the paper on compressed hierarchies and meshes. Vertices move, each
-    /// leaf's by itself: surfaces crack. Goes with [`NodeCodec::Paper10`].
+    /// 16 bytes: 10 bits a coordinate in the leaf's box, from the paper on compressed hierarchies and meshes. Each leaf
+    /// moves its vertices independently, so surfaces crack. Requires [`NodeCodec::Paper10`].
     Leaf10,
-    /// 16, 28 or 40 bytes, as a leaf needs: exact, over a mesh whose vertices lie on a lattice ([`crate::Mesh::snap`]). Goes
-    /// with [`NodeCodec::Lattice`].
+    /// 16, 28 or 40 bytes, the least that the leaf allows. Exact if the mesh's vertices lie on a lattice
+    /// ([`crate::Mesh::snap`]). Requires [`NodeCodec::Lattice`].
     Lattice {
         /// The lattice's step is 2 to this power, in the mesh's unit.
         step_exponent: i32,
@@ -166,10 +166,10 @@ pub enum MeshCodec {
 }
 
 impl MeshCodec {
-    /// One of each kind; a lattice has step 1, until [`Self::with_step`] gives it another.
+    /// One codec of each kind. The lattice has step 1; [`Self::with_step`] sets another.
     pub const ALL: [Self; 3] = [Self::F32, Self::Leaf10, Self::Lattice { step_exponent: 0 }];
 
-    /// The name, as in options and reports.
+    /// The name in options and reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -179,25 +179,25 @@ impl MeshCodec {
         }
     }
 
-    /// The codec of this name; [one](Self::ALL) of its kind.
+    /// The codec with this name, [one](Self::ALL) of its kind.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|codec| codec.name() == name)
     }
 
-    /// One line on what triangles take, and which nodes they need.
+    /// One line: bytes a triangle, and the nodes required.
     #[must_use]
     pub const fn summary(self) -> &'static str {
         match self {
             Self::F32 => "40 bytes a triangle",
-            Self::Leaf10 => "16 bytes a triangle; goes with paper10 nodes",
+            Self::Leaf10 => "16 bytes a triangle; requires paper10 nodes",
             Self::Lattice { .. } => {
-                "16, 28 or 40 bytes a triangle, as each leaf needs; goes with nodes on a lattice"
+                "16, 28 or 40 bytes a triangle, the least that each leaf allows; requires lattice nodes"
             }
         }
     }
 
-    /// The exponent of the lattice's step, where triangles are on one.
+    /// The exponent of the lattice's step, if triangles are on a lattice.
     #[must_use]
     pub const fn step_exponent(self) -> Option<i32> {
         match self {
@@ -206,7 +206,7 @@ impl MeshCodec {
         }
     }
 
-    /// The codec with a lattice of this step, where triangles are on one; without a step they are in full.
+    /// The codec with another lattice step, if triangles are on a lattice. Without a step they are stored in full.
     #[must_use]
     pub fn with_step(self, step_exponent: Option<i32>) -> Self {
         match self {
@@ -217,13 +217,13 @@ impl MeshCodec {
         }
     }
 
-    /// Whether the codec moves vertices by itself, so that no exact decision about triangles holds for what it stores.
+    /// Whether encoding moves vertices. Then no exact decision about the mesh's triangles holds for the stored ones.
     #[must_use]
     pub const fn moves_vertices(self) -> bool {
         matches!(self, Self::Leaf10)
     }
 
-    /// The nodes that go with the triangles where none are asked for.
+    /// The nodes used with these triangles by default.
     #[must_use]
     pub const fn default_nodes(self) -> NodeCodec {
         match self {
@@ -233,7 +233,7 @@ impl MeshCodec {
         }
     }
 
-    /// All nodes that go with the triangles.
+    /// All nodes that can be combined with these triangles.
     pub fn nodes(self) -> impl Iterator<Item = NodeCodec> {
         let all = NodeCodec::ALL.into_iter();
         all.filter(move |nodes| check_codecs(*nodes, self).is_ok())
@@ -250,14 +250,14 @@ impl MeshCodec {
     }
 }
 
-/// Tags of codecs in files: of nodes, bits of a plane on the lattice, of triangles.
+/// Tags of codecs in files: nodes, bits of a lattice plane, triangles.
 #[cfg(feature = "scenes")]
 pub(crate) const fn tags((nodes, mesh): (NodeCodec, MeshCodec)) -> [u32; 3] {
     let [nodes, bits] = nodes.tags();
     [nodes, bits, mesh.tag()]
 }
 
-/// The codecs with these [`tags`], on a lattice of this step; none where tags are unknown or do not go together.
+/// The codecs with these [`tags`] and this lattice step. `None` for unknown tags and invalid pairs.
 #[cfg(feature = "scenes")]
 pub(crate) fn tagged(
     [nodes, bits, mesh]: [u32; 3],
@@ -271,7 +271,7 @@ pub(crate) fn tagged(
     Some((nodes, mesh.with_step(Some(step_exponent))))
 }
 
-/// The largest number of triangles: links are indices of words, and a triangle may take ten.
+/// The largest number of triangles. Links index words, and a triangle takes up to ten.
 pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
     const MOST: usize = slimbvh_core::MAX_TRIANGLES as usize;
     match mesh {
@@ -280,22 +280,22 @@ pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
     }
 }
 
-/// Codecs that do not go together.
+/// Codecs that cannot be combined.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum CodecError {
-    /// Triangles are coded in leaf boxes of the paper10 codec.
-    #[error("triangles of 10 bits in their leaf's box go with paper10 nodes only")]
+    /// Triangles are coded relative to leaf boxes of the paper10 codec.
+    #[error("triangles of 10 bits in their leaf's box require paper10 nodes")]
     Leaf10WithoutPaper10,
-    /// Triangles are coded in leaf boxes of the lattice codec.
-    #[error("triangles on a lattice go with nodes on a lattice only")]
+    /// Triangles are coded relative to leaf boxes of the lattice codec.
+    #[error("triangles on a lattice require nodes on a lattice")]
     LatticeWithout,
 }
 
-/// Checks that nodes and triangles go together.
+/// Checks that nodes and triangles can be combined.
 ///
 /// # Errors
-/// If the codec of triangles needs other nodes.
+/// If the triangles' codec requires other nodes.
 pub const fn check_codecs(nodes: NodeCodec, mesh: MeshCodec) -> Result<(), CodecError> {
     match (nodes, mesh) {
         (_, MeshCodec::F32)

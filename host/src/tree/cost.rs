@@ -2,10 +2,10 @@
 
 use slimbvh_core::{Node, NodeRef};
 
-/// The expected cost of a ray that meets the root's box, at 1 a node opened and 1 a triangle tested: the surface area
-/// heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990).
-/// Changes with neither the place nor the scale of the tree. 0 for a tree without triangles. Where large triangles have most
-/// of the area, as wide ground has, they have most of the cost, and small things on it count for little.
+/// The expected cost of a ray that hits the root's box, at 1 for each opened node and 1 for each tested triangle: the
+/// surface area heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990). Independent of
+/// position and scale. 0 for a tree without triangles. Large triangles dominate the cost: with a wide ground plane, small
+/// objects on it count for little.
 ///
 /// `nodes` are those of a [`crate::Bvh`], the root first.
 #[must_use]
@@ -29,7 +29,7 @@ pub fn sah_cost(nodes: &[Node]) -> f64 {
     if root_area > 0.0 {
         1.0 + nodes.iter().map(area).sum::<f64>() / root_area
     } else {
-        // A tree without an area is met by no ray, or as a point by those that meet all of it.
+        // A tree without area is missed by every ray; a single point is hit by rays that hit all of it.
         nodes
             .iter()
             .map(|node| weight(node.left) + weight(node.right))
@@ -76,7 +76,7 @@ mod tests {
         assert_eq!(sah_cost(&[]), 0.0);
     }
 
-    /// Triangles that change places make the boxes of a refitted tree large.
+    /// Exchanged triangles make the boxes of a refitted tree large.
     #[test]
     fn scale_does_not_matter_and_disorder_does() {
         let strip = |scale: f32| {

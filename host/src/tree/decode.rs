@@ -1,4 +1,4 @@
-//! From codecs back to nodes and triangles in full.
+//! Decoding: from a codec to nodes and triangles in full.
 
 use super::plain::PlainTree;
 use super::sources::{StoredNodes, StoredTriangles};
@@ -7,7 +7,7 @@ use super::visitor::TreeVisitor;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 
 impl StoredTree {
-    /// The same tree in full: boxes as they are decoded, triangles in leaf order.
+    /// The same tree in full: decoded boxes, triangles in leaf order.
     pub fn decode(&self) -> PlainTree {
         self.visit(Decode)
     }
@@ -32,7 +32,7 @@ impl TreeVisitor for Decode {
     }
 }
 
-/// Gathers what is decoded, from the left to the right.
+/// Collects decoded nodes and triangles from left to right.
 struct Decoder<'a, N, T> {
     from: (&'a N, &'a T),
     nodes: Vec<Node>,
@@ -40,7 +40,7 @@ struct Decoder<'a, N, T> {
 }
 
 impl<N: StoredNodes, T: StoredTriangles<N>> Decoder<'_, N, T> {
-    /// Decodes a node, or a leaf, and all below it. Returns its parent's link to it.
+    /// Decodes a node or a leaf, and everything below it. Returns the parent's link to it.
     fn open(&mut self, node: NodeRef, bounds: &N::Box) -> NodeRef {
         let (nodes, triangles) = self.from;
         let first = self.triangles.len() as u32;

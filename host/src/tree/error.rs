@@ -1,4 +1,4 @@
-//! Faults of a hierarchy.
+//! Faults of a hierarchy and of a refit.
 
 use crate::MeshError;
 use thiserror::Error;
@@ -7,10 +7,10 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum TreeError {
-    /// There is no node.
+    /// The hierarchy has no node.
     #[error("the hierarchy has no root; build it first")]
     NoRoot,
-    /// More triangles than can be numbered, or than the mesh has.
+    /// More triangles than node references can index, or than the mesh has.
     #[error(
         "the hierarchy has {triangle_count} triangles of a mesh of {mesh_triangle_count}, of which at most {limit} can be numbered"
     )]
@@ -23,9 +23,9 @@ pub enum TreeError {
         limit: usize,
     },
     /// The bounds are not finite, inverted, or missing though there are triangles.
-    #[error("the box around the mesh is not one")]
+    #[error("the box around the mesh is not a valid box")]
     Bounds,
-    /// The exponent does not bring coordinates to magnitude 1.
+    /// The exponent does not scale coordinates to magnitude 1.
     #[error("the scene's exponent is {exponent}; by its bounds it must be {expected}")]
     SceneExponent {
         /// The exponent, as stored.
@@ -33,8 +33,8 @@ pub enum TreeError {
         /// The exponent that follows from the bounds.
         expected: i32,
     },
-    /// Paths may be longer than the traversal's stack.
-    #[error("paths of up to {bound} nodes are announced; at most {limit} can be traced")]
+    /// Paths may exceed the traversal's stack.
+    #[error("the depth bound is {bound} nodes; at most {limit} can be traced")]
     DepthBound {
         /// The depth bound, as stored.
         bound: u32,
@@ -47,12 +47,12 @@ pub enum TreeError {
         /// The step is 2 to this power, at the scene's magnitude.
         step_exponent: i32,
     },
-    /// The root's box is not in the scene, or has more steps than floats can count.
-    #[error("the root's box is not one that boxes can be decoded from")]
+    /// The root's box lies outside the scene, or has more steps than floats can count.
+    #[error("no boxes can be decoded from the root's box")]
     RootBox,
-    /// A child is out of order. Below the root, nodes lie in the order of their triangles, each left child right before
-    /// the right one, so that each node has one parent.
-    #[error("node {node} names node {child} as a child, which is not there or has another place")]
+    /// A child is out of order. Nodes below the root lie in the order of their triangles, each left child directly before
+    /// the right one; so each node has exactly one parent.
+    #[error("node {node} names node {child} as a child, which does not exist or is out of order")]
     ChildOutOfPlace {
         /// The parent.
         node: u32,
@@ -83,12 +83,12 @@ pub enum TreeError {
         /// The largest number.
         limit: u32,
     },
-    /// An inner node has so few triangles that they must be a leaf.
-    #[error("node {node} has {count} triangles below it; so few are a leaf")]
+    /// An inner node has so few triangles that it must be a leaf.
+    #[error("node {node} has {count} triangles below it; so few must be a leaf")]
     NodeSize {
         /// The node.
         node: u32,
-        /// How many.
+        /// Triangles below it.
         count: u32,
     },
     /// A leaf does not begin where the one before it ends.
@@ -109,16 +109,16 @@ pub enum TreeError {
         /// The number of places.
         count: usize,
     },
-    /// The leaves hold another number of triangles than the hierarchy stores.
-    #[error("there are {found} triangles in leaves, {expected} are announced")]
+    /// The leaves hold a different number of triangles than the hierarchy states.
+    #[error("leaves hold {found} triangles, but the hierarchy states {expected}")]
     LeafCount {
         /// Triangles in leaves.
         found: u32,
         /// Triangles of the hierarchy, as stored.
         expected: usize,
     },
-    /// A node stores another run of triangles than that of its leaves.
-    #[error("node {node} says that it covers triangles {first} to {last}, which it does not")]
+    /// A node states a different run of triangles than that of its leaves.
+    #[error("node {node} states triangles {first} to {last}, but its leaves hold others")]
     WrongRun {
         /// The node.
         node: u32,
@@ -128,13 +128,13 @@ pub enum TreeError {
         last: u32,
     },
     /// A child's box is inverted, not finite, or larger than the scene can be.
-    #[error("a child of node {node} has a box that is not one of the scene")]
+    #[error("a child of node {node} has an invalid box or one outside the scene")]
     BadBox {
         /// The parent.
         node: u32,
     },
-    /// A child's box does not contain the triangles below it: rays would miss them.
-    #[error("a child of node {node} has a box that leaves out some of what is below it")]
+    /// A child's box does not contain the triangles below it, so rays would miss them.
+    #[error("a child of node {node} has a box that does not contain all triangles below it")]
     BoxTooSmall {
         /// The parent.
         node: u32,
@@ -142,20 +142,20 @@ pub enum TreeError {
     /// A triangle in a leaf has a corner that is NaN or infinite.
     #[error("the triangle at place {place} has a corner that is not finite")]
     NotFinite {
-        /// Its place in leaf order; on the lattice in words.
+        /// Its position in leaf order; on the lattice, in words.
         place: u32,
     },
-    /// A leaf's triangle is not one of the mesh, or occurs twice.
+    /// A leaf's triangle is not in the mesh, or occurs twice.
     #[error(
-        "the triangle at place {place} is the mesh's number {primitive}, which is not there or there twice"
+        "the triangle at place {place} is the mesh's number {primitive}, which does not exist or occurs twice"
     )]
     BadPrimitive {
-        /// Its place in leaf order; on the lattice in words.
+        /// Its position in leaf order; on the lattice, in words.
         place: u32,
-        /// Its number in the mesh.
+        /// Its index in the mesh.
         primitive: u32,
     },
-    /// The mesh has another number of triangles than that of the build.
+    /// The mesh has a different number of triangles than the one of the build.
     #[error("the mesh has {triangle_count} triangles, the hierarchy was built over {expected}")]
     OtherMesh {
         /// Triangles of the mesh.
@@ -166,24 +166,24 @@ pub enum TreeError {
     /// The mesh has moved since the build.
     #[error("the mesh has other bounds than the hierarchy")]
     OtherBounds,
-    /// A leaf's triangle has other corners than the mesh's.
+    /// A leaf's triangle has different corners than the mesh's.
     #[error("the triangle at place {place} has other corners than the mesh's number {primitive}")]
     OtherCorners {
-        /// Its place in leaf order; on the lattice in words.
+        /// Its position in leaf order; on the lattice, in words.
         place: u32,
-        /// Its number in the mesh.
+        /// Its index in the mesh.
         primitive: u32,
     },
 }
 
-/// Why a hierarchy cannot be moved to a mesh.
+/// Why a hierarchy cannot be refitted to a mesh.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum RefitError {
-    /// The mesh itself is unfit.
+    /// The mesh itself is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// It is another mesh.
+    /// The mesh is another one.
     #[error("the mesh has {triangle_count} triangles, the hierarchy {expected}; build a new one")]
     TriangleCount {
         /// Triangles of the mesh.
@@ -191,7 +191,7 @@ pub enum RefitError {
         /// Triangles of the hierarchy.
         expected: usize,
     },
-    /// It leaves out triangles that may be needed now.
+    /// The hierarchy is reduced: it lacks triangles that may be needed now.
     #[error("the hierarchy is reduced; build it again when the triangles have moved")]
     Reduced,
 }

@@ -1,6 +1,6 @@
-//! Numbers of the rays of a packet, in as few registers as the processor has that this is compiled for.
+//! The numbers of a packet's rays, in as few registers as the target has.
 //!
-//! That is two of four numbers anywhere, and one of eight with `-C target-cpu=native` where there is AVX.
+//! Two registers of four numbers anywhere; one of eight with AVX (`-C target-cpu=native`).
 
 use slimbvh_core::lanes::{Lanes, Wide};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -9,8 +9,8 @@ use wide::f32x8;
 /// Rays in a packet. Measured against 16: docs/measured.md.
 pub const LANES: usize = 8;
 
-/// Eight numbers. The smaller and the larger of two are the second where they are equal, so that of two zeros it is the same
-/// everywhere: as x86 has it in one instruction, others in two.
+/// Eight numbers. Minimum and maximum return the second operand if both are equal, as x86 does in one instruction, so that
+/// the choice between −0 and +0 is the same on every processor.
 #[derive(Clone, Copy, Debug)]
 pub struct Numbers(f32x8);
 
@@ -168,7 +168,7 @@ mod tests {
         numbers.to_array().map(bits)
     }
 
-    /// All that there is to compute with two numbers and a third.
+    /// All operations on two numbers and a third.
     fn all<W: Wide<8>>(a: [f32; 8], b: [f32; 8], c: f32) -> (Vec<[u32; 8]>, Vec<u32>) {
         let (x, y) = (W::from_array(a), W::from_array(b));
         let (at_most, at_least) = (x.at_most(y), x.at_least(y));

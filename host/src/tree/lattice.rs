@@ -1,4 +1,4 @@
-//! A tree in the lattice codec: planes, and perhaps triangles, on a lattice of a power of two, by integers.
+//! A tree in the lattice codec: integer planes, and optionally triangles, on a lattice whose step is a power of two.
 
 use super::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use super::error::TreeError;
@@ -20,7 +20,7 @@ use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
 pub struct LatticeTree {
     pub bits: LatticeBits,
     pub root: LatticeBox,
-    /// The step is 2 to this power, in the scene's magnitude.
+    /// The step is 2 to this power, at the scene's magnitude.
     pub step_exponent: i32,
     /// The nodes.
     pub words: Vec<u32>,
@@ -32,12 +32,12 @@ pub struct LatticeTree {
 pub enum LatticeMesh {
     /// In full.
     Full(Vec<LeafTriangle>),
-    /// On the lattice, each in as many words as its leaf needs.
+    /// On the lattice, each in the number of words that its leaf needs.
     Lattice { words: Vec<u32>, count: usize },
 }
 
 impl LatticeMesh {
-    /// The buffer of words, if there is one.
+    /// The buffer of words; empty for triangles in full.
     pub fn into_words(self) -> Vec<u32> {
         match self {
             Self::Lattice { words, .. } => words,
@@ -46,15 +46,15 @@ impl LatticeMesh {
     }
 }
 
-/// The powers of two that are floats of full precision.
+/// Steps below are not normal floats.
 const SMALLEST_STEP: i32 = -126;
 const LARGEST_STEP: i32 = 127;
 
-/// The largest number of steps for which floats hold all planes, and the extents between them have the right exponent.
+/// The largest number of steps for which floats hold all planes exactly, and extents between them have the right exponent.
 const MOST_STEPS: u32 = (1 << 24) - 1;
 
 impl LatticeTree {
-    /// The buffers of a tree that is to be replaced, where it is in this codec.
+    /// The buffers of a tree to be replaced, if it uses this codec.
     pub fn reuse(tree: StoredTree) -> Self {
         match tree {
             StoredTree::Lattice(tree) => tree,
@@ -77,7 +77,7 @@ impl LatticeTree {
         by_bits!(self.bits, visit::<V>(self, visitor))
     }
 
-    /// A tree with this root and the lists of a reader.
+    /// A tree with this root, its lists read by a reader.
     pub fn read<R: ListReader>(
         (bits, mesh): (LatticeBits, MeshCodec),
         root: &RootWords,
@@ -101,7 +101,7 @@ impl LatticeTree {
     }
 }
 
-// Functions of their own: one for all would be too large to be compiled well.
+// Separate functions: one for all widths would be too large to optimise well.
 #[inline(never)]
 fn visit<const BITS: u32, const WORDS: usize, V: TreeVisitor>(
     tree: &LatticeTree,

@@ -1,8 +1,8 @@
 //! The stored tree: plain, or in a codec; its sources for the traversal, its validation, its cost and its lists for files.
 //!
-//! [`StoredTree`] is the one enum of ways to store a tree. Each variant has a file: [`plain`], [`lattice`], [`paper10`]. It says
-//! which lists there are ([`stored::Lists`]) and what stands in them ([`sources::StoredNodes`], [`sources::StoredTriangles`]).
-//! All else in this room is written once, over these traits.
+//! [`StoredTree`] is the one enum of ways to store a tree. Each variant has a file: [`plain`], [`lattice`], [`paper10`].
+//! The variant returns its lists ([`stored::Lists`]) and sources ([`sources::StoredNodes`], [`sources::StoredTriangles`]);
+//! the rest of this module is generic over these traits.
 
 mod bvh;
 mod codec;

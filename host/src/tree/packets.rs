@@ -1,4 +1,4 @@
-//! Queries of many rays, eight of which are traced together ([`slimbvh_core::trace::trace_packet`]).
+//! Queries of many rays, traced in packets of eight ([`slimbvh_core::trace::trace_packet`]).
 
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
@@ -9,7 +9,7 @@ use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
 use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Skip, SkipAnd};
 
-/// The filter of all rays of a query: without a target, no triangle faces away.
+/// The filter of a query's rays. Without a target it accepts all triangles.
 pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter {
     let everything = Sides {
         components: &[],
@@ -26,30 +26,30 @@ pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter {
 /// The filters and collectors of a packet's rays.
 pub type Packet<'a> = [Lane<SkipAnd<'a, FacingFilter<'a>>, ClosestOrAny>; LANES];
 
-/// Rays a task.
+/// Rays a parallel task.
 const BLOCK: usize = 512;
 
-/// The query of each ray: the closest hit, or any.
+/// The query for each ray: the closest hit, or any.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Question {
     Closest,
     Any,
 }
 
-/// What all rays of a query have in common.
+/// What all rays of a query share.
 #[derive(Clone, Copy, Debug)]
 pub struct PacketQuery<'a> {
     pub question: Question,
-    /// Rays are scaled by two to this power: 0 where they are at the scene's magnitude.
+    /// Rays are scaled by two to this power: 0 if they are at the scene's magnitude.
     pub exponent: i32,
-    /// Triangles that face away from the target do not count. In the scene's magnitude.
+    /// Triangles that face away from the target are skipped. At the scene's magnitude.
     pub target: Option<(Sides<'a>, Target)>,
 }
 
 impl Bvh {
     /// [`Bvh::closest_hit`] of many rays, in parallel. `hits` is resized to the number of rays.
     ///
-    /// Neighbouring rays should follow each other: the rays of a packet share the nodes that they read.
+    /// Neighbouring rays should be adjacent in the list: the rays of a packet share node reads.
     pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
         hits.resize(rays.len(), Hit::MISS);
         let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
@@ -63,7 +63,7 @@ impl Bvh {
         blocks.for_each(|(found, rays)| self.any_hits_of_block(rays, found));
     }
 
-    /// [`Bvh::closest_hits`] on this thread, for callers with threads of their own.
+    /// [`Bvh::closest_hits`] on this thread, for callers with their own threads.
     ///
     /// # Panics
     /// If `hits` is shorter than `rays`.
@@ -89,7 +89,7 @@ impl Bvh {
         }
     }
 
-    /// Traces rays, each with a number and a primitive that does not count, and calls back with each ray's number and hit.
+    /// Traces rays, each with a number and a primitive to skip, and calls back with each ray's number and hit.
     pub(crate) fn trace_rays(
         &self,
         query: &PacketQuery,
@@ -97,11 +97,11 @@ impl Bvh {
         mut answer: impl FnMut(usize, Hit),
     ) {
         let filter = filter_of(query.target);
-        let nothing = Lane {
+        let idle = Lane {
             filter: SkipAnd::new(&filter, NO_PRIMITIVE),
             collector: ClosestOrAny::any(0.0),
         };
-        let mut packet = [nothing; LANES];
+        let mut packet = [idle; LANES];
         let mut numbers = [0; LANES];
         let mut prepared = PreparedRays::EMPTY;
         let mut rays = rays.peekable();
@@ -150,7 +150,7 @@ mod tests {
     }
 
     proptest! {
-        /// Here as well as in tests/, as this needs no more than the library: quickly built for one processor or another.
+        /// Repeated here from tests/ because it needs only the library, which builds quickly for each target CPU.
         #[test]
         fn rays_together_answer_as_each_alone(
             vertices in vec(point(), 3..60),
@@ -160,7 +160,7 @@ mod tests {
         ) {
             let indices: Vec<_> = indices.iter().map(|c| c.map(|i| i.index(vertices.len()) as u32)).collect();
             let mesh = Mesh { vertices, indices, ..Mesh::default() };
-            // Beside each other, more or less; each third through a vertex.
+            // Roughly parallel rays; each third through a vertex.
             let ray = |(i, [off, way]): (usize, &[[f32; 3]; 2])| {
                 let by = |x: f32| x * 2f32.powi(spread);
                 let from = [0, 1, 2].map(|axis| 3.0 * origin[axis] + by(off[axis]));

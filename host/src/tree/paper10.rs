@@ -1,4 +1,5 @@
-//! A tree in the codec of the paper on compressed hierarchies and meshes: 10 bits a plane, and perhaps 10 bits a coordinate.
+//! A tree in the paper10 codec, from the paper on compressed hierarchies and meshes: 10 bits a plane, and optionally 10
+//! bits a coordinate.
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
@@ -26,12 +27,12 @@ pub struct Paper10Tree {
 pub enum Paper10Mesh {
     /// In full.
     Full(Vec<LeafTriangle>),
-    /// In 10 bits a coordinate in their leaf's box.
+    /// 10 bits a coordinate, in the leaf's box.
     Leaf10(Vec<Paper10Triangle>),
 }
 
 impl Paper10Mesh {
-    /// The buffer of triangles of the codec, if there is one.
+    /// The buffer of coded triangles; empty for triangles in full.
     pub fn into_coded(self) -> Vec<Paper10Triangle> {
         match self {
             Self::Leaf10(triangles) => triangles,
@@ -41,7 +42,7 @@ impl Paper10Mesh {
 }
 
 impl Paper10Tree {
-    /// The buffers of a tree that is to be replaced, where it is in this codec.
+    /// The buffers of a tree to be replaced, if it uses this codec.
     pub fn reuse(tree: StoredTree) -> Self {
         match tree {
             StoredTree::Paper10(tree) => tree,
@@ -54,7 +55,7 @@ impl Paper10Tree {
     }
 
     /// Calls a visitor with the sources.
-    // A function of its own: one for all codecs would be too large to be compiled well.
+    // A separate function: one for all codecs would be too large to optimise well.
     #[inline(never)]
     pub fn visit<V: TreeVisitor>(&self, visitor: V) -> V::Output {
         let nodes = Paper10Nodes {
@@ -74,7 +75,7 @@ impl Paper10Tree {
         }
     }
 
-    /// A tree with this root and the lists of a reader.
+    /// A tree with this root, its lists read by a reader.
     pub fn read<R: ListReader>(
         mesh: MeshCodec,
         root: &RootWords,
@@ -194,7 +195,7 @@ impl StoredTriangles<Paper10Nodes<'_>> for Paper10Triangles<'_> {
         triangle_in(self, place, *bounds)
     }
 
-    /// Its vertices moved, always in the same way.
+    /// Encoding moved its vertices; encoding is deterministic.
     fn stores(&self, place: (u32, u32), bounds: &Paper10Box, triangle: &LeafTriangle) -> bool {
         let stored = self.triangles.get((place.0 + place.1) as usize);
         stored == Some(&encode_paper10_triangle(triangle, bounds, 0))

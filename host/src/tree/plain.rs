@@ -18,7 +18,7 @@ pub struct PlainTree {
 }
 
 impl PlainTree {
-    /// The buffers of a tree that is to be replaced, where it is plain.
+    /// The buffers of a tree to be replaced, if it is plain.
     pub fn reuse(tree: StoredTree) -> Self {
         match tree {
             StoredTree::Plain(tree) => tree,
@@ -50,7 +50,7 @@ impl PlainTree {
         });
     }
 
-    /// A tree with the lists of a reader.
+    /// A tree whose lists a reader reads.
     pub fn read<R: ListReader>(reader: &mut R) -> Result<Self, R::Error> {
         Ok(Self {
             nodes: reader.nodes(1)?,

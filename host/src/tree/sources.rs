@@ -1,4 +1,4 @@
-//! What every way to store a tree says of its nodes and triangles, to the traversal and to walks over all of it.
+//! Traits of stored nodes and triangles, for the traversal and for walks over the whole tree.
 
 use super::lanes::Numbers;
 use super::stored::Stacks;
@@ -7,9 +7,9 @@ use slimbvh_core::trace::{
 };
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
 
-/// Nodes as they are stored. No method panics as long as nodes are in range, whatever their bytes are.
+/// Nodes as they are stored. With indices in range, no method panics, whatever the bytes are.
 pub trait StoredNodes: NodeSource + Sync {
-    /// A box as it is decoded.
+    /// A decoded box.
     type Box: Copy + Send;
 
     /// The stacks for these nodes' cursors.
@@ -24,7 +24,7 @@ pub trait StoredNodes: NodeSource + Sync {
     /// A node's children and their boxes.
     fn open(&self, node: u32, bounds: &Self::Box) -> ([NodeRef; 2], [Self::Box; 2]);
 
-    /// The first and the last triangle below a node, where nodes store them.
+    /// The first and last triangle below a node, if nodes store them.
     fn run(&self, _node: u32) -> Option<[u32; 2]> {
         None
     }
@@ -35,25 +35,25 @@ pub trait StoredNodes: NodeSource + Sync {
 
 /// Triangles as they are stored, in leaves of nodes of one kind. No method panics, whatever the bytes are.
 pub trait StoredTriangles<N: StoredNodes>: TriangleSource<N::Bounds> + Sync {
-    /// The number of places that all triangles take.
+    /// The number of places that all triangles occupy.
     fn place_count(&self) -> usize;
 
-    /// The number of places that a triangle takes in a leaf with this box.
+    /// The number of places that a triangle occupies in a leaf with this box.
     fn stride(&self, _bounds: &N::Box) -> u32 {
         1
     }
 
-    /// A triangle, by where its leaf's begin and its number among them.
+    /// A triangle, by the first place of its leaf and its index in the leaf.
     fn triangle(&self, place: (u32, u32), bounds: &N::Box) -> LeafTriangle;
 
-    /// Whether a triangle is stored as this one is.
+    /// Whether this triangle is what the place stores.
     fn stores(&self, place: (u32, u32), bounds: &N::Box, triangle: &LeafTriangle) -> bool {
         let stored = self.triangle(place, bounds);
         bytemuck::bytes_of(&stored) == bytemuck::bytes_of(triangle)
     }
 }
 
-/// Triangles in full go with nodes of any kind.
+/// Triangles in full can be combined with nodes of any kind.
 impl<N: StoredNodes> StoredTriangles<N> for LeafTriangles<'_> {
     fn place_count(&self) -> usize {
         self.0.len()
@@ -78,7 +78,7 @@ impl StoredNodes for PlainNodes<'_> {
     }
 
     fn root_box(&self) -> Aabb {
-        // Children's boxes are read without their parent's.
+        // Children's boxes are stored in full: decoding needs no parent box.
         Aabb::EMPTY
     }
 
@@ -117,7 +117,7 @@ pub fn triangle_in<F: Copy>(
     }
 }
 
-/// Whether a box lies in the scene, whose coordinates have at most magnitude 1, and is neither inverted nor NaN.
+/// Whether a box lies in the scene, whose coordinates have magnitude 1 at most, and is neither inverted nor NaN.
 pub fn is_in_scene(bounds: &Aabb) -> bool {
     let (low, high) = (bounds.min, bounds.max);
     low.cmpge(Vec3::NEG_ONE).all() && high.cmple(Vec3::ONE).all() && low.cmple(high).all()

@@ -1,4 +1,4 @@
-//! The stored tree, an enum of the ways to store one, and the traversal's stacks for each.
+//! The stored tree: an enum of the ways to store it, and the traversal's stacks for each.
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
@@ -13,14 +13,14 @@ use slimbvh_core::trace::PacketStacks;
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
 
-/// Nodes and triangles of a tree, in the way in which they are stored.
+/// A tree's nodes and triangles, as they are stored.
 #[derive(Clone, Debug)]
 pub enum StoredTree {
     /// In full.
     Plain(PlainTree),
-    /// Nodes, and perhaps triangles, on a lattice.
+    /// Nodes, and optionally triangles, on a lattice.
     Lattice(LatticeTree),
-    /// Nodes, and perhaps triangles, in 10 bits, as a paper has them.
+    /// Nodes, and optionally triangles, in 10 bits, as in the paper.
     Paper10(Paper10Tree),
 }
 
@@ -47,7 +47,7 @@ impl StoredTree {
         }
     }
 
-    /// What each way to store a tree says of its lists.
+    /// The tree's lists.
     pub fn lists(&self) -> &dyn Lists {
         match self {
             Self::Plain(tree) => tree,
@@ -64,7 +64,7 @@ impl StoredTree {
         }
     }
 
-    /// The tree with nodes and triangles in full, where it is stored so.
+    /// The tree with nodes and triangles in full, if it is stored so.
     #[inline(always)]
     pub fn as_plain(&self) -> Option<&PlainTree> {
         match self {
@@ -73,13 +73,13 @@ impl StoredTree {
         }
     }
 
-    /// Takes the triangles out, where they are in full.
+    /// Takes the triangles out, if they are stored in full.
     pub fn take_full_triangles(&mut self) -> Vec<LeafTriangle> {
         let triangles = self.lists_mut().full_triangles_mut();
         triangles.map(std::mem::take).unwrap_or_default()
     }
 
-    /// A tree in these codecs, with this root and so many triangles, whose lists are read.
+    /// A tree in these codecs, with this root and triangle count, its lists read by a reader.
     ///
     /// # Errors
     /// Those of the reader.
@@ -125,9 +125,9 @@ pub fn with_stacks<R>(run: impl FnOnce(&mut Stacks) -> R) -> R {
     STACKS.with_borrow_mut(run)
 }
 
-/// Answers of each way to store a tree about its two lists.
+/// The two lists of a stored tree.
 pub trait Lists {
-    /// The codecs, in a scene with this exponent.
+    /// The codecs. The scene's exponent scales the lattice's step.
     fn codecs(&self, scene_exponent: i32) -> (NodeCodec, MeshCodec);
 
     /// The number of triangles.
@@ -136,23 +136,23 @@ pub trait Lists {
     /// The nodes and the triangles.
     fn lists(&self) -> [List<'_>; 2];
 
-    /// Bytes of the memory that is held.
+    /// Bytes of memory held.
     fn held_bytes(&self) -> usize;
 
-    /// The root's box and the lattice's step, where boxes are decoded from them.
+    /// The root's box and the lattice's step, if boxes are decoded from them.
     fn root_words(&self) -> Option<RootWords>;
 
-    /// Checks that all below the root can be decoded.
+    /// Checks that everything below the root can be decoded.
     fn check_root(&self) -> Result<(), TreeError>;
 
-    /// The triangles, where they are in full.
+    /// The triangles, if they are stored in full.
     fn full_triangles(&self) -> Option<&Vec<LeafTriangle>>;
 
-    /// The triangles, where they are in full.
+    /// The triangles, if they are stored in full.
     fn full_triangles_mut(&mut self) -> Option<&mut Vec<LeafTriangle>>;
 }
 
-/// A list as it is stored.
+/// A stored list.
 #[derive(Clone, Copy, Debug)]
 pub struct List<'a> {
     /// Bytes of an item.
@@ -162,7 +162,7 @@ pub struct List<'a> {
 }
 
 impl<'a> List<'a> {
-    /// Items of whole words.
+    /// A list of items of whole words.
     pub fn of<T: Pod>(items: &'a [T]) -> Self {
         Self {
             item_bytes: size_of::<T>(),
@@ -181,7 +181,7 @@ pub trait ListReader {
     /// Why a list cannot be read.
     type Error;
 
-    /// The nodes, each of which has so many elements.
+    /// The nodes, each of `per_node` elements.
     fn nodes<T: Pod>(&mut self, per_node: usize) -> Result<Vec<T>, Self::Error>;
 
     /// The triangles.

@@ -1,4 +1,4 @@
-//! Checks of an untrusted hierarchy: all that tracing, refits and codecs rely on.
+//! Validation of an untrusted hierarchy: everything that tracing, refits and codecs rely on.
 
 use super::bvh::Bvh;
 use super::error::TreeError;
@@ -17,9 +17,9 @@ use std::sync::atomic::Ordering::Relaxed;
 
 impl Bvh {
     /// Checks that each node and each place has one parent, in the order of builds; that leaves hold triangles of the mesh,
-    /// each at most once, with finite corners; that every child's box contains what is below it; and that no path is longer than
-    /// the traversal's stack. Tracing and refitting a hierarchy that passes neither panics nor loses a hit. Hierarchies from a
-    /// [`crate::Builder`] always pass.
+    /// each at most once, with finite corners; that every child's box contains everything below it; and that no path
+    /// exceeds the traversal's stack. Tracing or refitting a valid hierarchy neither panics nor loses a hit. Hierarchies
+    /// from a [`crate::Builder`] are always valid.
     ///
     /// # Errors
     /// The first fault found.
@@ -28,7 +28,7 @@ impl Bvh {
         self.walk(None)
     }
 
-    /// [`Self::validate`], and that leaves store the triangles of a mesh, which must be sound.
+    /// [`Self::validate`], and checks that leaves store the triangles of a mesh, which must be sound.
     ///
     /// # Errors
     /// The first fault found.
@@ -49,7 +49,7 @@ impl Bvh {
         self.walk(Some(mesh.triangles()))
     }
 
-    /// Checks all but nodes and triangles.
+    /// Checks everything but nodes and triangles.
     fn check_numbers(&self) -> Result<(), TreeError> {
         let limit = MAX_TRIANGLES as usize;
         let (triangle_count, mesh_triangle_count) =
@@ -121,7 +121,7 @@ impl TreeVisitor for Check<'_> {
     }
 }
 
-/// Nodes with fewer below them are not divided among threads.
+/// Nodes with fewer nodes below them are checked on one thread.
 const TASK: u32 = 1024;
 
 struct Walk<'a, N, T> {
@@ -158,7 +158,7 @@ struct Child<B> {
 
 impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
     fn whole(&self, triangle_count: usize) -> Result<(), TreeError> {
-        // Indices of nodes have 31 bits.
+        // Node indices have 31 bits.
         let node_count = self.nodes.count().min(1 << 31) as u32;
         let root = self.nodes.root_box();
         let found = if triangle_count <= LEAF_SIZE as usize {
@@ -185,7 +185,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         Ok(())
     }
 
-    /// A tree of one leaf: all on the root's left.
+    /// A tree of one leaf, on the root's left.
     fn single(&self, root: &N::Box, count: u32, node_count: u32) -> Result<Found, TreeError> {
         if node_count > 1 {
             return Err(TreeError::NoParent { node: 1 });
@@ -217,7 +217,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         Ok(found)
     }
 
-    /// Checks a node whose descendants must be these nodes.
+    /// Checks a node; `below` are the nodes that must be its descendants.
     fn node(
         &self,
         node: u32,
@@ -271,7 +271,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         Ok(found)
     }
 
-    /// Checks the run of triangles that a node stores, if it stores one.
+    /// Checks the run of triangles that a node stores, if any.
     fn check_run(&self, node: u32, found: &Found) -> Result<(), TreeError> {
         let expected = [found.places.start, found.places.end.saturating_sub(1)];
         match self.nodes.run(node) {
@@ -284,7 +284,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         }
     }
 
-    /// Checks a child that is there, and that its box holds what is below it.
+    /// Checks a child, and that its box contains everything below it.
     fn child(&self, it: Child<N::Box>) -> Result<Found, TreeError> {
         let node = it.parent;
         let stored = self.nodes.aabb(&it.bounds);
@@ -327,7 +327,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         })
     }
 
-    /// Checks a leaf's triangle. Returns the box around it.
+    /// Checks a leaf's triangle. Returns its box.
     fn triangle(&self, place: (u32, u32), bounds: &N::Box) -> Result<Aabb, TreeError> {
         let at = || place.0 + place.1 * self.triangles.stride(bounds);
         let stored = self.triangles.triangle(place, bounds);
@@ -360,8 +360,8 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
     }
 }
 
-/// The nodes below each child. A node's descendants lie in this order: those of the left child, the left child, the right
-/// child, those of the right child.
+/// The nodes below each child. A node's descendants lie in this order: the left child's, the left child, the right child,
+/// the right child's.
 fn places(
     node: u32,
     [left, right]: [NodeRef; 2],

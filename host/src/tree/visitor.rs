@@ -1,4 +1,4 @@
-//! Visitors of a stored tree: code that is compiled once for each way to store nodes and triangles.
+//! Visitors of a stored tree: code compiled once for each way to store nodes and triangles.
 
 use super::lanes::{LANES, Numbers};
 use super::packets::Packet;
@@ -21,7 +21,7 @@ pub trait TreeVisitor {
     -> Self::Output;
 }
 
-// Two references at most: they are passed in registers, and the compiler knows that they do not alias.
+// At most two references: they are passed in registers, and the compiler knows that they do not alias.
 
 /// Traces one ray with the thread's own stack, for the closest hit or any, as its collector asks.
 pub struct Alone<'a, 'b> {
@@ -59,7 +59,7 @@ impl TreeVisitor for Together<'_, '_> {
     }
 }
 
-/// Traces one ray for any collector, at the price of a call for each node.
+/// Traces one ray for any collector, at the cost of a virtual call for each node.
 pub struct Watched<'a, 'b> {
     pub stacks: &'a mut Stacks,
     pub ray: &'a PreparedRay,

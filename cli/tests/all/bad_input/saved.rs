@@ -29,7 +29,7 @@ fn damaged_files() {
         refuses_scene(&folder, &["bad.slim"], &["\"bad.slim\"", "ends"]);
     }
     folder.write("bad.slim", [&sound[..], b"\n"].concat());
-    refuses_scene(&folder, &["bad.slim"], &["goes on behind its end"]);
+    refuses_scene(&folder, &["bad.slim"], &["continues past its end"]);
     // Text tools drop carriage returns.
     let spoilt: Vec<u8> = sound
         .iter()

@@ -1,4 +1,4 @@
-//! Motions come round.
+//! Motions are periodic.
 
 use super::*;
 use crate::Mesh;
@@ -7,7 +7,7 @@ use glam::Vec3;
 
 const COUNT: u32 = 24;
 
-/// A camera, all kinds of lights, and a mesh that has normals.
+/// A camera, lights of all kinds, and a mesh with normals.
 fn scene() -> Scene {
     let mut mesh = subdivide(
         &cuboid(Vec3::new(1.0, 0.0, -1.0), Vec3::new(2.0, 3.0, 4.0)),
@@ -43,7 +43,7 @@ fn motion(deform: Deform) -> Motion {
     }
 }
 
-/// All numbers that a frame has.
+/// All numbers of a frame.
 fn numbers(animation: &Animation, scene: &mut Scene, frame: u32) -> Vec<f32> {
     animation.pose(frame, scene);
     let mut numbers = Vec::new();
@@ -92,13 +92,13 @@ fn the_last_frame_leads_on_to_the_first_as_any_to_the_next() {
             least > 0.0 && last >= 0.9 * least && last <= 1.1 * most,
             "{steps:?}"
         );
-        // Nothing comes back halfway.
+        // No motion repeats after half a period.
         let halfway = COUNT as usize / 2;
         assert!(largest_step(&frames[0], &frames[halfway]) > last);
     }
 }
 
-/// A moment is the same by its frame or by its time, and between two frames all is between.
+/// A moment is the same by frame and by time, and a time between two frames gives a pose between theirs.
 #[test]
 fn frames_have_moments_between_them() {
     let mut scene = scene();
@@ -115,7 +115,7 @@ fn frames_have_moments_between_them() {
         let part = largest_step(near, &half);
         assert!((0.4 * step..0.6 * step).contains(&part), "{part} of {step}");
     }
-    // Rounds come round, a time before the first frame too.
+    // Motions repeat after each period, also for times before the first frame.
     let round = f64::from(COUNT);
     assert_eq!((at(2.5 + round), at(2.5 - round)), (half.clone(), half));
     animation.pose(2, &mut scene);
@@ -161,7 +161,7 @@ fn the_camera_stays_at_its_distance_and_height() {
         assert!((eye.length() - first.length()).abs() < 1e-4);
         assert!((eye.y - first.y).abs() < 1e-5);
     }
-    // Three quarters round, counter-clockwise: what was in front is on the left.
+    // Three quarters of a turn counter-clockwise: the front is now on the left.
     let eye = eye(&scene);
     assert!((eye.x + first.z).abs() < 1e-4 && (eye.z - first.x).abs() < 1e-4);
     assert_eq!(scene.lights, lights);

@@ -13,7 +13,7 @@ use slimbvh_core::node::Connection;
 use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Node, NodeRef};
 
-/// Codes a tree's nodes on the finest lattice, with links to triangles that are stored in full. Returns the root's box.
+/// Codes a tree's nodes on the finest lattice, with links to triangles in full. Returns the root's box.
 pub(super) fn encode_lattice(tree: &Tree, bits: LatticeBits, words: &mut Vec<u32>) -> LatticeBox {
     words.resize(tree.nodes.len() * bits.words(), 0);
     let root = root_box(tree, FINEST_STEP);
@@ -32,7 +32,7 @@ pub(super) fn encode_lattice(tree: &Tree, bits: LatticeBits, words: &mut Vec<u32
     }
 }
 
-/// Puts links into a node's words, to triangles that are where a function tells.
+/// Sets the links in a node's words. A function returns the place of each triangle.
 pub(super) fn linked_to<const BITS: u32, const WORDS: usize>(
     place_of: impl Fn(u32) -> u32 + Sync,
 ) -> impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync {
@@ -45,11 +45,11 @@ pub(super) fn linked_to<const BITS: u32, const WORDS: usize>(
 /// The root's box, on a lattice of this step.
 pub(super) fn root_box(tree: &Tree, step_exponent: i32) -> LatticeBox {
     let root = RoundedNode::new(&tree.node(0), step_exponent);
-    // The same for any number of bits.
+    // Independent of the number of bits.
     LatticeCodec::<10, 4>.root(&root)
 }
 
-/// A tree on its way onto a lattice.
+/// A tree to be coded on a lattice.
 pub(super) struct OnLattice<'a> {
     pub(super) tree: &'a Tree<'a>,
     pub(super) root: LatticeBox,
@@ -57,7 +57,7 @@ pub(super) struct OnLattice<'a> {
 }
 
 impl OnLattice<'_> {
-    /// All of it.
+    /// The whole tree.
     pub(super) fn part<'a, const WORDS: usize, T>(
         &self,
         words: &'a mut [u32],
@@ -75,7 +75,7 @@ impl OnLattice<'_> {
         }
     }
 
-    /// A node with its boxes, and the same coded in its own, decoded.
+    /// A node with its boxes, and its code in the decoded box `bounds`.
     #[inline(always)]
     fn encode<const BITS: u32, const WORDS: usize>(
         &self,
@@ -88,7 +88,7 @@ impl OnLattice<'_> {
         (node, coded)
     }
 
-    /// Puts a leaf's triangles in place, which are narrow.
+    /// Stores a leaf's triangles at narrow width.
     pub(super) fn put_narrow(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
         let first = leaf.first() as usize;
         let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
@@ -98,7 +98,7 @@ impl OnLattice<'_> {
         }
     }
 
-    /// Puts a leaf's triangles in place, of so many words each.
+    /// Stores a leaf's triangles in `SIZE` words each.
     pub(super) fn put<const SIZE: usize>(
         &self,
         leaf: NodeRef,
@@ -115,7 +115,7 @@ impl OnLattice<'_> {
     }
 }
 
-/// Codes a node and all below it, and shows each leaf with its box and its part of the triangles.
+/// Codes a node and all below it, and calls `leaf` with each leaf, its box and its part of the triangles.
 pub(super) fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
     lattice: &OnLattice,
     part: Part<[u32; WORDS], T, LatticeBox>,

@@ -9,7 +9,7 @@ use slimbvh_core::scan::run_scan;
 use slimbvh_core::{Node, NodeRef};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// Codes a tree's nodes and triangles on the lattice with this step, on which all vertices lie. Returns the root's box.
+/// Codes a tree's nodes and triangles on the lattice with this step. All vertices must lie on it. Returns the root's box.
 pub(super) fn encode_lattice_mesh(
     tree: &Tree,
     (bits, step_exponent): (LatticeBits, i32),
@@ -23,8 +23,8 @@ pub(super) fn encode_lattice_mesh(
         root,
         step_exponent,
     };
-    // Most often all triangles are as wide, as wide as they were the last time, and it is known where each is: one way down
-    // does it. Else it takes another.
+    // Usually all triangles have one width, that of the last time. Then each triangle's place is known and one pass
+    // suffices; otherwise a mixed pass follows.
     let is_done = match *width {
         Some(LeafWidth::Narrow) => by_bits!(bits, fill_narrow(&tree, words, triangles)),
         Some(LeafWidth::Middle) => by_bits!(bits, fill_middle(&tree, words, triangles)),
@@ -40,7 +40,7 @@ pub(super) const NARROW: usize = LeafWidth::Narrow.words() as usize;
 const MIDDLE: usize = LeafWidth::Middle.words() as usize;
 const WIDE: usize = LeafWidth::Wide.words() as usize;
 
-/// [`fill_alike`] where all triangles are narrow.
+/// [`fill_alike`] for narrow triangles.
 fn fill_narrow<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     words: &mut [u32],
@@ -52,7 +52,7 @@ fn fill_narrow<const BITS: u32, const WORDS: usize>(
     fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Narrow, &put))
 }
 
-/// [`fill_alike`] where all triangles are of middle width.
+/// [`fill_alike`] for triangles of middle width.
 fn fill_middle<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     words: &mut [u32],
@@ -64,7 +64,7 @@ fn fill_middle<const BITS: u32, const WORDS: usize>(
     fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Middle, &put))
 }
 
-/// Where all triangles are of one width. Returns whether they are, and leaves the lists in disorder if not.
+/// Stores triangles of one width. Returns `false` if some have another width; the lists are then invalid.
 fn fill_alike<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     words: &mut [u32],
@@ -90,8 +90,8 @@ fn fill_alike<const BITS: u32, const WORDS: usize>(
     !is_other.into_inner()
 }
 
-/// Where triangles take more or less room, as their leaf's box tells: where one begins follows from all before it. Returns their
-/// width if they are of one.
+/// Stores triangles whose width depends on their leaf's box, so that their places are prefix sums of the sizes. Returns the
+/// width if they share one.
 fn fill_mixed<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     words: &mut [u32],
@@ -115,13 +115,14 @@ fn fill_mixed<const BITS: u32, const WORDS: usize>(
     let part = lattice.part(words, triangles, 1);
     place_triangles::<BITS, WORDS>(lattice, part, &begin_of);
 
-    // The narrowest width that would take as much; others in equal parts may as well, and come out as disorder next time.
+    // The narrowest width with the same total. Mixed widths can have the same total too; then the next fast pass fails and
+    // repeats as mixed.
     let widths = [LeafWidth::Narrow, LeafWidth::Middle];
     let takes_as_much = |width: &LeafWidth| width.words() as usize * count == total as usize;
     widths.into_iter().find(takes_as_much)
 }
 
-/// Puts triangles where they belong, and links to them into the nodes.
+/// Stores triangles at their places, and the links to them in the nodes.
 fn place_triangles<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     part: Part<[u32; WORDS], u32, LatticeBox>,

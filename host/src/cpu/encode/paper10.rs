@@ -6,7 +6,7 @@ use slimbvh_core::encode::{
     BoxCodec, Paper10Box, Paper10Codec, Paper10Node, Paper10Triangle, encode_paper10_triangle,
 };
 
-/// Encodes a tree's nodes, and its triangles where `triangles` has room for them. Returns the root's box.
+/// Codes a tree's nodes, and its triangles if `triangles` has room for them. Returns the root's box.
 pub(super) fn encode_paper10(
     tree: &Tree,
     nodes: &mut Vec<Paper10Node>,

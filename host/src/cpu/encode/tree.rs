@@ -1,13 +1,13 @@
-//! A tree on its way into a codec, and its parts on their way onto threads.
+//! A tree to be coded, and its division among threads.
 
 use slimbvh_core::node::Connection;
 use slimbvh_core::refit::{PyramidBox, refit_node};
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 
-/// Nodes with fewer triangles are not divided among threads.
+/// Nodes with fewer triangles are coded on one thread.
 pub(super) const TASK: u32 = 8192;
 
-/// A tree on its way into a codec: its nodes have no boxes, which are found from the pyramid when their turn comes.
+/// A tree to be coded. Its nodes have no boxes; these are found from the pyramid, node by node.
 pub(super) struct Tree<'a> {
     pub(super) nodes: &'a [Connection],
     /// The last triangle of each node's left child.
@@ -32,12 +32,12 @@ pub(super) struct Part<'a, N, T, B> {
     pub(super) first_node: usize,
     pub(super) triangles: &'a mut [T],
     pub(super) first_triangle: usize,
-    /// How much of the list each triangle takes, where that is the same for all.
+    /// The entries of the list that each triangle takes, if that is the same for all.
     pub(super) per_triangle: usize,
 }
 
 impl<'a, N, T, B> Part<'a, N, T, B> {
-    /// What its children fill. `place_of` tells where a triangle's part of the list begins.
+    /// The children's parts. `place_of` returns where a triangle's entries begin.
     pub(super) fn split(
         self,
         tree: &Tree,
@@ -45,7 +45,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
         place_of: impl Fn(u32) -> usize,
     ) -> [Self; 2] {
         let node = &tree.nodes[self.node as usize];
-        // The right child's descendants begin with itself.
+        // The right child is the first of its part.
         let middle = if node.right.is_leaf() {
             self.first_node + self.nodes.len()
         } else {
@@ -91,7 +91,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
     }
 }
 
-/// Codes both children, at once where that pays.
+/// Codes both children, in parallel if that pays.
 pub(super) fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
     if node.last - node.first < TASK {
         code(left);

@@ -52,10 +52,10 @@ proptest! {
         let before: f64 = assert_solid(&mesh).iter().map(|component| component.signed_volume).sum();
         prop_assert!((volume - before).abs() < 1e-5 * before);
 
-        // Odd counts are passed by one.
+        // Odd counts are exceeded by one.
         prop_assert_eq!(split_longest(&mesh, count + 1).indices.len(), count + 2);
 
-        // Materials and parts go with their triangles: the ball is the one above.
+        // Materials and parts follow their triangles: the ball is the upper part.
         prop_assert_eq!(fine.validate(), Ok(()));
         for part in &fine.parts {
             let expected = if part.name == "ball" { (true, 8) } else { (false, 3) };
@@ -68,7 +68,7 @@ proptest! {
     }
 }
 
-/// A mesh that lacks a triangle is open before and after, and a split at its rim adds one.
+/// A mesh that lacks a triangle is open before and after; a split at its rim adds one triangle.
 #[test]
 fn an_open_mesh_stays_open() {
     let mut mesh = cuboid(Vec3::ZERO, Vec3::new(4.0, 2.0, 1.0));
@@ -86,7 +86,7 @@ fn an_open_mesh_stays_open() {
     assert_eq!(halves.indices, [[0, 1, 3], [0, 3, 2]]);
 }
 
-/// A mesh whose triangles share no vertices, only positions, each with a normal of its own.
+/// A mesh whose triangles share positions but no vertices, each with its own normal.
 #[test]
 fn edges_shared_by_position_stay_shared() {
     let ball = icosphere(Vec3::ZERO, 2.0, 1);
@@ -110,7 +110,7 @@ fn edges_shared_by_position_stay_shared() {
     }
 }
 
-/// The control: an edge that only one of its triangles knows to be split leaves a hole.
+/// The control: a split of only one triangle at an edge leaves a hole.
 #[test]
 fn a_split_on_one_side_alone_would_open_it() {
     let mesh = icosphere(Vec3::ZERO, 1.0, 1);

@@ -1,4 +1,4 @@
-//! The stages of a build, one after the other.
+//! The stages of a build, in order.
 
 use super::super::buffer::Range;
 use super::super::bvh::Built;
@@ -35,7 +35,7 @@ impl Builder {
         self.record_tree(gpu, recorder, mesh, bvh, &items);
     }
 
-    /// Stages `classify`, `scan` and `compact`, and the tree over what these leave.
+    /// Stages `classify`, `scan` and `compact`, and the tree over the resulting set.
     pub(super) fn record_build_set(
         &mut self,
         gpu: &Gpu,
@@ -49,7 +49,7 @@ impl Builder {
         self.record_tree(gpu, recorder, mesh, bvh, set);
     }
 
-    /// Stages `snap`, `topology` and `refit`, over as many of the items as `bvh.count` says.
+    /// Stages `snap`, `topology` and `refit`, over the first `bvh.count` items.
     fn record_tree(
         &mut self,
         gpu: &Gpu,
@@ -77,7 +77,7 @@ impl Builder {
         self.record_encode(gpu, recorder, bvh);
     }
 
-    /// Stage `encode`, where a codec is asked for.
+    /// Stage `encode`, if there is a codec.
     fn record_encode(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
         let Some(coded) = &bvh.coded else { return };
         let step = self.lattice_step();
@@ -101,7 +101,7 @@ impl Builder {
         }
     }
 
-    /// A hierarchy over nothing.
+    /// A hierarchy without triangles.
     pub(super) fn record_empty(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
         recorder.stage("topology");
         recorder.clear(&bvh.triangles);
@@ -128,13 +128,13 @@ impl Builder {
         self.record_encode(gpu, recorder, bvh);
     }
 
-    /// What `bounds` found goes to the hierarchy.
+    /// Copies the results of stage `bounds` to the hierarchy.
     pub(in crate::gpu) fn copy_state(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
         recorder.copy(&self.scratch.exponent.range(gpu, 16), &bvh.exponent);
         recorder.copy(&self.scratch.bounds.range(gpu, 24), &bvh.bounds);
     }
 
-    /// The place of the items of the sort.
+    /// The range of the sort's items.
     pub(in crate::gpu) fn items(&mut self, gpu: &Gpu, mesh: &Mesh) -> Range {
         let bytes = u64::from(mesh.triangle_count) * self.keys().item_bytes();
         self.scratch.items.range(gpu, bytes)

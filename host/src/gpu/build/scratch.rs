@@ -1,4 +1,4 @@
-//! What a builder keeps between the stages.
+//! The builder's buffers between stages.
 
 use super::super::buffer::Slot;
 use super::super::encode::Encoder;
@@ -88,7 +88,7 @@ impl Scratch {
     }
 }
 
-/// Bytes of all levels.
+/// Bytes of all levels of the pyramid.
 pub fn pyramid_bytes(triangle_count: u32) -> u64 {
     let mut level = group_count(triangle_count).max(1);
     let mut entries = u64::from(level);

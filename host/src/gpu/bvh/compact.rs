@@ -1,4 +1,4 @@
-//! Buffers as large as what is in them.
+//! Compaction of a hierarchy's buffers to their contents.
 
 use super::super::buffer::{Range, Slot};
 use super::super::{Gpu, GpuError};
@@ -6,12 +6,13 @@ use super::Bvh;
 use slimbvh_core::{LeafTriangle, Node};
 
 impl Bvh {
-    /// Moves the hierarchy into buffers of just its size, and waits for the GPU to tell that size. Until then they have room for
-    /// the most that any mesh of as many triangles could need. Without the builder, whose memory is many times as large, this is
-    /// all that tracing takes. A hierarchy in a codec cannot be refitted after that; any can be built again.
+    /// Moves the hierarchy into buffers of exactly its size. Waits for the GPU, which knows the size. Before, the buffers
+    /// have room for the most that any mesh of as many triangles needs. Without the builder, whose memory is many times as
+    /// large, the compact buffers are all that tracing needs. Afterwards a hierarchy in a codec cannot be refitted; any can
+    /// be built again.
     ///
     /// # Errors
-    /// If it has not been built yet, there is no room for both, or the device was lost.
+    /// If it is not built yet, both copies do not fit into memory, or the device was lost.
     pub fn compact(&mut self, gpu: &Gpu) -> Result<(), GpuError> {
         let [node_bytes, triangle_bytes] = self.read_bytes(gpu)?;
         let mut built = self.built()?.clone();
@@ -24,7 +25,7 @@ impl Bvh {
         gpu.checked(|| {
             let nodes = tight(gpu, &mut self.nodes, &nodes, node_bytes);
             let triangles = tight(gpu, &mut self.triangles, &triangles, triangle_bytes);
-            // What is plain of it is the builder's.
+            // Plain nodes and triangles are in the builder's buffers.
             built.nodes = nodes.clone();
             built.triangles = triangles.clone();
             if let Some(coded) = &mut built.coded {
@@ -38,7 +39,7 @@ impl Bvh {
     }
 }
 
-/// Moves the beginning of a slot's buffer into one of just that size.
+/// Moves the beginning of a slot's buffer into a buffer of exactly that size.
 fn tight(gpu: &Gpu, slot: &mut Slot, from: &Range, bytes: u64) -> Range {
     let bytes = bytes.min(from.size);
     let to = slot.renewed(gpu, bytes);

@@ -1,4 +1,4 @@
-//! A hierarchy from the GPU's memory, or some of its numbers.
+//! Copies of a hierarchy, or of its counts, to the host.
 
 use super::{Bvh, Coded, Coding};
 use crate::gpu::buffer::Download;
@@ -9,20 +9,20 @@ use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 impl Bvh {
-    /// Reads how many inner nodes and triangles there are, and waits for it.
+    /// Reads the numbers of inner nodes and triangles. Waits for the GPU.
     ///
     /// # Errors
-    /// If it has not been built yet, or the device was lost.
+    /// If it is not built yet, or the device was lost.
     pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
         let built = self.built()?;
         let [total, count] = read_firsts(gpu, [&built.total, &built.count])?;
         Ok([total, count])
     }
 
-    /// Reads how many bytes the nodes and the triangles in leaves take, and waits for it. The buffers have room for more.
+    /// Reads the bytes that the nodes and the triangles in leaves use. Waits for the GPU. The buffers have room for more.
     ///
     /// # Errors
-    /// If it has not been built yet, or the device was lost.
+    /// If it is not built yet, or the device was lost.
     pub fn read_bytes(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
         let built = self.built()?;
         let [node_count, triangle_count] = self.read_counts(gpu)?.map(u64::from);
@@ -41,10 +41,10 @@ impl Bvh {
         Ok([node_count * node_bytes, triangle_bytes])
     }
 
-    /// Copies the hierarchy from the GPU, and waits for it.
+    /// Copies the hierarchy to the host. Waits for the GPU.
     ///
     /// # Errors
-    /// If it has not been built yet, or the device was lost.
+    /// If it is not built yet, or the device was lost.
     pub fn download(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
         let built = self.built()?;
         let mut frame = gpu.frame();
@@ -103,7 +103,7 @@ impl Bvh {
     }
 }
 
-/// Copies of both lists, each of which is read once.
+/// Copies of both lists. Each is read once.
 struct Lists<'a> {
     gpu: &'a Gpu,
     nodes: Option<Download>,

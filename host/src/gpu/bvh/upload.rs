@@ -1,6 +1,6 @@
-//! A hierarchy to the GPU's memory.
+//! Uploads of a hierarchy.
 
-use super::{Built, Bvh, Coded, Coding, NOTHING_BYTES, STATE_BYTES};
+use super::{Built, Bvh, Coded, Coding, PLACEHOLDER_BYTES, STATE_BYTES};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
 use crate::gpu::program::counted;
@@ -9,17 +9,17 @@ use bytemuck::{bytes_of, cast_slice};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
-/// What to do about a hierarchy that is too large.
+/// Advice for a hierarchy that is too large.
 const TOO_LARGE: &str = "take a smaller mesh, nodes and triangles of fewer bytes, or the CPU";
 
 impl Bvh {
-    /// Copies a hierarchy to the GPU as it is, in full or in its codec: nothing is built, and the buffers have room for no more
-    /// than it has. [`Self::download`] gives back the same bytes. It is traced at once, by all frames that are submitted later;
-    /// a [`crate::gpu::Builder`] refits it where it is in full and whole, and fills it again in any case.
+    /// Copies a hierarchy to the GPU, in full or in its codec. The buffers have exactly its size, and [`Self::download`]
+    /// returns the same bytes. All frames submitted later can trace it. A [`crate::gpu::Builder`] can refit it if it is in
+    /// full and whole, and can always build it again.
     ///
     /// # Errors
-    /// For a codec that only the CPU has, a hierarchy that was never built, and one that is larger than the GPU takes, before
-    /// anything is allocated; if memory is exhausted, or the device was lost.
+    /// For a codec without GPU kernels, an unbuilt hierarchy, and one above the GPU's limits, before anything is allocated;
+    /// if memory is exhausted, or the device was lost.
     pub fn upload(gpu: &Gpu, bvh: &crate::Bvh) -> Result<Self, GpuError> {
         let coding = coding_of(bvh)?;
         let [nodes, triangles] = bvh.stored();
@@ -38,7 +38,7 @@ impl Bvh {
         })
     }
 
-    /// Makes room for a hierarchy, and writes it there.
+    /// Makes room for a hierarchy, and writes it.
     fn fill(&mut self, gpu: &Gpu, bvh: &crate::Bvh, coding: Option<Coding>) {
         let [nodes, triangles] = bvh.stored();
         let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
@@ -58,7 +58,7 @@ impl Bvh {
                 triangles: triangle_range,
                 root: self.root.range(gpu, size_of::<RootWords>() as u64),
                 word_total: self.word_total.range(gpu, STATE_BYTES),
-                nothing: self.nothing.range(gpu, NOTHING_BYTES),
+                placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             }),
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),
@@ -98,7 +98,7 @@ impl Bvh {
     }
 }
 
-/// How the GPU has what is stored so.
+/// The coding of a hierarchy, if the GPU has kernels for it.
 fn coding_of(bvh: &crate::Bvh) -> Result<Option<Coding>, GpuError> {
     let (nodes, mesh) = bvh.codecs();
     Coding::of(&BuildConfig {

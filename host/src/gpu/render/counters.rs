@@ -1,17 +1,17 @@
-//! Counts of rays, kept on the GPU while a picture is made.
+//! Counts of rays, which the GPU keeps during a picture.
 
 use crate::gpu::buffer::Download;
 use crate::gpu::{Gpu, GpuError};
 use crate::picture::RenderReport;
 
-/// Where the counts of a kind of rays lie: rays, hits, nodes, two words each.
+/// Offsets of the counts of each kind of rays: rays, hits, nodes, two words each.
 pub const PRIMARY: u64 = 0;
 pub const SHADOW: u64 = 256;
 pub const MIRROR: u64 = 512;
 pub const SLOT_BYTES: u64 = 24;
 pub const BYTES: u64 = 768;
 
-/// Counts on their way from the GPU.
+/// Counts being copied from the GPU.
 #[derive(Debug)]
 #[must_use]
 pub struct Counters(pub(super) Download);

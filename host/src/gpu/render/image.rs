@@ -1,4 +1,4 @@
-//! From a scene to a picture, all in one.
+//! A picture from a scene in one call.
 
 use super::{Renderer, check, waves};
 use crate::gpu::{Bvh, Frame, Gpu, GpuError, Scene, Trees};
@@ -9,11 +9,11 @@ use slimbvh_core::bounds::scene_exponent;
 use std::time::Instant;
 
 impl Renderer {
-    /// Uploads a scene, renders it through its first camera and a hierarchy over its mesh, and waits for the picture: nothing is
-    /// built. `progress` is told the share done, 0 to 1.
+    /// Uploads a scene, renders it through its first camera with a hierarchy over its mesh, and waits for the picture.
+    /// Builds nothing. `progress` is called with the share done, 0 to 1.
     ///
     /// # Errors
-    /// Those of [`Scene::upload`] and [`Self::render`]; what is too large is refused before anything is allocated.
+    /// Those of [`Scene::upload`] and [`Self::render`]. The check of sizes precedes every allocation.
     pub fn render_image(
         &mut self,
         gpu: &Gpu,
@@ -38,7 +38,7 @@ impl Renderer {
     }
 }
 
-/// Refuses a view that makes no picture, and a picture that is larger than the GPU takes. Returns the camera.
+/// Refuses a view that cannot be rendered, and a picture above the GPU's limits. Returns the camera.
 pub fn check_view<'a>(
     gpu: &Gpu,
     scene: &'a crate::Scene,
@@ -53,7 +53,7 @@ pub fn check_view<'a>(
     Ok(camera)
 }
 
-/// A picture of what is on the GPU, or will be in the frame that begins it.
+/// The inputs of a picture. They are on the GPU already, or will be in the frame that begins the picture.
 pub struct Image<'a, 't> {
     pub uploaded: &'a Scene,
     pub trees: &'a Trees<'t>,
@@ -63,8 +63,8 @@ pub struct Image<'a, 't> {
 }
 
 impl Image<'_, '_> {
-    /// Renders wave after wave, each a submission that is waited for; the first one is that of the frame. Returns the times of
-    /// what was built in it, and what the render did.
+    /// Renders wave after wave, each a submission that the call waits for; the first is that of the frame. Returns the
+    /// times of the frame's builds, and the report of the render.
     pub fn render(
         self,
         renderer: &mut Renderer,

@@ -1,4 +1,4 @@
-//! One wave of samples: from the camera to the pixels.
+//! A wave of samples, from camera rays to pixels.
 
 use super::{PicturePlan, WAVE, counters};
 use crate::gpu::program::{Recorder, Uniform, threads};
@@ -15,9 +15,9 @@ pub struct Wave {
     pub sample_count: u32,
 }
 
-/// The waves of a picture, none with more paths than the limit has room for, unless that is less than a pixel's.
+/// The waves of a picture. Each has at most the number of paths that fit into the limit, but at least one pixel's.
 ///
-/// Waves begin at multiples of 64 samples wherever samples are stored for all of the picture.
+/// If samples are stored for the whole picture, waves begin at multiples of 64 samples.
 pub fn waves(settings: &RenderSettings, limit_bytes: u64) -> Vec<Wave> {
     const STEP: u32 = 64;
     let [width, height] = settings.size;

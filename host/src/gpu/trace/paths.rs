@@ -90,8 +90,8 @@ impl TreeRanges {
         let (target, ranges) = match &self.rule {
             Some((components, sides)) => (sides.target(), [&components.0, &sides.sides]),
             None => {
-                let nothing = &coded.nothing;
-                (Uniform::Stored(nothing), [nothing, nothing])
+                let placeholder = &coded.placeholder;
+                (Uniform::Stored(placeholder), [placeholder, placeholder])
             }
         };
         ([Uniform::Stored(&coded.root), exponent, target], ranges)

@@ -1,4 +1,4 @@
-//! Typed lists in the buffers of a glTF scene.
+//! Accessors: typed lists in the buffers of a glTF scene.
 
 use super::GltfError;
 use super::buffers::Buffers;
@@ -7,7 +7,7 @@ use gltf::accessor::sparse::IndexType;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::View;
 
-/// A list of vectors; whole numbers become shares of 1 where the accessor says so.
+/// A list of vectors; normalized integers become shares of 1.
 pub(super) fn vectors(
     accessor: &Accessor<'_>,
     buffers: &Buffers<'_>,
@@ -51,7 +51,7 @@ fn expect(
     })
 }
 
-/// Reads every element, then the replacements of a sparse accessor. Without a view, elements are zero.
+/// Reads every element, then the replacements of a sparse accessor. Elements without a buffer view are zero.
 fn elements<T: Copy>(
     accessor: &Accessor<'_>,
     buffers: &Buffers<'_>,
@@ -114,7 +114,7 @@ fn elements<T: Copy>(
 /// An element without a buffer view; the largest is a vector of three times four bytes.
 const ZEROS: [u8; 12] = [0; 12];
 
-/// Where in a view the elements are.
+/// The place of the elements in a view.
 struct Span {
     accessor: usize,
     offset: usize,
@@ -162,7 +162,7 @@ impl Span {
     }
 }
 
-/// A whole number of 1, 2 or 4 bytes, as many as there are.
+/// An unsigned integer of 1, 2 or 4 bytes.
 fn unsigned(bytes: &[u8]) -> u32 {
     match *bytes {
         [a, b, c, d, ..] => u32::from_le_bytes([a, b, c, d]),
@@ -172,7 +172,7 @@ fn unsigned(bytes: &[u8]) -> u32 {
     }
 }
 
-/// The number at the front of the bytes.
+/// The first number in the bytes.
 fn component(bytes: &[u8], kind: DataType, is_share: bool) -> f32 {
     let two = [bytes[0], bytes.get(1).copied().unwrap_or_default()];
     let (value, largest) = match kind {

@@ -1,4 +1,4 @@
-//! The bytes that a glTF scene points into.
+//! The buffers of a glTF scene.
 
 use super::super::LoadError;
 use super::super::error::excerpt;
@@ -14,7 +14,7 @@ pub(super) struct Buffers<'a> {
 }
 
 impl<'a> Buffers<'a> {
-    /// Reads the buffers, together no larger than a file may be.
+    /// Reads the buffers. Their total size has the limit of a file.
     pub fn read(
         document: &Document,
         blob: Option<Cow<'a, [u8]>>,
@@ -67,7 +67,7 @@ impl<'a> Buffers<'a> {
         Ok(Self { bytes })
     }
 
-    /// How many bytes there are in all.
+    /// The total number of bytes.
     pub fn total_bytes(&self) -> usize {
         self.bytes.iter().map(|buffer| buffer.len()).sum()
     }
@@ -88,15 +88,15 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// Where a buffer is.
+/// The place of a buffer.
 enum BufferSource<'a> {
-    /// In the address itself, as base64.
+    /// In the URI itself, as base64.
     Data(&'a str),
-    /// In a file, as seen from the scene's.
+    /// In a file, relative to the scene's.
     Beside(String),
 }
 
-/// None if the address is neither.
+/// `None` if the URI is neither.
 fn place(uri: &str) -> Option<BufferSource<'_>> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, text) = data.split_once(";base64,")?;
@@ -130,7 +130,7 @@ fn hex(digit: u8) -> Option<u8> {
     char::from(digit).to_digit(16).map(|value| value as u8)
 }
 
-/// The bytes, or the place of the first character that is not base64. Ends at the padding.
+/// The bytes, or the position of the first character that is not base64. Stops at the padding.
 fn decode_base64(text: &str) -> Result<Vec<u8>, usize> {
     let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
     let (mut bits, mut bit_count) = (0_u32, 0);

@@ -14,7 +14,7 @@ use std::borrow::Cow;
 /// A document, and a GLB file's binary chunk.
 type WithBlob<'a> = (Document, Option<Cow<'a, [u8]>>);
 
-/// Takes the file apart and checks the JSON.
+/// Splits the file into chunks, and checks the JSON.
 pub(super) fn parse<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<WithBlob<'a>, LoadError> {
     let in_file = |error| LoadError::Gltf {
         file: source.file.clone(),
@@ -45,7 +45,7 @@ fn split<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<Glb<'a>, LoadError>
         file: source.file.clone(),
         error: GltfError::Glb { message },
     };
-    // The reader subtracts the header from the length without a look.
+    // The crate subtracts the header from the length unchecked.
     let Some(length) = bytes.get(HEADER_BYTES - 4..).and_then(<[u8]>::first_chunk) else {
         return Err(LoadError::HeaderCut {
             file: source.file.clone(),
@@ -66,7 +66,7 @@ fn split<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<Glb<'a>, LoadError>
     Glb::from_slice(bytes).map_err(|error| glb_error(error.to_string()))
 }
 
-/// Whether a required extension changes nothing that is read, or is read here.
+/// Whether a required extension is supported, or affects nothing that is read.
 fn is_harmless(extension: &str) -> bool {
     const LOOKS: [&str; 4] = [
         "KHR_materials_",
@@ -77,8 +77,8 @@ fn is_harmless(extension: &str) -> bool {
     extension == "KHR_mesh_quantization" || LOOKS.iter().any(|look| extension.starts_with(look))
 }
 
-/// Finds what would make the crate panic: its own check looks up the accessor of positions before it knows that there is
-/// one, and does not compare a camera's type with its values.
+/// Finds faults that make the crate panic: its check looks up the accessor of positions before it knows that there is one,
+/// and does not compare a camera's type with its values.
 fn check(root: &Root) -> Result<(), GltfError> {
     for (mesh, primitives) in root.meshes.iter().enumerate() {
         for primitive in &primitives.primitives {
@@ -106,7 +106,7 @@ fn check(root: &Root) -> Result<(), GltfError> {
     }
 }
 
-/// The first fault that the crate's check finds.
+/// The first fault found by the crate's check.
 fn invalid(error: gltf::Error) -> GltfError {
     match error {
         gltf::Error::Validation(faults) => match faults.into_iter().next() {
@@ -122,7 +122,7 @@ fn invalid(error: gltf::Error) -> GltfError {
     }
 }
 
-/// The default scene's roots, or the first scene's; without scenes, all nodes that have no parent.
+/// The default scene's roots, or the first scene's. Without scenes, all nodes without a parent.
 pub(super) fn roots(document: &Document) -> Box<dyn Iterator<Item = Node<'_>> + '_> {
     if let Some(scene) = document.default_scene().or(document.scenes().next()) {
         return Box::new(scene.nodes());

@@ -1,29 +1,29 @@
-//! What is wrong with a glTF scene.
+//! Faults of a glTF scene.
 
 use thiserror::Error;
 
-/// What is wrong with a glTF scene. Indices count from 0, as in the JSON.
+/// A fault of a glTF scene. Indices count from 0, as in the JSON.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GltfError {
     /// The JSON cannot be read as glTF 2.0.
     #[error("the JSON is not glTF 2.0: {message}")]
     Json {
-        /// What the JSON reader says, with line and column.
+        /// The JSON reader's message, with line and column.
         message: String,
     },
     /// The GLB file's header or chunks are broken.
     #[error("the GLB file cannot be taken apart: {message}")]
     Glb {
-        /// What the GLB reader says.
+        /// The GLB reader's message.
         message: String,
     },
     /// The JSON breaks a rule of glTF.
     #[error("{path}: {fault}")]
     Invalid {
-        /// Where in the JSON.
+        /// The path in the JSON.
         path: String,
-        /// Which rule.
+        /// The rule that is broken.
         fault: gltf::json::validation::Error,
     },
     /// A primitive's positions are in an accessor that does not exist.
@@ -33,12 +33,12 @@ pub enum GltfError {
     NoAccessor {
         /// The mesh.
         mesh: usize,
-        /// The accessor that it names.
+        /// The accessor's index.
         accessor: usize,
-        /// How many there are.
+        /// The number of accessors.
         accessor_count: usize,
     },
-    /// A camera's type announces values that are absent.
+    /// A camera has a type without the values of that type.
     #[error("camera {camera} lacks the values of its type")]
     CameraWithoutValues {
         /// The camera.
@@ -50,62 +50,62 @@ pub enum GltfError {
         /// The node.
         node: usize,
     },
-    /// A camera or a light whose transform or values make it point nowhere.
+    /// The transform or the values of a camera or light give no finite direction.
     #[error("node {node} has a camera or light that points nowhere or is not finite")]
     Degenerate {
         /// The node.
         node: usize,
     },
-    /// A buffer is neither in the file nor beside it.
+    /// A buffer is neither base64 nor in a file beside the scene.
     #[error("buffer {buffer} is at \"{uri}\"; files beside the scene and base64 data are read")]
     BufferElsewhere {
         /// The buffer.
         buffer: usize,
-        /// Where it is, shortened.
+        /// Its URI, shortened.
         uri: String,
     },
-    /// A buffer without an address, in a file that brings none.
+    /// A buffer without a URI, in a file without a binary chunk.
     #[error("buffer {buffer} has no address, and the file has no binary chunk for it")]
     NoBlob {
         /// The buffer.
         buffer: usize,
     },
-    /// A data address that is not base64.
+    /// A data URI that is not base64.
     #[error("buffer {buffer} is not base64 at character {character}")]
     Base64 {
         /// The buffer.
         buffer: usize,
-        /// The first character that does not belong, counted from 0 after the comma.
+        /// The first character that is not base64, counted from 0 after the comma.
         character: usize,
     },
-    /// A buffer is shorter than announced.
+    /// A buffer is shorter than it states.
     #[error("buffer {buffer} announces {announced} bytes, {found} are there")]
     BufferCut {
         /// The buffer.
         buffer: usize,
-        /// How many bytes it announces.
+        /// The bytes that it states.
         announced: u64,
-        /// How many there are.
+        /// The bytes found.
         found: u64,
     },
-    /// A buffer view reaches beyond its buffer.
+    /// A buffer view ends beyond its buffer.
     #[error("buffer view {view} ends at byte {end} of buffer {buffer}, which has {length}")]
     ViewBeyondBuffer {
         /// The view.
         view: usize,
-        /// Where it ends.
+        /// Its end.
         end: u64,
         /// The buffer.
         buffer: usize,
         /// The buffer's bytes.
         length: u64,
     },
-    /// An accessor reaches beyond its buffer view.
+    /// An accessor ends beyond its buffer view.
     #[error("accessor {accessor} ends at byte {end} of buffer view {view}, which has {length}")]
     AccessorBeyondView {
         /// The accessor.
         accessor: usize,
-        /// Where it ends.
+        /// Its end.
         end: u64,
         /// The view.
         view: usize,
@@ -119,7 +119,7 @@ pub enum GltfError {
         accessor: usize,
         /// Bytes of an element.
         size: usize,
-        /// Bytes from one to the next.
+        /// Bytes from one element to the next.
         stride: usize,
     },
     /// An accessor has the wrong type for its use.
@@ -127,37 +127,37 @@ pub enum GltfError {
     WrongType {
         /// The accessor.
         accessor: usize,
-        /// What it holds.
+        /// Its type.
         found: String,
-        /// What it is used as.
+        /// The type needed.
         expected: &'static str,
     },
-    /// More elements without a buffer view than there is data in the whole scene.
+    /// More elements without a buffer view than the whole scene has data.
     #[error("accessor {accessor} announces {count} elements without a buffer view")]
     Hollow {
         /// The accessor.
         accessor: usize,
-        /// How many it announces.
+        /// The number that it states.
         count: u64,
     },
-    /// A sparse accessor replaces an element that it does not have.
+    /// A sparse accessor replaces an element out of range.
     #[error("accessor {accessor} replaces element {element}, but there are only {count}")]
     SparseIndex {
         /// The accessor.
         accessor: usize,
         /// The element.
         element: u64,
-        /// How many there are.
+        /// The number of elements.
         count: u64,
     },
-    /// Positions and normals differ in number.
+    /// The numbers of positions and normals differ.
     #[error("mesh \"{part}\" has {normals} normals for {positions} positions")]
     NormalCount {
         /// The name of the node or the mesh.
         part: String,
-        /// How many normals there are.
+        /// The number of normals.
         normals: usize,
-        /// How many positions there are.
+        /// The number of positions.
         positions: usize,
     },
 }

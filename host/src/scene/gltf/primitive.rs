@@ -65,7 +65,7 @@ pub(super) fn append(
         mesh.normals.resize(mesh.vertices.len(), [0.0; 3]);
     }
 
-    // A mirror turns triangles over, so turn them back.
+    // A mirroring transform flips triangles, so flip them back.
     let is_mirrored = transform.determinant() < 0.0;
     for face in 0..face_count {
         let mut corners = corners(mode, face).map(|corner| i64::from(indices[corner]));
@@ -89,7 +89,7 @@ fn triangle_count(mode: Mode, corner_count: usize) -> usize {
     }
 }
 
-/// Which of the indices are a triangle's corners; glTF 2.0, section 3.7.2.1.
+/// The indices of a triangle's corners; glTF 2.0, section 3.7.2.1.
 fn corners(mode: Mode, face: usize) -> [usize; 3] {
     match mode {
         Mode::TriangleStrip => [face, face + 1 + face % 2, face + 2 - face % 2],
@@ -98,7 +98,7 @@ fn corners(mode: Mode, face: usize) -> [usize; 3] {
     }
 }
 
-/// The inverse transpose up to a positive factor, also where there is no inverse.
+/// The inverse transpose up to a positive factor, defined also for singular matrices.
 fn normal_matrix(transform: Mat4) -> Mat3 {
     let m = Mat3::from_mat4(transform);
     let cofactors = Mat3::from_cols(

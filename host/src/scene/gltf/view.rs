@@ -5,7 +5,7 @@ use glam::{Mat4, Vec3};
 use gltf::camera::Projection as GltfProjection;
 use gltf::khr_lights_punctual::Kind;
 
-/// The camera, with its target at distance 1. None if it has no direction, no up, or no extent.
+/// The camera, with its target at distance 1. `None` without a direction, an up direction, or an extent.
 pub(super) fn camera(camera: &gltf::Camera<'_>, transform: Mat4) -> Option<Camera> {
     let (eye, forward) = position_and_direction(transform)?;
     let up = transform.transform_vector3(Vec3::Y).try_normalize()?;
@@ -31,7 +31,7 @@ pub(super) fn camera(camera: &gltf::Camera<'_>, transform: Mat4) -> Option<Camer
     })
 }
 
-/// The light; a spot as a point. None if it has no direction or a colour that is not finite.
+/// The light; a spot as a point. `None` without a direction, or with a color that is not finite.
 pub(super) fn light(
     light: &gltf::khr_lights_punctual::Light<'_>,
     transform: Mat4,

@@ -1,22 +1,22 @@
-//! The lines of an OBJ file that `tobj` is given.
+//! A filter of the lines of an OBJ file for `tobj`.
 
 use super::super::error::Indexed;
 use std::io::{BufRead, Read, Result};
 
-/// Lets lines through without their leading space, except:
-/// - `l` and `p`: `tobj` takes a polyline for a polygon;
-/// - `vt`: nothing here uses them, and a face that names one out of range is as good as any;
-/// - lines of faces that are known to be broken.
+/// Passes lines on without their leading space, except:
+/// - `l` and `p`, because `tobj` reads a polyline as a polygon;
+/// - `vt`, because texture coordinates are unused, and a face whose index to one is out of range is still valid;
+/// - lines of faces known to be broken.
 pub(super) struct Lines<'a> {
     rest: std::str::SplitInclusive<'a, char>,
-    /// What is not yet consumed of the current line.
+    /// The unread rest of the current line.
     current: &'a [u8],
     line: usize,
-    /// In order of their lines.
+    /// Ordered by line.
     broken: &'a [BrokenFace],
 }
 
-/// A face that names what is not there.
+/// A face that refers to a missing vertex or normal, or cannot be read.
 pub(super) struct BrokenFace {
     /// Counted from 1.
     pub line: usize,
@@ -25,12 +25,12 @@ pub(super) struct BrokenFace {
     pub fault: Fault,
 }
 
-/// What is wrong with a face.
+/// The fault of a face.
 #[derive(Clone, Copy)]
 pub(super) enum Fault {
     /// It has no corners, or a corner cannot be read.
     Unreadable,
-    /// A list has nothing at an index.
+    /// An index is outside of a list.
     Outside {
         list: Indexed,
         /// As written.
@@ -50,7 +50,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The line last let through, counted from 1.
+    /// The line passed on last, counted from 1.
     pub fn line(&self) -> usize {
         self.line
     }
@@ -90,7 +90,7 @@ impl Read for Lines<'_> {
     }
 }
 
-/// Every face that names a vertex or a normal which is not there, or cannot be read. Indices count from 1; negative ones
+/// All broken faces: those that refer to a missing vertex or normal, or cannot be read. Indices count from 1; negative ones
 /// count back from the last vertex above the face.
 pub(super) fn broken_faces(text: &str) -> impl Iterator<Item = BrokenFace> + '_ {
     let total = |keyword| {
@@ -122,8 +122,8 @@ pub(super) fn broken_faces(text: &str) -> impl Iterator<Item = BrokenFace> + '_ 
     })
 }
 
-/// What is wrong with a corner such as `3`, `3/1`, `3//2` or `3/1/2`, given how many vertices and normals there are above
-/// it and in all.
+/// The fault of a corner such as `3`, `3/1`, `3//2` or `3/1/2`, given the numbers of vertices and normals above it and in
+/// the whole file.
 fn fault(corner: &str, above: (usize, usize), totals: (usize, usize)) -> Option<Fault> {
     let mut indices = [None; 3];
     for (place, word) in corner.split('/').enumerate() {
@@ -134,7 +134,7 @@ fn fault(corner: &str, above: (usize, usize), totals: (usize, usize)) -> Option<
         }
     }
     let [vertex, _, normal] = indices;
-    // A corner without a vertex names vertex 0, which is none; normal 0 is taken for no normal.
+    // A corner without a vertex refers to vertex 0, which does not exist. Normal 0 means no normal.
     let vertex = vertex.unwrap_or(0);
     if is_outside(vertex, above.0, totals.0) {
         return Some(Fault::Outside {
@@ -151,7 +151,7 @@ fn fault(corner: &str, above: (usize, usize), totals: (usize, usize)) -> Option<
     })
 }
 
-/// Whether the list has nothing at the index.
+/// Whether the index is outside of the list.
 fn is_outside(index: i64, above: usize, total: usize) -> bool {
     let place = match index {
         ..0 => index.saturating_add_unsigned(above as u64),

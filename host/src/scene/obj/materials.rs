@@ -6,8 +6,8 @@ use super::super::{LoadError, Material};
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// The materials of a library, which may be missing. `tobj` is given only the lines that count and that it can read: it
-/// panics at a colour of fewer than three numbers, and gives up the library at one that is no number.
+/// The materials of a library, which may be missing. `tobj` reads only the lines that are used and readable: it panics at a
+/// color of fewer than three numbers, and rejects the library at one that is not a number.
 pub(super) fn read(
     library: &Path,
     source: &Source<'_>,
@@ -32,7 +32,7 @@ pub(super) fn read(
 /// Materials by name.
 type Names = std::collections::HashMap<String, usize>;
 
-/// Whether the line begins a material, or says one of the things that [`convert`] asks for and says it well.
+/// Whether the line starts a material, or is a readable value that [`convert`] uses.
 fn is_readable(line: &str) -> bool {
     let mut words = line.split_whitespace();
     match words.next() {
@@ -50,8 +50,8 @@ fn color<'a>(words: impl Iterator<Item = &'a str>) -> Option<[f32; 3]> {
     numbers.try_into().ok()
 }
 
-/// The diffuse colour; the specular one as a mirror if the illumination model is the one with reflection; glass of the
-/// transmission filter's colour if it is one with refraction.
+/// The diffuse color. The specular color as a mirror, if the illumination model has reflection. Glass with the color of the
+/// transmission filter, if it has refraction.
 pub(super) fn convert(material: &tobj::Material) -> Material {
     const REFLECTION: u8 = 3;
     const REFRACTION: [u8; 2] = [6, 7];

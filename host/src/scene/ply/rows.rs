@@ -4,9 +4,9 @@ use super::super::error::excerpt;
 use super::{PropertyType, ScalarType};
 use ply_rs_bw::ply::Encoding;
 
-/// Where the reading stands.
+/// The position of the reader.
 pub(super) struct Rows<'a> {
-    /// What is not yet read; of text, what follows the current line.
+    /// The unread bytes; for text, those after the current line.
     rest: &'a [u8],
     form: Form<'a>,
 }
@@ -16,39 +16,39 @@ enum Form<'a> {
     Bytes { big_endian: bool },
 }
 
-/// What remains of the current line.
+/// The rest of the current line.
 struct TextRow<'a> {
     /// Counted from 1.
     line: usize,
     rest: &'a [u8],
-    /// How many numbers have been read.
+    /// The number of numbers read.
     found: u64,
-    /// How many numbers the line must have, for messages.
+    /// The number of numbers required, for messages.
     needed: u64,
 }
 
 /// Why a number cannot be read.
 pub(super) enum Fault {
-    /// The file is at its end.
+    /// The file ends.
     End,
-    /// The line is at its end.
+    /// The line ends.
     TooFew {
         line: usize,
         needed: u64,
         found: u64,
     },
-    /// A word of text is not what is expected.
+    /// A word in place of the expected number.
     Word {
         line: usize,
         text: String,
         expected: &'static str,
     },
-    /// A binary number is not what is expected.
+    /// A binary number out of its range.
     Value { value: f64, expected: &'static str },
 }
 
 impl<'a> Rows<'a> {
-    /// Rows in what follows the header, the first of which would be at the given line.
+    /// The rows after the header; the first is at the given line.
     pub fn new(rest: &'a [u8], encoding: &Encoding, first_line: usize) -> Self {
         let form = match encoding {
             Encoding::Ascii => Form::Text(TextRow {
@@ -63,12 +63,12 @@ impl<'a> Rows<'a> {
         Self { rest, form }
     }
 
-    /// How many bytes are left.
+    /// The number of bytes left.
     pub fn byte_count(&self) -> usize {
         self.rest.len()
     }
 
-    /// The current row's line, if the rows are text.
+    /// The current row's line, if rows are text.
     pub fn line(&self) -> Option<usize> {
         match &self.form {
             Form::Text(row) => Some(row.line),
@@ -76,7 +76,7 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Begins a row of at least so many numbers: in text, at the next line that is not blank.
+    /// Starts a row of at least `needed` numbers: for text, at the next line that is not blank.
     pub fn start(&mut self, needed: usize) -> Result<(), Fault> {
         let Form::Text(row) = &mut self.form else {
             return Ok(());
@@ -98,8 +98,7 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// The next number, which the header declares to be of the given kind. Text is rounded to that kind only where it is
-    /// `float`.
+    /// The next number, of the kind that the header declares. Text is rounded to that kind only if it is `float`.
     #[inline]
     pub fn number(&mut self, kind: &ScalarType) -> Result<f64, Fault> {
         match &mut self.form {
@@ -111,7 +110,7 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// The next list, of indices.
+    /// The next list of indices.
     pub fn indices(
         &mut self,
         count: &ScalarType,
@@ -129,7 +128,7 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// Passes over a property.
+    /// Skips a property.
     pub fn skip(&mut self, data_type: &PropertyType) -> Result<(), Fault> {
         match data_type {
             PropertyType::Scalar(kind) => {
@@ -179,7 +178,7 @@ impl<'a> Rows<'a> {
         })
     }
 
-    /// The next bytes, with the least significant first.
+    /// The next bytes, the least significant first.
     #[inline]
     fn take<const N: usize>(&mut self, big_endian: bool) -> Result<[u8; N], Fault> {
         let (bytes, rest) = self.rest.split_first_chunk().ok_or(Fault::End)?;

@@ -1,9 +1,9 @@
-//! What must hold of all that is saved, so that a picture can be made of it.
+//! The check of saved content: a picture can be made of it.
 
 use super::error::ContentError;
 use crate::{Aabb, Bvh, Scene};
 
-/// Checks a scene, a hierarchy over it, and the box that a camera is to see.
+/// Checks a scene, a hierarchy over it, and the box for the default camera.
 pub fn check(scene: &Scene, bvh: &Bvh, framing: Option<Aabb>) -> Result<(), ContentError> {
     let mesh = &scene.mesh;
     mesh.validate()?;
@@ -11,7 +11,7 @@ pub fn check(scene: &Scene, bvh: &Bvh, framing: Option<Aabb>) -> Result<(), Cont
     if let Some(vertex) = mesh.normals.iter().position(|normal| !is_finite(normal)) {
         return Err(ContentError::Normal { vertex });
     }
-    // Without materials there is one all the same.
+    // Without materials there is one default material.
     let count = scene.materials.len().max(1);
     let mut used = mesh.materials.iter();
     if let Some(triangle) = used.position(|&material| material as usize >= count) {

@@ -5,201 +5,201 @@ use crate::{MeshError, TreeError, ViewError};
 use std::io;
 use thiserror::Error;
 
-/// Why a file is refused: one sentence about it, without its name.
+/// Why a file is rejected: one sentence about the file, without its name.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum FileError {
-    /// It is of another kind.
+    /// The file has another format.
     #[error("it is not a slim file: it begins with \"{found}\"")]
     NotSlim {
         /// Its first characters.
         found: String,
     },
-    /// It stops before its header is complete.
+    /// The file ends before its header is complete.
     #[error("it ends within its header: it has {found} bytes of {expected}")]
     HeaderCut {
-        /// Bytes that are there.
+        /// Bytes found.
         found: usize,
         /// Bytes of a header and its records of sections.
         expected: usize,
     },
-    /// Its numbers have their highest byte first.
+    /// The file is big-endian.
     #[error("it is big-endian; slim files are little-endian: build it again")]
     BigEndian,
-    /// Neither byte order.
+    /// The mark is of neither byte order.
     #[error("its mark of the byte order is {mark:08x}; it is damaged: copy or build it again")]
     ByteOrder {
-        /// What is there.
+        /// The mark.
         mark: u32,
     },
-    /// It is of another version.
+    /// The file has another version.
     #[error(
-        "it is of version {version}, and this slimbvh reads version {VERSION}: build it again, or take the slimbvh that wrote it"
+        "it is of version {version}, and this slimbvh reads version {VERSION}: build it again, or use the slimbvh that wrote it"
     )]
     Version {
         /// Its version.
         version: u32,
     },
-    /// It is not as long as it says.
-    #[error("it {}: {announced} bytes are announced, {found} are there", if found < announced { "ends early" } else { "goes on behind its end" })]
+    /// The file's length differs from the one in its header.
+    #[error("it {}: {announced} bytes are announced, {found} are there", if found < announced { "ends early" } else { "continues past its end" })]
     Length {
-        /// Its length, as it says.
+        /// The length in the header.
         announced: u64,
-        /// Its length.
+        /// The actual length.
         found: u64,
     },
-    /// Some byte was changed.
+    /// Bytes of the file have changed.
     #[error(
         "it is damaged: its checksum is {stored:08x}, and that of its bytes {computed:08x}; copy or build it again"
     )]
     Checksum {
-        /// What is there.
+        /// The checksum in the header.
         stored: u32,
-        /// What should be there.
+        /// The checksum of the bytes.
         computed: u32,
     },
-    /// It has more sections, or fewer.
+    /// The number of sections is wrong.
     #[error("it has {count} sections; there must be {SECTION_COUNT}")]
     SectionCount {
-        /// How many are announced.
+        /// The number in the header.
         count: u32,
     },
-    /// A section is not the one that comes there.
+    /// A section has the wrong kind for its position.
     #[error("the section in place of the {section} is of kind {kind}")]
     Kind {
-        /// Which should be there.
+        /// The expected section.
         section: Section,
-        /// Which is there.
+        /// The kind found.
         kind: u32,
     },
-    /// A section does not follow the one before it.
+    /// A section does not directly follow the one before it.
     #[error("the {section} begin at byte {begin}; they must at byte {expected}")]
     Place {
-        /// Which.
+        /// The section.
         section: Section,
-        /// Where it begins.
+        /// Its position.
         begin: u64,
-        /// Where it must.
+        /// The expected position.
         expected: u64,
     },
-    /// A section reaches beyond the file, or the last one does not end with it.
+    /// A section ends beyond the file, or the last one before it.
     #[error("the {section} end at byte {end}, the file at byte {length}")]
     End {
-        /// Which.
+        /// The section.
         section: Section,
-        /// Where it ends.
+        /// Its end.
         end: u64,
         /// The file's length.
         length: u64,
     },
-    /// A section has items of another size than its kind.
+    /// A section's item size is not that of its kind.
     #[error("the {section} have {item_bytes} bytes each; they must have {expected}")]
     ItemBytes {
-        /// Which.
+        /// The section.
         section: Section,
         /// Bytes of an item.
         item_bytes: u32,
-        /// What they must be.
+        /// The size of its kind.
         expected: usize,
     },
-    /// A section's last item is not complete.
+    /// A section's last item is incomplete.
     #[error("the {section} have {length} bytes, which are not whole items of {item_bytes}")]
     CutItem {
-        /// Which.
+        /// The section.
         section: Section,
         /// Bytes of the section.
         length: u64,
         /// Bytes of an item.
         item_bytes: usize,
     },
-    /// A section must have one item.
+    /// A section does not have exactly one item.
     #[error("the {section} has {count} records; it must have one")]
     Count {
-        /// Which.
+        /// The section.
         section: Section,
-        /// How many there are.
+        /// The number of items.
         count: usize,
     },
-    /// A byte that is never used is.
-    #[error("byte {at} is not 0, as all between the sections are")]
+    /// A byte between sections is not zero.
+    #[error("byte {at} is not 0, but all bytes between the sections must be")]
     NotZero {
-        /// Where.
+        /// Its position.
         at: u64,
     },
-    /// A record has a kind that is not there, or says something where there is nothing to say.
-    #[error("record {item} of the {section} is not one that slimbvh writes")]
+    /// A record has an unknown kind, or a value in an unused field.
+    #[error("record {item} of the {section} is invalid")]
     Record {
-        /// Which section.
+        /// The section.
         section: Section,
-        /// Which record, counted from 0.
+        /// The record, counted from 0.
         item: usize,
     },
-    /// Names do not fill their section, or are no text.
-    #[error("the name of part {part} is not UTF-8, or not as long as is announced")]
+    /// Names do not fill their section, or are not UTF-8.
+    #[error("the name of part {part} is not UTF-8, or its length is wrong")]
     Name {
-        /// Which, counted from 0.
+        /// The part, counted from 0.
         part: usize,
     },
-    /// What is in it does not belong together.
+    /// The content is invalid or inconsistent.
     #[error(transparent)]
     Content(#[from] ContentError),
 }
 
-/// What a scene or a hierarchy has that no file may.
+/// Content that cannot be saved.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum ContentError {
-    /// The mesh is not sound.
+    /// The mesh is invalid.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The hierarchy is not sound, or not over this mesh.
+    /// The hierarchy is invalid, or not over this mesh.
     #[error(transparent)]
     Tree(#[from] TreeError),
     /// A normal is NaN or infinite.
     #[error("the normal of vertex {vertex} is not finite")]
     Normal {
-        /// Which.
+        /// The vertex.
         vertex: usize,
     },
-    /// A triangle has a material that is not there.
+    /// A triangle's material does not exist.
     #[error("triangle {triangle} has material {material}, but there are only {count}")]
     NoSuchMaterial {
-        /// Which triangle.
+        /// The triangle.
         triangle: usize,
         /// Its material.
         material: u32,
-        /// How many there are.
+        /// The number of materials.
         count: usize,
     },
-    /// A material has a number that is no share.
+    /// A material has a number out of range.
     #[error(
-        "material {material} has a color, a mirror's share or a share that passes that is not from 0 to 1, or no index of refraction"
+        "material {material} has a color, mirror share or transmission outside of 0 to 1, or an invalid index of refraction"
     )]
     Material {
-        /// Which, counted from 0.
+        /// The material, counted from 0.
         material: usize,
     },
-    /// A part's name is longer than a file can say.
+    /// A part's name is longer than a file can store.
     #[error("the name of part {part} has {length} bytes; at most 4294967295 can be saved")]
     LongName {
-        /// Which, counted from 0.
+        /// The part, counted from 0.
         part: usize,
         /// Bytes of the name.
         length: usize,
     },
-    /// A camera makes no picture.
+    /// A camera cannot be rendered.
     #[error("camera {}: {error}", camera + 1)]
     Camera {
-        /// Which, counted from 0; the message counts from 1.
+        /// The camera, counted from 0; the message counts from 1.
         camera: usize,
-        /// What is wrong with it.
+        /// Its fault.
         #[source]
         error: ViewError,
     },
-    /// A light gives no light.
+    /// A light is invalid.
     #[error(transparent)]
     Light(ViewError),
-    /// What a camera is to see is no box.
+    /// The box for the default camera is invalid.
     #[error("the box to be framed is not finite, or inverted")]
     Framing,
 }
@@ -208,10 +208,10 @@ pub enum ContentError {
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WriteError {
-    /// What is to be in it is not sound.
+    /// The content is invalid.
     #[error(transparent)]
     Content(#[from] ContentError),
-    /// The operating system refuses.
+    /// The operating system's error.
     #[error(transparent)]
     Io(#[from] io::Error),
 }

@@ -1,31 +1,31 @@
-//! Header, sections, and numbers in bytes.
+//! Header, sections, and the byte form of numbers.
 
 use bytemuck::{Pod, Zeroable};
 use std::borrow::Cow;
 use std::fmt;
 
-/// What every file begins with.
+/// The first bytes of every file.
 pub const MAGIC: [u8; 8] = *b"\x89SLIM\r\n\x1a";
 
-/// The byte order, as this machine reads it where it is right.
+/// The mark of the byte order, as a machine of the right order reads it.
 pub const ORDER: u32 = 0x0102_0304;
 
-/// The version that is written, and the only one that is read.
+/// The version that is written, and the only one that can be read.
 pub const VERSION: u32 = 1;
 
 /// Sections begin at multiples of this.
 pub const ALIGNMENT: u64 = 256;
 
-/// Where the checksum stands.
+/// The bytes of the checksum.
 pub const CHECKSUM: std::ops::Range<usize> = 16..20;
 
-/// How many sections there are.
+/// The number of sections.
 pub const SECTION_COUNT: usize = Section::ALL.len();
 
-/// Bytes of the header and of the records of sections behind it.
+/// Bytes of the header and of the section records after it.
 pub const TABLE_END: usize = size_of::<Header>() + SECTION_COUNT * size_of::<SectionRecord>();
 
-/// What is in a section.
+/// The content of a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Section {
@@ -41,15 +41,15 @@ pub enum Section {
     Parts,
     /// The parts' names.
     Names,
-    /// What the triangles' materials point into.
+    /// The materials that triangles refer to.
     Materials,
     /// Cameras.
     Cameras,
     /// Lights.
     Lights,
-    /// What else is to be said of the scene.
+    /// Other facts of the scene.
     Scene,
-    /// All of the hierarchy but its lists.
+    /// The hierarchy, without its lists.
     Hierarchy,
     /// Inner nodes.
     Nodes,
@@ -58,7 +58,7 @@ pub enum Section {
 }
 
 impl Section {
-    /// In the order in which they stand.
+    /// In the order of the file.
     pub const ALL: [Self; 13] = [
         Self::Vertices,
         Self::Indices,
@@ -106,11 +106,11 @@ pub struct Header {
     pub order: u32,
     /// Bytes 12–15: [`VERSION`].
     pub version: u32,
-    /// Bytes 16–19: of all other bytes.
+    /// Bytes 16–19: the checksum of all other bytes.
     pub checksum: u32,
     /// Bytes 20–23: [`SECTION_COUNT`].
     pub section_count: u32,
-    /// Bytes 24–31: the file's, lower half first.
+    /// Bytes 24–31: the file's length, lower half first.
     pub length: [u32; 2],
     /// Bytes 32–63: zeros.
     pub zeros: [u32; 8],
@@ -118,17 +118,17 @@ pub struct Header {
 
 const _: () = assert!(size_of::<Header>() == 64);
 
-/// Where a section lies. 32 bytes.
+/// The position of a section. 32 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
 #[repr(C)]
 pub struct SectionRecord {
     /// Bytes 0–3: [`Section`], from 1.
     pub kind: u32,
-    /// Bytes 4–7: of an item.
+    /// Bytes 4–7: bytes of an item.
     pub item_bytes: u32,
-    /// Bytes 8–15: where it begins, lower half first.
+    /// Bytes 8–15: the begin, lower half first.
     pub begin: [u32; 2],
-    /// Bytes 16–23: in bytes, lower half first.
+    /// Bytes 16–23: the length in bytes, lower half first.
     pub length: [u32; 2],
     /// Bytes 24–31: zeros.
     pub zeros: [u32; 2],
@@ -145,17 +145,17 @@ pub fn magic() -> [u32; 2] {
     ]
 }
 
-/// A number of 64 bits as it is stored.
+/// A 64-bit number as it is stored.
 pub const fn halves(number: u64) -> [u32; 2] {
     [number as u32, (number >> 32) as u32]
 }
 
-/// A number of 64 bits from where it is stored.
+/// A stored 64-bit number.
 pub fn whole([low, high]: [u32; 2]) -> u64 {
     u64::from(low) | u64::from(high) << 32
 }
 
-/// Items of whole words in the file's byte order; as they lie in memory, where that is the same.
+/// Items of whole words in the file's byte order; borrowed if memory has the same order.
 pub fn to_bytes<T: Pod>(items: &[T]) -> Cow<'_, [u8]> {
     if cfg!(target_endian = "little") {
         Cow::Borrowed(bytemuck::cast_slice(items))
@@ -165,7 +165,7 @@ pub fn to_bytes<T: Pod>(items: &[T]) -> Cow<'_, [u8]> {
     }
 }
 
-/// Items of whole words from the file's byte order. What does not fill one is left.
+/// Items of whole words from the file's byte order. An incomplete last item is dropped.
 pub fn from_bytes<T: Pod>(bytes: &[u8]) -> Vec<T> {
     let item = |bytes: &[u8]| {
         let mut item: T = bytemuck::pod_read_unaligned(bytes);
@@ -177,17 +177,17 @@ pub fn from_bytes<T: Pod>(bytes: &[u8]) -> Vec<T> {
     bytes.chunks_exact(size_of::<T>()).map(item).collect()
 }
 
-/// The checksum of a file that is shown in pieces, in order.
+/// The checksum of a file that is passed in pieces, in order.
 #[derive(Debug, Default)]
 pub struct Checksum(crc32fast::Hasher);
 
 impl Checksum {
-    /// Takes what comes next.
+    /// Adds the next piece.
     pub fn take(&mut self, bytes: &[u8]) {
         self.0.update(bytes);
     }
 
-    /// What stands in the header.
+    /// The checksum for the header.
     pub fn finish(self) -> u32 {
         self.0.finalize()
     }

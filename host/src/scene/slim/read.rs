@@ -1,4 +1,4 @@
-//! Reads files, and trusts nothing in them.
+//! Reads files without trusting them.
 
 use super::Saved;
 use super::check::check;
@@ -16,14 +16,14 @@ use crate::tree::{Bvh, ListReader, StoredTree};
 use crate::{Aabb, Mesh, Part, Scene};
 use bytemuck::Pod;
 
-/// The scene and the hierarchy in a file's bytes, which may be mapped memory. Allocates no more than there are bytes, and a
-/// bit for each triangle.
+/// The scene and the hierarchy in a file's bytes, which may be mapped memory. Allocates at most as many bytes as there are,
+/// plus a bit for each triangle.
 ///
-/// Whatever the bytes are, what comes out is sound: [`Mesh::validate`] and [`Bvh::validate_over`] have passed, cameras, lights
-/// and materials can be used.
+/// The result is sound, whatever the bytes are: [`Mesh::validate`] and [`Bvh::validate_over`] have passed, and cameras,
+/// lights and materials can be used.
 ///
 /// # Errors
-/// The first fault found. No single byte, and no run of up to four, can be changed without one.
+/// The first fault found. Every change of a single byte, or of a run of up to four, is found.
 pub fn read(bytes: &[u8]) -> Result<Saved, FileError> {
     let header = header(bytes)?;
     let file = Sections::of(bytes, &header)?;
@@ -37,7 +37,7 @@ pub fn read(bytes: &[u8]) -> Result<Saved, FileError> {
     })
 }
 
-/// The header, once the checksum is right.
+/// The header, after the check of the checksum.
 fn header(bytes: &[u8]) -> Result<Header, FileError> {
     let begin = &bytes[..bytes.len().min(MAGIC.len())];
     if *begin != MAGIC[..begin.len()] {
@@ -79,14 +79,14 @@ fn header(bytes: &[u8]) -> Result<Header, FileError> {
     Ok(header)
 }
 
-/// What lies where.
+/// The positions of the sections.
 struct Sections<'a> {
     bytes: [&'a [u8]; SECTION_COUNT],
     records: Vec<SectionRecord>,
 }
 
 impl<'a> Sections<'a> {
-    /// Checks that all is in its place, one section behind the other, and zeros between.
+    /// Checks that all sections are in order, each directly after the one before, with zeros in between.
     fn of(bytes: &'a [u8], header: &Header) -> Result<Self, FileError> {
         if header.section_count as usize != SECTION_COUNT {
             return Err(FileError::SectionCount {
@@ -125,7 +125,7 @@ impl<'a> Sections<'a> {
                     length: file_end,
                 });
             }
-            // Both are in memory, so they are of its size.
+            // Both are within the file in memory, so they fit.
             let (begin, section_end) = (begin as usize, section_end as usize);
             zeros(bytes, end, begin)?;
             *to = &bytes[begin..section_end];
@@ -175,7 +175,7 @@ impl<'a> Sections<'a> {
         }
     }
 
-    /// What a section's records stand for, each of which must be as it would be written.
+    /// The values of a section's records. Each record must be exactly as it would be written.
     fn records<R, T>(
         &self,
         section: Section,
@@ -198,7 +198,7 @@ fn is_same<R: Pod>(a: &R, b: &R) -> bool {
     bytemuck::bytes_of(a) == bytemuck::bytes_of(b)
 }
 
-/// Checks that nothing is between two places.
+/// Checks that all bytes between two positions are zero.
 fn zeros(bytes: &[u8], from: usize, to: usize) -> Result<(), FileError> {
     match bytes[from..to].iter().position(|&byte| byte != 0) {
         Some(offset) => Err(FileError::NotZero {
@@ -265,7 +265,7 @@ fn parts(file: &Sections) -> Result<Vec<Part>, FileError> {
     }
 }
 
-/// The hierarchy, of which nothing is checked yet but that its lists are whole.
+/// The hierarchy, unchecked except that its lists are whole.
 fn hierarchy(file: &Sections) -> Result<Bvh, FileError> {
     let section = Section::Hierarchy;
     let record: HierarchyRecord = file.item(section)?;

@@ -1,4 +1,4 @@
-//! Parts, materials, cameras, lights and what stands beside lists, as the file has them.
+//! Records of parts, materials, cameras, lights, the scene and the hierarchy.
 
 use crate::tree::{Bvh, MeshCodec, NodeCodec, StoredTree, tagged, tags};
 use crate::{AreaShape, Camera, Light, Material, Projection};
@@ -10,7 +10,7 @@ use slimbvh_core::{Aabb, Vec3};
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct PartRecord {
-    /// Bytes 0–3: of its name.
+    /// Bytes 0–3: length of its name.
     pub name_bytes: u32,
     /// Bytes 4–7: zero.
     pub zero: u32,
@@ -75,9 +75,9 @@ pub struct CameraRecord {
     extent: f32,
     /// Bytes 32–43.
     up: [f32; 3],
-    /// Bytes 44–47: of the lens.
+    /// Bytes 44–47: the lens's radius.
     radius: f32,
-    /// Bytes 48–51: of what is sharp.
+    /// Bytes 48–51: the distance in focus.
     focus_distance: f32,
     /// Bytes 52–63: zeros.
     zeros: [u32; 3],
@@ -110,7 +110,7 @@ impl From<&Camera> for CameraRecord {
 }
 
 impl CameraRecord {
-    /// None for a kind that is not there.
+    /// `None` for an unknown kind.
     pub fn camera(&self) -> Option<Camera> {
         let projection = match self.kind {
             0 => Projection::Perspective {
@@ -143,7 +143,7 @@ pub struct LightRecord {
     color: [f32; 3],
     /// Bytes 12–15: 0 sun, 1 point, 2 disc, 3 rectangle.
     kind: u32,
-    /// Bytes 16–27: where a sun's light goes, or where another light is.
+    /// Bytes 16–27: the direction of a sun's light, or the position of another light.
     place: [f32; 3],
     /// Bytes 28–31: zero for a sun.
     range: f32,
@@ -201,7 +201,7 @@ impl From<&Light> for LightRecord {
 }
 
 impl LightRecord {
-    /// None for a kind that is not there.
+    /// `None` for an unknown kind.
     pub fn light(&self) -> Option<Light> {
         let (place, color, range) = (self.place, self.color, self.range);
         let area = |shape| Light::Area {
@@ -228,13 +228,13 @@ impl LightRecord {
     }
 }
 
-/// A box that may not be there. 32 bytes.
+/// An optional box. 32 bytes.
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub struct BoxRecord {
     /// Bytes 0–11.
     min: [f32; 3],
-    /// Bytes 12–15: 1 where there is a box.
+    /// Bytes 12–15: 1 if there is a box.
     is_there: u32,
     /// Bytes 16–27.
     max: [f32; 3],
@@ -262,13 +262,13 @@ impl From<&BoxRecord> for Option<Aabb> {
     }
 }
 
-/// What is to be said of the scene beside its lists. 64 bytes.
+/// Facts of the scene besides its lists. 64 bytes.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
 pub struct SceneRecord {
-    /// Bytes 0–31: what a camera is to see.
+    /// Bytes 0–31: the box for the default camera.
     pub framing: BoxRecord,
-    /// Bytes 32–35: faces that a lenient loader left out.
+    /// Bytes 32–35: faces that a lenient loader dropped.
     pub dropped_face_count: u32,
     /// Bytes 36–63: zeros.
     pub zeros: [u32; 7],
@@ -276,15 +276,15 @@ pub struct SceneRecord {
 
 const _: () = assert!(size_of::<SceneRecord>() == 64);
 
-/// All of a hierarchy but its lists. 128 bytes.
+/// A hierarchy, without its lists. 128 bytes.
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
 #[repr(C)]
 pub struct HierarchyRecord {
-    /// Bytes 0–3: the tag of their codec.
+    /// Bytes 0–3: the tag of the nodes' codec.
     nodes: u32,
-    /// Bytes 4–7: of a plane on the lattice, else 0.
+    /// Bytes 4–7: the bits of a lattice plane, else 0.
     bits: u32,
-    /// Bytes 8–11: the tag of their codec.
+    /// Bytes 8–11: the tag of the triangles' codec.
     triangles: u32,
     /// Bytes 12–15.
     pub triangle_count: u32,
@@ -294,15 +294,15 @@ pub struct HierarchyRecord {
     depth_bound: u32,
     /// Bytes 24–27.
     scene_exponent: i32,
-    /// Bytes 28–31: of the lattice's step at the scene's magnitude, else 0.
+    /// Bytes 28–31: the exponent of the lattice's step at the scene's magnitude, else 0.
     step_exponent: i32,
-    /// Bytes 32–63: the mesh's.
+    /// Bytes 32–63: the mesh's bounds.
     bounds: BoxRecord,
-    /// Bytes 64–75: floats or whole numbers, as the codec has them; 0 in full.
+    /// Bytes 64–75: floats or integers, depending on the codec; 0 in full.
     root_min: [u32; 3],
     /// Bytes 76–79: zero.
     zero_1: u32,
-    /// Bytes 80–91: as the smallest.
+    /// Bytes 80–91: as `root_min`.
     root_max: [u32; 3],
     /// Bytes 92–95: zero.
     zero_2: u32,
@@ -335,7 +335,7 @@ impl From<&Bvh> for HierarchyRecord {
 }
 
 impl HierarchyRecord {
-    /// How its lists are stored; none where there is no such codec.
+    /// The codecs of its lists; `None` for unknown tags.
     pub fn codecs(&self) -> Option<(NodeCodec, MeshCodec)> {
         let tags = [self.nodes, self.bits, self.triangles];
         tagged(tags, self.step_exponent.wrapping_sub(self.scene_exponent))
@@ -350,7 +350,7 @@ impl HierarchyRecord {
         }
     }
 
-    /// The hierarchy, whose lists are stored so.
+    /// The hierarchy with these lists.
     pub fn bvh(&self, stored: StoredTree) -> Bvh {
         Bvh {
             stored,

@@ -1,4 +1,4 @@
-//! Whatever is done to a file's bytes, it is refused, or what comes out of it is sound.
+//! Every changed file is rejected, or its content is sound.
 
 use super::layout::{CHECKSUM, Header, checksum};
 use super::*;
@@ -10,7 +10,7 @@ use crate::{
 use glam::Vec3;
 use slimbvh_core::Ray;
 
-/// Codecs of each kind, of which some have nodes of 3, 4, 5 and 7 words.
+/// Codecs of each kind, with nodes of 3, 4, 5 and 7 words.
 fn configs() -> Vec<BuildConfig> {
     let lattice = [
         LatticeBits::Q4,
@@ -35,7 +35,7 @@ fn configs() -> Vec<BuildConfig> {
     codecs.into_iter().map(config).collect()
 }
 
-/// A scene with some of everything: a ball on the lattice with a step of 2^-12.
+/// A scene with every kind of content, around a ball on the lattice of step 2^-12.
 fn scene(subdivisions: u32) -> Scene {
     let mut mesh = icosphere(Vec3::new(1.0, -2.0, 0.5), 1.0, subdivisions);
     mesh.snap(-12);
@@ -123,13 +123,13 @@ fn again(scene: &Scene, bvh: &Bvh, framing: Option<Aabb>) -> Vec<u8> {
     bytes
 }
 
-/// Puts the checksum right again.
+/// Corrects the checksum.
 fn repair(bytes: &mut [u8]) {
     let sum = checksum(bytes);
     bytes[CHECKSUM].copy_from_slice(&sum.to_le_bytes());
 }
 
-/// Rays from around towards all vertices and past them.
+/// Rays from all around, toward the vertices and past them.
 fn rays(scene: &Scene) -> impl Iterator<Item = Ray> {
     let targets = scene.mesh.vertices.iter().take(12);
     let eyes = [[4.0, 1.0, 5.0], [1.0, -2.0, 0.5], [-9.0, -2.0, 0.5]];
@@ -138,7 +138,7 @@ fn rays(scene: &Scene) -> impl Iterator<Item = Ray> {
     })
 }
 
-/// Uses what was read for all that there is: rays, pictures, decoding, and refits into other codecs.
+/// Uses the loaded scene in every way: rays, pictures, decoding, and refits into other codecs.
 fn use_it(saved: &mut Saved, is_thorough: bool) {
     let Saved { scene, bvh, .. } = saved;
     assert_eq!(bvh.validate_over(&scene.mesh), Ok(()));
@@ -158,7 +158,7 @@ fn use_it(saved: &mut Saved, is_thorough: bool) {
     };
     let mut picture = Picture::default();
     let rendered = Renderer::new().render(scene, bvh, &settings, &mut picture, |_| {});
-    // The camera may be too far away, but not more than that.
+    // The camera may be too far away; no other error is allowed.
     assert!(rendered.is_ok() || scene.cameras[0].check_reach(bvh.scene_exponent).is_err());
     let decoded = bvh.decoded();
     assert_eq!(decoded.validate(), Ok(()));
@@ -214,7 +214,7 @@ fn empty_and_tiny_meshes_are_saved_too() {
     }
 }
 
-/// Addresses of parts of files are those that the documentation gives.
+/// Parts of files are at the documented addresses.
 #[test]
 fn bytes_lie_where_the_layout_says() {
     let bytes = saved(2, BuildConfig::default());
@@ -235,7 +235,7 @@ fn bytes_lie_where_the_layout_says() {
         end = begin + word(at + 16) as usize;
     }
     assert_eq!(end, bytes.len());
-    // Of the first triangle in leaf order, the last word is its number in the mesh.
+    // The last word of the first triangle in leaf order is its index in the mesh.
     let at = word(64 + 32 * 12 + 8) as usize + 36;
     assert!(word(at) < 320);
     let vertex = word(64 + 8) as usize;
@@ -269,7 +269,7 @@ fn files_cut_or_grown_anywhere_are_refused() {
                 ),
                 "{length} {cut:?}"
             );
-            // The same where the header agrees.
+            // The same with a matching header.
             let mut bytes = sound[..length].to_vec();
             if length >= size_of::<Header>() {
                 bytes[24..32].copy_from_slice(&(length as u64).to_le_bytes());
@@ -333,11 +333,11 @@ fn whatever_passes_with_a_right_checksum_is_sound() {
         }
     }
     println!("{accepted} accepted, {refused} refused");
-    // Materials, lights, and slack of boxes may well be otherwise.
+    // Materials, lights, and slack of boxes may differ.
     assert!(accepted > 1000 && refused > 5 * accepted);
 }
 
-/// Sections in the place of others, with a right checksum.
+/// Exchanged sections, with a correct checksum.
 #[test]
 fn sections_elsewhere_are_refused() {
     let sound = saved(1, BuildConfig::default());
@@ -385,11 +385,11 @@ fn refusals_say_what_is_wrong() {
     repair(&mut bytes);
     assert_eq!(
         refusal(&bytes),
-        "byte 500 is not 0, as all between the sections are"
+        "byte 500 is not 0, but all bytes between the sections must be"
     );
 }
 
-/// What no file may hold is not written.
+/// Invalid content is not written.
 #[test]
 fn what_is_not_sound_is_not_written() {
     let sound = scene(1);
@@ -428,7 +428,7 @@ fn what_is_not_sound_is_not_written() {
     assert!(refusal(&dark).contains("light 1"));
 }
 
-/// A disk that is full is told, and how far it was written is not for this to mend.
+/// A full disk is an error; the partly written file stays.
 #[test]
 fn errors_of_the_system_are_told() {
     struct Full(usize);

@@ -15,11 +15,12 @@ use bytemuck::Pod;
 use std::borrow::Cow;
 use std::io::Write;
 
-/// Writes a scene and a hierarchy over its mesh, and what a camera is to see where the scene has none
-/// ([`Saved::framing`](super::Saved::framing)). Returns how many bytes that were.
+/// Writes a scene, a hierarchy over its mesh, and the box for the default camera if the scene has none
+/// ([`Saved::framing`](super::Saved::framing)). Returns the number of bytes.
 ///
 /// # Errors
-/// Nothing is written unless all is sound: [`read`](super::read) accepts what comes out.
+/// If the content is invalid, before anything is written; [`read`](super::read) accepts every written file. If the
+/// operating system refuses.
 pub fn write(
     scene: &Scene,
     bvh: &Bvh,
@@ -68,7 +69,7 @@ pub fn write(
     write_lists(&lists, &mut to)
 }
 
-/// As it is saved.
+/// The scene's record.
 pub fn scene_record(scene: &Scene, framing: Option<Aabb>) -> SceneRecord {
     SceneRecord {
         framing: framing.into(),
@@ -77,7 +78,7 @@ pub fn scene_record(scene: &Scene, framing: Option<Aabb>) -> SceneRecord {
     }
 }
 
-/// A section with what is in it.
+/// A section with its items.
 struct List<'a> {
     section: Section,
     item_bytes: usize,
@@ -103,7 +104,7 @@ impl<'a> List<'a> {
 }
 
 fn write_lists(lists: &[List; SECTION_COUNT], to: &mut impl Write) -> Result<u64, WriteError> {
-    // Where each begins, and how far that is behind the one before.
+    // The position of each section, and the number of zeros before it.
     let mut end = TABLE_END as u64;
     let mut records = Vec::with_capacity(SECTION_COUNT);
     let mut gaps = Vec::with_capacity(SECTION_COUNT);
@@ -131,7 +132,7 @@ fn write_lists(lists: &[List; SECTION_COUNT], to: &mut impl Write) -> Result<u64
     };
     let head = |checksum| [&*to_bytes(&[header(checksum)]), &*to_bytes(&records)].concat();
 
-    // The checksum is known only at the end, but stands in front.
+    // The checksum is known only at the end, but is stored in the header.
     let mut checksum = Checksum::default();
     let unsigned = head(0);
     checksum.take(&unsigned[..super::layout::CHECKSUM.start]);

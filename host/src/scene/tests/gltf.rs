@@ -122,7 +122,7 @@ fn nodes_are_flattened_and_mirrored_ones_turned() {
         first_triangle,
         triangle_count: 12,
     };
-    // A node without a name goes by its mesh's.
+    // A node without a name has its mesh's.
     assert_eq!(mesh.parts, [part("first", 0), part("box", 12)]);
     assert_eq!(mesh.materials, [0; 24]);
     assert_eq!(
@@ -269,7 +269,7 @@ fn normals_are_turned_with_their_node() {
 
 #[test]
 fn sparse_accessors_replace_elements() {
-    // Of the buffer, bytes 96 and 98 are indices 0 and 4, and bytes 12 to 36 the corners (1, 0, 0) and (0, 2, 0).
+    // Bytes 96 and 98 of the buffer are indices 0 and 4, and bytes 12 to 36 the corners (1, 0, 0) and (0, 2, 0).
     let sparse = r#""count": 8, "sparse": {"count": 2, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0, "byteOffset": 12}}"#;
     let scene = load_changed(r#""count": 8"#, sparse);
     assert_eq!(scene.mesh.vertices[0], [1.0, 0.0, 0.0]);
@@ -390,7 +390,7 @@ fn nodes_must_form_trees() {
         refusal(r#""translation": [10, 0, 0]"#, r#""children": [0]"#),
         "\"x.gltf\": node 0 is reached twice; nodes must form trees"
     );
-    // Deep, but a tree: each node has the next below it, and the last has the mesh.
+    // A deep tree: each node is the parent of the next, and the last has the mesh.
     let depth = 100_000;
     let chain: String = (1..depth)
         .map(|child| format!(r#"{{"children": [{child}]}}, "#))

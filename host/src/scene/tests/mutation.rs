@@ -1,4 +1,4 @@
-//! Broken copies of every sample: each is loaded or refused, none takes the process or the afternoon.
+//! Broken copies of every sample: each is loaded or rejected, without a crash and in little time.
 
 use super::*;
 
@@ -18,7 +18,7 @@ impl Random {
     }
 }
 
-/// One of: the beginning, a byte changed, a run removed, a run repeated, digits made large.
+/// One of: a truncation, a changed byte, a removed run, a repeated run, enlarged digits.
 fn mutate(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     for _ in 0..=random.below(3) {
@@ -43,7 +43,7 @@ fn mutate(bytes: &[u8], random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-/// Loads broken copies strictly and leniently. A panic that a reader's crate has is a refusal too, but is counted here.
+/// Loads broken copies strictly and leniently. A caught panic of a reader's crate is a rejection too, but is counted here.
 fn torture(name: &str, sample: &[u8]) {
     let files = Files::new();
     files.put("box.mtl", "newmtl red\nKd 1 0 0\n");

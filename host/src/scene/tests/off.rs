@@ -91,7 +91,7 @@ fn huge_counts_are_not_believed() {
 #[test]
 fn other_kinds_are_refused() {
     let refusal = |text: &str| Files::with("a.off", text).refusal("a.off");
-    let rest = "of OFF files, text with the prefixes C, N and ST is read";
+    let rest = "slimbvh reads OFF text with the prefixes C, N and ST";
     assert_eq!(
         refusal("4OFF\n"),
         format!("\"a.off\" begins with \"4OFF\"; {rest}")
@@ -112,7 +112,7 @@ fn lenient_loading_leaves_broken_faces_out() {
         .replace("4 2 6 7 3", "4 2 6 9 3")
         .replace("1 0 3\n", "nan 0 3\n");
     let files = Files::with("a.off", text);
-    // Gone are a quad, which is one face, and the four triangles with corner 5.
+    // Dropped: a quad, which is one face, and the four triangles with corner 5.
     let scene = files.load_leniently("a.off");
     assert_eq!(scene.mesh.indices.len(), 6);
     assert_eq!(scene.dropped_face_count, 5);

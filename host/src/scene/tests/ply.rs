@@ -1,6 +1,6 @@
 use super::*;
 
-/// The box with quads, in one of the three encodings, with an element and properties that are passed over.
+/// The box with quads, in one of the three encodings, with an element and properties that are skipped.
 pub(super) fn sample(encoding: &str) -> Vec<u8> {
     let mut bytes = format!(
         "ply\nformat {encoding} 1.0\ncomment a box of 1×2×3\nelement vertex 8\nproperty float x\n\

@@ -114,7 +114,7 @@ fn faults_name_the_face() {
 
 #[test]
 fn lenient_loading_leaves_broken_faces_out() {
-    // Two in a row, and one more.
+    // Two adjacent ones, and one more.
     let text = text().replace("vertex 1 2e0 3", "vertex 1 nan 3");
     let bad = text
         .split("endfacet")

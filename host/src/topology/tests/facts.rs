@@ -1,4 +1,4 @@
-//! Components, closedness and the volume's sign, now and after moving.
+//! Components, closedness and the volume's sign, before and after movement.
 
 use super::shapes::*;
 use super::*;
@@ -45,7 +45,7 @@ fn a_klein_bottle_is_not_closed() {
         facts(&Topology::new(&klein_bottle(true))),
         [(384, false, None)]
     );
-    // The control: joined the other way, the same tube is.
+    // The control: joined without the twist, the same tube is.
     assert!(Topology::new(&klein_bottle(false)).facts()[0].closed);
 }
 
@@ -100,7 +100,7 @@ fn edges_that_come_apart_open_a_component_until_they_meet_again() {
     topology.update(&mesh);
     assert_eq!(facts(&topology), [(12, true, Some(true))]);
 
-    // The control: where the corner is shared, moving it opens nothing.
+    // The control: if the corner is shared, moving it opens nothing.
     let mut mesh = solid;
     let mut topology = Topology::new(&mesh);
     mesh.vertices[7][1] += 0.25;
@@ -124,8 +124,8 @@ fn solids_that_touch_in_a_point_may_part() {
     topology.update(&parted);
     assert_eq!(facts(&topology), both);
 
-    // Along an edge they are one, and parting them opens it: the surface of each alone would be closed, but nobody knows
-    // which sides belong together.
+    // Along an edge they are one component, and parting them opens it: each surface alone would be closed, but the pairing
+    // of the sides is unknown.
     let mesh = join(
         block([0.0; 3], [1.0, 2.0, 3.0]),
         block([1.0, 2.0, 0.0], [4.0, 5.0, 3.0]),

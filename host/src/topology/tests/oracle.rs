@@ -1,8 +1,8 @@
-//! Exact answers for small whole coordinates, by other means than the code under test.
+//! Exact answers for small integer coordinates, by other methods than those of the code under test.
 
 type Point = [i128; 3];
 
-/// Three corners.
+/// The corners of a triangle.
 pub(super) type Corners = [Point; 3];
 
 fn minus(a: Point, b: Point) -> Point {
@@ -33,7 +33,7 @@ pub(super) fn has_area(corners: Corners) -> bool {
     normal(corners) != [0; 3]
 }
 
-/// How often triangles wind around a point; `None` if it lies on one. Counts crossings along a ray that meets no edge.
+/// The winding number of triangles around a point; `None` if it lies on one. Counts crossings of a ray that meets no edge.
 pub(super) fn winding_number(triangles: &[Corners], point: Point) -> Option<i32> {
     const DIRECTIONS: [Point; 8] = [
         [101, 37, 59],
@@ -60,7 +60,7 @@ pub(super) fn winding_number(triangles: &[Corners], point: Point) -> Option<i32>
             if areas.contains(&0) {
                 return None;
             }
-            // The line passes inside: it is the ray where both have one sign.
+            // The line passes inside; it is the ray if both signs agree.
             let height = det(a, b, c);
             if height == 0 {
                 return None;
@@ -83,7 +83,7 @@ fn contains(corners: Corners, point: Point) -> bool {
     let [a, b, c] = corners.map(|p| minus(p, point));
     let n = normal(corners);
     if n == [0; 3] {
-        // On a segment: no farther from one end than the other end is.
+        // On a segment: no further from either end than the other end is.
         return [(a, b), (b, c), (c, a)]
             .into_iter()
             .any(|(p, q)| cross(p, q) == [0; 3] && dot(p, q) <= 0);
@@ -92,22 +92,22 @@ fn contains(corners: Corners, point: Point) -> bool {
     dot(n, a) == 0 && areas.iter().all(|&area| area >= 0)
 }
 
-/// Whether two triangles of positive area meet anywhere but in what they share.
+/// Whether two triangles of positive area meet beyond what they share.
 pub(super) fn collide(t: Corners, u: Corners) -> bool {
     let shared: Vec<Point> = t.into_iter().filter(|p| u.contains(p)).collect();
     let free = |corners: Corners| corners.into_iter().filter(|p| !shared.contains(p));
     match shared[..] {
         [] => !are_separated(t, u),
         [p] => {
-            // Two cones with one apex have no more in common if a plane through it separates them strictly: if the edges
-            // of one and the others' opposites lie on one side of it.
+            // Two cones with one apex meet only there if a plane through it separates them strictly: the edges of one on
+            // one side, those of the other on the other side.
             let edges = free(t).map(|q| minus(q, p));
             let opposites = free(u).map(|q| minus(p, q));
             let directions: Vec<Point> = edges.chain(opposites).collect();
             hull_holds_zero([directions[0], directions[1], directions[2], directions[3]])
         }
         [p, q] => {
-            // Hinged: they meet only where they are folded flat onto each other.
+            // Hinged: they meet only if folded flat onto each other.
             let [Some(a), Some(b)] = [free(t).next(), free(u).next()] else {
                 return true;
             };
@@ -119,7 +119,7 @@ pub(super) fn collide(t: Corners, u: Corners) -> bool {
     }
 }
 
-/// Whether some plane lies strictly between (separating axes; Gottschalk 1996).
+/// Whether some plane strictly separates them (separating axes; Gottschalk 1996).
 fn are_separated(t: Corners, u: Corners) -> bool {
     let sides = |[a, b, c]: Corners| [minus(b, a), minus(c, b), minus(a, c)];
     let (n, m) = (normal(t), normal(u));
@@ -136,7 +136,7 @@ fn are_separated(t: Corners, u: Corners) -> bool {
     })
 }
 
-/// Whether zero is a weighted mean of four vectors: by Carathéodory's theorem, of one to four independent ones.
+/// Whether zero is a convex combination of four vectors: by Carathéodory's theorem, of one to four independent ones.
 fn hull_holds_zero(vectors: [Point; 4]) -> bool {
     let pairs = |f: &dyn Fn(Point, Point) -> bool| {
         (0..4).any(|i| (0..i).any(|j| f(vectors[i], vectors[j])))

@@ -1,4 +1,4 @@
-//! Random closed surfaces with small whole coordinates, against the oracle.
+//! Random closed surfaces with small integer coordinates, checked against the oracle.
 
 use super::oracle::{self, Corners};
 use super::shapes::{moved, scaled, unwelded};
@@ -10,7 +10,7 @@ use proptest::prelude::*;
 
 type Corner = [i32; 3];
 
-/// Surfaces of tetrahedra that touch and cut each other, wound either way: each is closed, so together they are.
+/// Surfaces of touching and intersecting tetrahedra, wound either way. Each is closed, so the union is.
 fn tetrahedra() -> impl Strategy<Value = Vec<[Corner; 3]>> {
     vec(uniform4(uniform3(0..=4)), 1..=6).prop_map(|solids| {
         let faces = solids
@@ -41,8 +41,8 @@ fn exact(triangles: &[[Corner; 3]], labels: &[u32], component: u32, scale: i128)
         .collect()
 }
 
-/// Whether a triangle of a reducible component must stay, by the definition of [`Topology::find_seams`]. `others` are the
-/// component's, in units of a third of a millionth.
+/// Whether a triangle of a reducible component must stay, by the definition in [`Topology::find_seams`]. `others` are the
+/// component's triangles, in units of a third of a millionth.
 fn is_seam(triangle: Corners, others: &[Corners], side: i128) -> bool {
     const FINE: i128 = 3_000_000;
     if !oracle::has_area(triangle) {
@@ -61,7 +61,7 @@ fn is_seam(triangle: Corners, others: &[Corners], side: i128) -> bool {
     {
         return true;
     }
-    // A point beside the middle.
+    // A point just beside the middle.
     let normal = oracle::normal(triangle);
     let [a, b, c] = triangle;
     let beside = [0, 1, 2].map(|i| (a[i] + b[i] + c[i]) * (FINE / 3) + side * normal[i]);
@@ -205,7 +205,7 @@ proptest! {
 /// The same laws, each broken: the comparisons above can fail.
 #[test]
 fn broken_laws_are_noticed() {
-    // Two tetrahedra with an edge in common, one inside out: the wrong side makes seams of the larger.
+    // Two tetrahedra that share an edge, one inside out: the wrong side makes seams of the larger.
     let [o, x, y, z] = [[0, 0, 0], [2, 0, 0], [0, 2, 0], [0, 0, 4]];
     let [p, q] = [[-1, 0, 1], [0, -1, 1]];
     let large = [[o, y, x], [x, y, z], [o, x, z], [o, z, y]];
@@ -225,21 +225,21 @@ fn broken_laws_are_noticed() {
     assert_eq!(kept(&topology), expected(side));
     assert_ne!(kept(&topology), expected(-side));
 
-    // One corner moved into the other solid: it collides.
+    // One corner moved into the other solid: it intersects.
     let mut cutting = triangles.clone();
     for corner in cutting[4..].as_flattened_mut() {
         *corner = if *corner == p { [1, 1, 1] } else { *corner };
     }
     assert_ne!(kept(&with_seams(&mesh_of(&cutting))), kept(&topology));
 
-    // One triangle turned over: no longer closed.
+    // One flipped triangle: no longer closed.
     let mut turned = triangles.clone();
     turned[7].swap(0, 1);
     let turned = with_seams(&mesh_of(&turned));
     assert_ne!(turned.facts(), topology.facts());
     assert_eq!(turned.sides(&Target::Direction([1.0; 3])), [0, 0]);
 
-    // Targets that have not moved along.
+    // Targets left behind by the movement.
     let by = [1000.0, 0.0, 0.0];
     let mut followed = topology.clone();
     followed.update(&moved(mesh, by));

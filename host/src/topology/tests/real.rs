@@ -1,4 +1,4 @@
-//! Real meshes, where there are any: how long it takes, and how many seams they have.
+//! Real meshes, if present: times, and numbers of seams.
 
 use super::*;
 use crate::scene::{LoadOptions, load};
@@ -32,7 +32,7 @@ fn real_meshes_are_taken_stock_of() {
         topology.find_seams(&mesh, &bvh);
         let seams_ms = ms(begin);
 
-        // A point in the middle of the box, but in no simple proportion.
+        // A point near the middle of the box, in no simple ratio.
         let bounds = mesh.bounds().unwrap();
         let middle = Target::Point(bounds.min.lerp(bounds.max, 0.481_966).to_array());
         let begin = Instant::now();

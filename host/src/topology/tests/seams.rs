@@ -1,11 +1,11 @@
-//! Triangles that stay.
+//! Triangles that stay in every set.
 
 use super::shapes::*;
 use super::*;
 use crate::topology::contact::{Face, collide};
 use crate::topology::solid_angle::SolidAngle;
 
-/// The triangles that are kept, of a mesh whose components are all reducible.
+/// The triangles that stay, of a mesh whose components are all reducible.
 fn seams(mesh: &Mesh) -> Vec<usize> {
     let topology = with_seams(mesh);
     assert!(topology.facts().iter().all(|facts| facts.reducible));
@@ -26,7 +26,7 @@ fn sound_solids_have_no_seams() {
         knot(0.15),
         unwelded(&inverted(knot(0.15))),
         join(sphere([0.0; 3], 2.0), inverted(sphere([0.0; 3], 1.0))),
-        // Different solids may cut each other.
+        // Different solids may intersect.
         join(sphere([0.0; 3], 2.0), sphere([0.5; 3], 2.0)),
         Mesh::default(),
     ] {
@@ -75,7 +75,7 @@ fn a_tube_that_cuts_itself_stays_only_there() {
     let found = seams(&mesh);
     assert!(found.len() > 100 && found.len() < mesh.indices.len() / 2);
 
-    // Every pair, without a tree, and a look from beside each triangle with all others in sight.
+    // Every pair, without a tree, and the exact winding number beside each triangle.
     let corners = |t: usize| mesh.indices[t].map(|v| mesh.vertices[v as usize]);
     let face = |t: usize| Face {
         corners: corners(t),
@@ -101,7 +101,7 @@ fn a_lobe_that_hangs_by_an_edge_counts_by_its_own_side() {
     let solid = || block([0.0; 3], [1.0, 2.0, 3.0]);
     let beside = || block([1.0, 2.0, 0.0], [4.0, 5.0, 3.0]);
     assert_eq!(seams(&join(solid(), beside())), [0; 0]);
-    // The larger block decides which side is the outer one.
+    // The larger block decides which side faces outward.
     let expected: Vec<usize> = (0..12).collect();
     assert_eq!(seams(&join(inverted(solid()), beside())), expected);
     assert_eq!(seams(&join(solid(), inverted(beside()))), expected);
@@ -126,7 +126,7 @@ fn looking_again_finds_the_same() {
     topology.find_seams(&mesh, &build(&mesh));
     assert_eq!(first, (topology.components().to_vec(), topology.facts()));
 
-    // A solid that has been bent back has none.
+    // A solid that has been deformed back has none.
     let sphere = sphere([0.0; 3], 1.0);
     let mut crumpled = sphere.clone();
     crumpled.vertices[3] = crumpled.vertices[3].map(|x| x * -3.0);

@@ -25,7 +25,7 @@ pub(super) fn block(min: [f32; 3], max: [f32; 3]) -> Mesh {
     plain(mesh.vertices, mesh.indices)
 }
 
-/// A trefoil; its tube cuts itself where `tube_radius` is above about 0.3.
+/// A trefoil; its tube intersects itself if `tube_radius` is above about 0.3.
 pub(super) fn knot(tube_radius: f32) -> Mesh {
     let mesh = torus_knot(&TorusKnot {
         p: 2,
@@ -39,7 +39,7 @@ pub(super) fn knot(tube_radius: f32) -> Mesh {
     plain(mesh.vertices, mesh.indices)
 }
 
-/// A ring of rings of quadrilaterals, the last ring joined to the first, there turned over if `is_twisted`.
+/// A ring of rings of quadrilaterals. The last ring joins the first, flipped if `is_twisted`.
 pub(super) fn rings(
     count: u32,
     sides: u32,
@@ -68,8 +68,8 @@ pub(super) fn rings(
     mesh
 }
 
-/// A lemniscate in the x–z plane around x = 3, revolved around the z axis. Its left lobe lies inside out. With `offset` 0
-/// both lobes share the corners where they meet; else the tube cuts itself there. `sides` is a multiple of 4.
+/// A lemniscate in the x–z plane around x = 3, revolved around the z axis. Its left lobe is inside out. With `offset` 0
+/// both lobes share the corners where they meet; otherwise the tube intersects itself there. `sides` is a multiple of 4.
 pub(super) fn figure_eight(sides: u32, offset: f64) -> Mesh {
     rings(24, sides, false, |ring, side| {
         let t = TAU * (f64::from(side) + offset) / f64::from(sides);
@@ -81,7 +81,7 @@ pub(super) fn figure_eight(sides: u32, offset: f64) -> Mesh {
     })
 }
 
-/// A Klein bottle: closed, but no side is the outer one.
+/// A Klein bottle: closed, but without an outer side.
 pub(super) fn klein_bottle(is_twisted: bool) -> Mesh {
     rings(16, 12, is_twisted, |ring, side| {
         let (u, v) = (TAU * f64::from(ring) / 16.0, TAU * f64::from(side) / 12.0);

@@ -1,4 +1,4 @@
-//! Planted faults: each kind is found, in plain trees and in trees in codecs.
+//! Planted faults: every kind is found, in plain trees and in trees in codecs.
 
 use super::*;
 use crate::generate::icosphere;
@@ -51,7 +51,7 @@ fn on_lattice(bvh: &mut Bvh) -> &mut LatticeTree {
     }
 }
 
-/// What is found after a plain tree is spoilt.
+/// The fault found in a plain tree after this change.
 #[track_caller]
 fn found(spoil: impl Fn(&mut Bvh)) -> TreeError {
     let mut bvh = plain();
@@ -122,7 +122,7 @@ fn faults_of_links_are_found() {
             }
         }
     }
-    // Whole nodes twice, exchanged, or in nobody's reach.
+    // Whole nodes duplicated, exchanged, or unreachable.
     let both = with_children(&bvh, [false, false]);
     let swap = found(|bvh| {
         let node = &mut lists(bvh).nodes[both];
@@ -170,7 +170,7 @@ fn faults_of_leaves_are_found() {
     });
     assert!(matches!(short, TreeError::LeafOutOfPlace { .. }), "{short}");
     let late = found(|bvh| {
-        // All boxes hold all.
+        // All boxes contain the whole scene.
         for node in &mut lists(bvh).nodes {
             node.planes = [[-1.0, -1.0, 1.0, 1.0]; 3];
         }
@@ -220,7 +220,7 @@ fn faults_of_triangles_are_found() {
         let error = found(|bvh| lists(bvh).triangles[9].vertices[4] = x);
         assert_eq!(error, TreeError::NotFinite { place: 9 });
     }
-    // Inside of the box, but elsewhere: only the mesh tells.
+    // Moved within the box: only a comparison with the mesh finds it.
     let mut bvh = plain();
     let vertices = &mut lists(&mut bvh).triangles[9].vertices;
     vertices[0] = 0.5 * (vertices[0] + vertices[3]);
@@ -249,7 +249,7 @@ fn another_mesh_is_found() {
     assert_eq!(bvh.validate_over(&other), Err(TreeError::OtherBounds));
 }
 
-/// Each plane of each node, moved inward by one bit, outward, and to what is no number.
+/// Each plane of each node, moved by one bit inward and outward, and replaced by invalid numbers.
 #[test]
 fn faults_of_boxes_are_found() {
     let sound = plain();
@@ -280,7 +280,7 @@ fn faults_of_boxes_are_found() {
     }
 }
 
-/// All trees in codecs that there are.
+/// A tree in each codec.
 fn coded() -> Vec<Bvh> {
     let mut all = vec![
         built(NodeCodec::Paper10, MeshCodec::F32),
@@ -295,9 +295,9 @@ fn coded() -> Vec<Bvh> {
     all
 }
 
-/// Whatever one bit of a node or a triangle in a codec is, nothing panics, and what passes answers to the bit as it did: only
-/// planes may lie farther out, and bits that stand for nothing may be anything. Where triangles are coded by floats in their
-/// leaf's box, they may lie otherwise in it; then the tree answers as all that it holds.
+/// Flips bits of nodes and triangles in codecs. Nothing panics. A tree that passes answers to the bit as before: only
+/// planes may lie further out, and unused bits may change. Triangles coded by floats in their leaf's box may move within
+/// it; then the tree answers as a brute-force search of its triangles.
 #[test]
 fn each_bit_of_coded_trees_is_looked_at() {
     let mesh = mesh();
@@ -344,7 +344,7 @@ fn each_bit_of_coded_trees_is_looked_at() {
     }
 }
 
-/// Words of nodes, and of triangles that are coded.
+/// The words of nodes and of coded triangles.
 fn words(bvh: &Bvh) -> (usize, usize) {
     let [nodes, triangles] = bvh.stored().map(|bytes| bytes.len() / 4);
     let is_full = bvh.codecs().1 == MeshCodec::F32;
@@ -400,7 +400,7 @@ fn faults_of_coded_trees_are_found() {
     }
     assert!(root_of(&|_, exponent| *exponent += 1).is_err());
 
-    // Links of each node, replaced by those of the root.
+    // Each node's links, replaced by the root's.
     let nodes = sound.node_count();
     for node in 1..nodes {
         let error = found(&|bvh| {

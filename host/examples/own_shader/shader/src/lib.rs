@@ -1,6 +1,6 @@
-//! A query of one's own: how many surfaces a ray crosses, and how far apart the first and the last of them are.
+//! Your own query: how many surfaces a ray crosses, and the distance from the first to the last.
 //!
-//! slimbvh's traversal offers every triangle that the ray meets to a [`Collector`]; all that a new query takes is one.
+//! slimbvh's traversal passes every hit to a [`Collector`]. A new query is a new collector.
 #![cfg_attr(target_arch = "spirv", no_std)]
 
 use slimbvh_core::launch::thread_index;
@@ -10,17 +10,17 @@ use slimbvh_core::{Hit, LeafTriangle, Node, Ray, Vec3};
 use spirv_std::glam::{UVec3, UVec4};
 use spirv_std::spirv;
 
-/// What a ray goes through. 8 bytes.
+/// The answer for a ray. 8 bytes.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct Thickness {
-    /// Bytes 0–3: triangles on the ray; two where it passes through their common edge.
+    /// Bytes 0–3: triangles on the ray; two if it passes through a common edge.
     pub surface_count: u32,
-    /// Bytes 4–7: from the first to the last of them, in the scene's unit.
+    /// Bytes 4–7: the distance from the first to the last, in the scene's unit.
     pub distance: f32,
 }
 
-/// All hits on a ray, without keeping them.
+/// Counts all hits on a ray without storing them.
 struct Crossings {
     count: u32,
     first: Hit,
@@ -29,7 +29,7 @@ struct Crossings {
 }
 
 impl Collector for Crossings {
-    /// No hit makes another one matter less, so this never comes closer.
+    /// Every hit counts, so the limit never shrinks.
     #[inline(always)]
     fn limit(&self) -> f32 {
         self.t_max
@@ -47,7 +47,7 @@ impl Collector for Crossings {
     }
 }
 
-/// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores what it goes through.
+/// One thread per ray. Reads the scene's exponent, the tree and the ray. Stores the answer.
 #[spirv(compute(threads(64)))]
 pub fn thickness(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -73,7 +73,7 @@ pub fn thickness(
             &Skip::NONE,
             &mut crossings,
         );
-        // Restored hits have t in units of the direction's length; the difference of two misses is 0.
+        // Restored hits have t in units of the direction's length. The difference of two misses is 0.
         let (first, last) = (ray.restore(crossings.first), ray.restore(crossings.last));
         let unit = Vec3::from_array(rays[i].direction).length();
         found[i] = Thickness {
