@@ -35,7 +35,7 @@ pub fn report(
             writeln!(out, "| host | {} |", machine::processor())?;
             writeln!(
                 out,
-                "| times | of a CPU that plays a GPU: they say nothing about one |"
+                "| times | of a software adapter: they say nothing about a GPU |"
             )?;
         }
     }
