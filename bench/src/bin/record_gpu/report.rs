@@ -7,7 +7,7 @@ use slimbvh::gpu::{Gpu, adapters};
 use slimbvh_bench::machine;
 use std::fmt::Write;
 
-/// All tables.
+/// The whole record.
 pub fn report(
     gpu: &Gpu,
     records: &[MeshRecord],
