@@ -1,6 +1,6 @@
 //! `slimbvh animate`.
 
-mod place;
+mod destination;
 mod record;
 mod report;
 
@@ -12,7 +12,7 @@ use super::{SceneArguments, ThreadArguments, output};
 use crate::options;
 use anyhow::{Result, bail};
 use clap::Args;
-use place::Place;
+use destination::Destination;
 use record::Record;
 use report::Run;
 use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update};
@@ -114,7 +114,7 @@ pub fn run(arguments: &AnimateArguments) -> Result<()> {
     arguments.reduce.check()?;
     arguments.storage.check()?;
     arguments.storage.check_reduction(&arguments.reduce)?;
-    let place = Place::check(arguments)?;
+    let place = Destination::check(arguments)?;
     let chosen = choose(&arguments.backend)?;
     let mut scene = arguments.scene.load()?;
     let work = || animate(arguments, &chosen, &mut scene, &place);
@@ -133,7 +133,7 @@ fn animate(
     arguments: &AnimateArguments,
     chosen: &Chosen,
     scene: &mut Scene,
-    place: &Place,
+    place: &Destination,
 ) -> Result<Run> {
     let needs_light = arguments.picture.needs_light(scene);
     arguments.picture.prepare(scene, &arguments.scene.name())?;
@@ -203,7 +203,7 @@ struct Work<'a> {
     arguments: &'a AnimateArguments,
     animation: &'a Animation,
     storage: Storage,
-    place: &'a Place,
+    place: &'a Destination,
     config: FrameConfig,
 }
 

@@ -44,7 +44,7 @@ pub fn torus_knot(knot: &TorusKnot) -> Mesh {
     let (segments, sides) = (knot.segments.max(3), knot.sides.max(3));
     let mut mesh = Mesh::default();
     for segment in 0..segments {
-        let frame = Frame::at(knot, f64::from(segment) / f64::from(segments));
+        let frame = CurveAxes::at(knot, f64::from(segment) / f64::from(segments));
         for side in 0..sides {
             let (sin, cos) = turn(f64::from(side) / f64::from(sides));
             let normal = (cos * frame.normal + sin * frame.binormal).normalize();
@@ -67,13 +67,13 @@ pub fn torus_knot(knot: &TorusKnot) -> Mesh {
 }
 
 /// A point of the knot, with two axes across it. `normal` is the torus' own, which comes around without a twist left.
-struct Frame {
+struct CurveAxes {
     point: Vec3,
     normal: Vec3,
     binormal: Vec3,
 }
 
-impl Frame {
+impl CurveAxes {
     /// At a place from 0 to 1 along the knot.
     fn at(knot: &TorusKnot, place: f64) -> Self {
         let (sin_p, cos_p) = turn(f64::from(knot.p) * place);

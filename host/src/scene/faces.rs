@@ -16,7 +16,7 @@ pub(super) struct Faces<'a> {
 
 /// Where a face stands, for messages.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct FaceSite<'a> {
     /// The line, counted from 1, where the format has lines.
     pub line: Option<usize>,
     /// The name of the face's part, where it has one.
@@ -63,7 +63,7 @@ impl<'a> Faces<'a> {
         &mut self,
         corners: &[i64],
         run: Run,
-        place: Place<'_>,
+        place: FaceSite<'_>,
     ) -> Result<(), LoadError> {
         let outside = |&&corner: &&i64| !usize::try_from(corner).is_ok_and(|i| i < run.count);
         if let Some(&index) = corners.iter().find(outside) {

@@ -1,7 +1,7 @@
 //! OFF: counts, vertices and polygons, one a line of text. After <http://www.geomview.org/docs/html/OFF.html>.
 
 use super::error::excerpt;
-use super::faces::{Faces, Place, unit_or_zero};
+use super::faces::{FaceSite, Faces, unit_or_zero};
 use super::load::Source;
 use super::{LoadError, Scene};
 use std::str::FromStr;
@@ -65,7 +65,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         for _ in 0..corner_count {
             corners.push(line.number("an index", source)?);
         }
-        let place = Place {
+        let place = FaceSite {
             line: Some(line.line),
             part: None,
             face: face as usize,

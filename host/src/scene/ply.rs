@@ -6,7 +6,7 @@
 mod rows;
 
 use super::error::excerpt;
-use super::faces::{Faces, Place, unit_or_zero};
+use super::faces::{FaceSite, Faces, unit_or_zero};
 use super::load::Source;
 use super::{LoadError, Scene};
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
@@ -124,7 +124,7 @@ fn read_faces(
                 other => rows.skip(other).map_err(fault)?,
             }
         }
-        let place = Place {
+        let place = FaceSite {
             line: rows.line(),
             part: None,
             face: row,

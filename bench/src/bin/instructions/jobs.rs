@@ -42,9 +42,9 @@ pub const SCENES: [Source; 13] = [
     }),
 ];
 
-/// The place of the camera.
+/// The viewpoint of the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Viewpoint {
     /// Outside, with the whole scene in view.
     Outside,
     /// At 0.4 of that distance.
@@ -60,8 +60,8 @@ pub enum Place {
 pub struct View {
     /// The name in tables.
     pub name: &'static str,
-    /// The place of the camera.
-    pub place: Place,
+    /// The viewpoint of the camera.
+    pub place: Viewpoint,
     /// The number of lights: a sun, then lamps.
     pub light_count: usize,
     /// Width and height in pixels.
@@ -76,7 +76,7 @@ pub struct View {
 
 const PLAIN: View = View {
     name: "outside, 1 light",
-    place: Place::Outside,
+    place: Viewpoint::Outside,
     light_count: 1,
     size: [160, 90],
     cull: None,
@@ -99,18 +99,18 @@ pub const VIEWS: [View; 12] = [
     },
     View {
         name: "close, 1 light",
-        place: Place::Close,
+        place: Viewpoint::Close,
         ..PLAIN
     },
     View {
         name: "inside, 4 lights",
-        place: Place::Inside,
+        place: Viewpoint::Inside,
         light_count: 4,
         ..PLAIN
     },
     View {
         name: "parallel, 1 light",
-        place: Place::Parallel,
+        place: Viewpoint::Parallel,
         ..PLAIN
     },
     View {
@@ -145,7 +145,7 @@ pub const VIEWS: [View; 12] = [
     },
     View {
         name: "close, 1 light, solid, 100 frames",
-        place: Place::Close,
+        place: Viewpoint::Close,
         seams: Seams::None,
         frame_count: 100,
         ..PLAIN
@@ -192,18 +192,18 @@ impl Job {
         let (eye, center) = (Vec3::from(outside.eye), Vec3::from(outside.target));
         let diagonal = (bounds.max - bounds.min).length();
         let camera = match self.view.place {
-            Place::Outside => outside,
-            Place::Close => Camera {
+            Viewpoint::Outside => outside,
+            Viewpoint::Close => Camera {
                 eye: (center + (eye - center) * 0.4).to_array(),
                 ..outside
             },
-            Place::Inside => Camera {
+            Viewpoint::Inside => Camera {
                 eye: center.to_array(),
                 target: (center + Vec3::new(1.0, 0.1, 0.3) * diagonal).to_array(),
                 projection: Projection::Perspective { vertical_fov: 60.0 },
                 ..outside
             },
-            Place::Parallel => Camera {
+            Viewpoint::Parallel => Camera {
                 projection: Projection::Orthographic {
                     height: 0.8 * diagonal,
                 },
@@ -212,7 +212,7 @@ impl Job {
         };
         // Lamps stand around the scene, or around an eye inside of it.
         let reach = match self.view.place {
-            Place::Inside => 0.05,
+            Viewpoint::Inside => 0.05,
             _ => 1.0,
         };
         let lamps = [[1.0, 0.6, 0.2], [-0.8, 0.9, 0.5], [0.1, 1.2, -0.9]];

@@ -35,7 +35,7 @@ impl<'a> Buffers<'a> {
                     None => return Err(in_file(GltfError::NoBlob { buffer: index })),
                 },
                 Address::Uri(uri) => match place(uri) {
-                    Some(Place::Data(text)) => decode_base64(text)
+                    Some(BufferSource::Data(text)) => decode_base64(text)
                         .map_err(|character| {
                             in_file(GltfError::Base64 {
                                 buffer: index,
@@ -43,7 +43,9 @@ impl<'a> Buffers<'a> {
                             })
                         })?
                         .into(),
-                    Some(Place::Beside(path)) => read_file(&source.beside(path), budget)?.into(),
+                    Some(BufferSource::Beside(path)) => {
+                        read_file(&source.beside(path), budget)?.into()
+                    }
                     None => {
                         return Err(in_file(GltfError::BufferElsewhere {
                             buffer: index,
@@ -87,7 +89,7 @@ impl<'a> Buffers<'a> {
 }
 
 /// Where a buffer is.
-enum Place<'a> {
+enum BufferSource<'a> {
     /// In the address itself, as base64.
     Data(&'a str),
     /// In a file, as seen from the scene's.
@@ -95,13 +97,13 @@ enum Place<'a> {
 }
 
 /// None if the address is neither.
-fn place(uri: &str) -> Option<Place<'_>> {
+fn place(uri: &str) -> Option<BufferSource<'_>> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, text) = data.split_once(";base64,")?;
-        return Some(Place::Data(text));
+        return Some(BufferSource::Data(text));
     }
     // A colon ends a scheme; in a path it would be escaped.
-    (!uri.contains(':')).then(|| Place::Beside(unescape(uri)))
+    (!uri.contains(':')).then(|| BufferSource::Beside(unescape(uri)))
 }
 
 /// Replaces escapes such as `%20`.
@@ -178,10 +180,10 @@ mod tests {
 
     #[test]
     fn only_files_beside_and_base64_are_read() {
-        assert!(matches!(place("a.bin"), Some(Place::Beside(path)) if path == "a.bin"));
+        assert!(matches!(place("a.bin"), Some(BufferSource::Beside(path)) if path == "a.bin"));
         assert!(matches!(
             place("data:application/octet-stream;base64,AA=="),
-            Some(Place::Data("AA=="))
+            Some(BufferSource::Data("AA=="))
         ));
         assert!(place("data:text/plain,hello").is_none());
         assert!(place("https://example.org/a.bin").is_none());

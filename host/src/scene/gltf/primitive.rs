@@ -1,7 +1,7 @@
 //! Triangles of a glTF mesh.
 
 use super::super::LoadError;
-use super::super::faces::{Place, unit_or_zero};
+use super::super::faces::{FaceSite, unit_or_zero};
 use super::{Flat, GltfError, accessor};
 use crate::text::excerpt;
 use glam::{Mat3, Mat4, Vec3};
@@ -72,7 +72,7 @@ pub(super) fn append(
         if is_mirrored {
             corners.swap(1, 2);
         }
-        let place = Place {
+        let place = FaceSite {
             line: None,
             part: Some(part),
             face,

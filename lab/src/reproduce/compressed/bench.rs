@@ -20,7 +20,7 @@ use slimbvh_cli::backend::Chosen;
     not(feature = "gpu"),
     expect(dead_code, reason = "without the feature there are only cores")
 )]
-pub enum Place {
+pub enum TimedOn {
     Cores,
     /// A software adapter.
     Software,
@@ -124,7 +124,7 @@ impl Buffers {
     }
 }
 
-impl Place {
+impl TimedOn {
     pub fn of(chosen: &Chosen) -> Self {
         match chosen {
             Chosen::Cpu => Self::Cores,

@@ -1,7 +1,7 @@
 //! The report as text, as Markdown and as JSON.
 
 use super::SceneName;
-use super::bench::{Likeness, Place};
+use super::bench::{Likeness, TimedOn};
 use super::measure::SceneRecord;
 use super::protocol::Protocol;
 use super::tables::tables;
@@ -31,7 +31,7 @@ pub struct Report {
     left_out: Vec<LeftOut>,
     verdicts: Vec<Verdict>,
     #[serde(skip)]
-    place: Place,
+    place: TimedOn,
 }
 
 /// A scene that was not measured, and why.
@@ -51,7 +51,7 @@ impl Report {
         (scenes, left_out): (Vec<SceneRecord>, Vec<LeftOut>),
     ) -> Self {
         let (backend, machine) = describe(chosen);
-        let place = Place::of(chosen);
+        let place = TimedOn::of(chosen);
         Self {
             paper: PAPER,
             command: options.command("compressed"),
@@ -153,19 +153,19 @@ impl Report {
     /// The conditions of the paper's figures and of ours.
     fn printed(&self) -> String {
         let (ours, whose, what) = match self.place {
-            Place::Cores => (
+            TimedOn::Cores => (
                 ", which reads from memory what its caches miss; ours are from this machine's cores, which gain little from less traffic and \
                  decode in software",
                 "Its",
                 "ratios of counts",
             ),
-            Place::Software => (
+            TimedOn::Software => (
                 "; ours are from a CPU that emulates a GPU, which gains little from less traffic and whose times say little: rendering \
                  is not judged",
                 "The paper's",
                 "ratios of counts",
             ),
-            Place::Gpu => ("", "Its", "ratios"),
+            TimedOn::Gpu => ("", "Its", "ratios"),
         };
         format!(
             "figures of the paper, on a GTX 970 of 2014{ours}. {whose} tree has one triangle per leaf, so that it mostly reads nodes; \

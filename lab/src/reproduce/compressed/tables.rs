@@ -3,7 +3,7 @@
 mod memory;
 mod times;
 
-use super::bench::Place;
+use super::bench::TimedOn;
 use super::frames::FrameTimes;
 use super::measure::{MethodRecord, STRONG, SceneRecord};
 use super::methods::Method;
@@ -12,7 +12,7 @@ use crate::reproduce::tables::{NOTHING, percent, ratio, time};
 use slimbvh_cli::output::count;
 
 /// All tables.
-pub fn tables(records: &[SceneRecord], place: Place) -> Vec<Table> {
+pub fn tables(records: &[SceneRecord], place: TimedOn) -> Vec<Table> {
     let mut tables = vec![
         touched(records),
         memory::bytes(records),
@@ -208,7 +208,7 @@ fn kinds(records: &[SceneRecord]) -> Table {
     }
 }
 
-fn widths(records: &[SceneRecord], place: Place) -> Table {
+fn widths(records: &[SceneRecord], place: TimedOn) -> Table {
     let mut rows = Vec::new();
     for record in records {
         let plain = record.plain().counts.all();

@@ -1,6 +1,6 @@
 //! The targets, and whether they are met.
 
-use super::bench::Place;
+use super::bench::TimedOn;
 use super::frames::{FrameTimes, Round};
 use super::measure::{MethodRecord, SceneRecord};
 use super::methods::Method;
@@ -78,12 +78,12 @@ const FASTER: [Target; 2] = [
 ];
 
 /// The targets for a kind of machine.
-fn targets(place: Place) -> Vec<&'static Target> {
+fn targets(place: TimedOn) -> Vec<&'static Target> {
     let counted = COUNTED.iter();
     match place {
-        Place::Cores => counted.chain([&ADDED]).collect(),
-        Place::Software => counted.chain([&ENCODING]).collect(),
-        Place::Gpu => counted.chain([&ENCODING]).chain(&FASTER).collect(),
+        TimedOn::Cores => counted.chain([&ADDED]).collect(),
+        TimedOn::Software => counted.chain([&ENCODING]).collect(),
+        TimedOn::Gpu => counted.chain([&ENCODING]).chain(&FASTER).collect(),
     }
 }
 
@@ -96,7 +96,7 @@ fn bytes(own: &MethodRecord, plain: &MethodRecord) -> f64 {
 }
 
 /// Judges the methods that targets are for.
-pub fn verdicts(records: &[SceneRecord], place: Place) -> Vec<Verdict> {
+pub fn verdicts(records: &[SceneRecord], place: TimedOn) -> Vec<Verdict> {
     let judged = [Method::JUDGED, Method::LatticeMesh(Step::Finest)];
     let pairs = judged.into_iter().flat_map(|method| {
         targets(place)

@@ -1,6 +1,6 @@
 //! Tables of the times of frames, whole and by stage.
 
-use super::super::bench::Place;
+use super::super::bench::TimedOn;
 use super::super::frames::{FrameTimes, Round};
 use super::super::measure::SceneRecord;
 use super::super::methods::Method;
@@ -11,7 +11,7 @@ use crate::reproduce::tables::{NOTHING, percent, ratio, time};
 use std::collections::BTreeSet;
 
 /// The times of frames, with the paper's.
-pub fn frames(records: &[SceneRecord], place: Place) -> Table {
+pub fn frames(records: &[SceneRecord], place: TimedOn) -> Table {
     let mut rows = Vec::new();
     for record in records {
         if let Some(printed) = &record.printed {

@@ -14,7 +14,7 @@ const PIXELS_FOR_COLORS: usize = 1 << 14;
 
 /// An output whose paths were checked.
 #[derive(Debug)]
-pub enum Place {
+pub enum Destination {
     Nowhere,
     Folder(PathBuf),
     Gif(PathBuf),
@@ -32,7 +32,7 @@ pub enum Sink<'p> {
     },
 }
 
-impl Place {
+impl Destination {
     /// Checks the paths of all output files before any work starts.
     pub fn check(arguments: &AnimateArguments) -> Result<Self> {
         let scene = arguments.scene.scene.as_deref();
