@@ -1,4 +1,4 @@
-//! Remembers which compiler and which flags this was built with, for the record. Links Embree where it is asked for.
+//! Passes the compiler's version and flags to the record. Links Embree if its feature is on.
 
 use std::env;
 use std::process::Command;
@@ -10,7 +10,7 @@ fn main() {
         |_| "unknown".into(),
         |output| String::from_utf8_lossy(&output.stdout).trim().to_owned(),
     );
-    // Cargo separates flags by the unit separator.
+    // Cargo separates flags by the control character "unit separator".
     let flags = env::var("CARGO_ENCODED_RUSTFLAGS").unwrap_or_default();
     println!("cargo:rustc-env=BENCH_RUSTC={version}");
     println!(

@@ -1,4 +1,4 @@
-//! From a mesh to the last thing that tracing needs, buffers kept.
+//! Builds: from a mesh to everything that tracing needs, with buffers kept.
 
 use anyhow::Result;
 use criterion::{BenchmarkId, Criterion, Throughput};
@@ -29,7 +29,7 @@ fn main() -> Result<()> {
                 group.bench_function(id, |bencher| {
                     bencher.iter(|| outcome = Some(pool.install(|| tracer.build())));
                 });
-                // Benchmarks that were filtered out have built nothing.
+                // A benchmark that was filtered out has built nothing.
                 if let Some(built) = outcome {
                     built?;
                     if reference.is_none() {

@@ -1,4 +1,4 @@
-//! Primary rays to closest hits, shadow rays to yes or no.
+//! Traces: closest hits of primary rays, any hits of shadow rays.
 
 use anyhow::Result;
 use criterion::{BenchmarkId, Criterion, Throughput};
@@ -36,7 +36,7 @@ fn main() -> Result<()> {
                     answers.resize(primary.len(), Answer::MISS);
                     bencher.iter(|| pool.install(|| tracer.closest_hits(primary, &mut answers)));
                 });
-                // Benchmarks that were filtered out have no answers.
+                // A benchmark that was filtered out has no answers.
                 if !answers.is_empty() {
                     reference.check_closest(&**tracer, &answers)?;
                 }

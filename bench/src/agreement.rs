@@ -1,25 +1,25 @@
-//! Whether two tracers saw the same.
+//! Compares the answers of two tracers.
 
 use crate::Answer;
 
-/// Share of a tracer's hits by which another's number of hits may differ.
+/// The allowed difference of two numbers of hits, as a share of the reference's.
 pub const TOLERANCE: f64 = 1e-4;
 
-/// Distances that differ by more than this share are different.
+/// The allowed relative difference of two distances.
 const SAME_DISTANCE: f32 = 1e-3;
 
-/// How the answers of two tracers compare, ray by ray.
+/// Counts of equal and different answers, ray by ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Agreement {
-    /// Hits of the one that is compared with.
+    /// Hits of the reference.
     pub expected_hits: usize,
-    /// Hits of the other.
+    /// Hits of the other tracer.
     pub hits: usize,
-    /// Rays that hit for the one that is compared with only.
+    /// Rays that hit only for the reference.
     pub missed: usize,
-    /// Rays that hit for the other only.
+    /// Rays that hit only for the other tracer.
     pub extra: usize,
-    /// Rays that hit for both at different distances.
+    /// Rays that hit for both, at different distances.
     pub distance: usize,
 }
 
@@ -36,7 +36,7 @@ impl Agreement {
         agreement
     }
 
-    /// Compares shadow.
+    /// Compares answers to shadow rays.
     #[must_use]
     pub fn of_any(expected: &[bool], other: &[bool]) -> Self {
         let mut agreement = Self::default();
@@ -46,7 +46,7 @@ impl Agreement {
         agreement
     }
 
-    /// Rays on which the two disagree in any way.
+    /// Rays with different answers of any kind.
     #[must_use]
     pub fn disagreements(&self) -> usize {
         self.missed + self.extra + self.distance

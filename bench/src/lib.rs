@@ -22,7 +22,7 @@ pub use tracers::{Answer, Input, Tracer};
 use anyhow::{Context, Result};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// 1, and the number of processors if that is more and obvhs was built to use them.
+/// The numbers of threads to measure: 1, and the number of processors if it is larger and obvhs was built to use them.
 #[must_use]
 pub fn thread_counts() -> Vec<usize> {
     let all = std::thread::available_parallelism().map_or(1, usize::from);
@@ -33,11 +33,11 @@ pub fn thread_counts() -> Vec<usize> {
     }
 }
 
-/// A pool for all tracers: slimbvh, obvhs and bvh run in the pool that calls them, others start as many threads or build on
-/// one.
+/// A pool for all tracers: slimbvh, obvhs and bvh run in the pool that calls them; others start as many threads, or build on
+/// one thread.
 ///
 /// # Errors
-/// When the system gives no threads.
+/// If the threads cannot be started.
 pub fn pool(threads: usize) -> Result<ThreadPool> {
     ThreadPoolBuilder::new()
         .num_threads(threads)

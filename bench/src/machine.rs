@@ -1,8 +1,8 @@
-//! Where and when a record was made.
+//! The machine and the date of a record.
 
 pub use slimbvh_lab::measure::machine::processor;
 
-/// The widest vectors that the compiler was allowed to use.
+/// The widest vector instructions that the compiler was allowed to use.
 #[must_use]
 pub fn vectors() -> &'static str {
     if cfg!(target_feature = "avx512f") {

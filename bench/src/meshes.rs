@@ -1,4 +1,4 @@
-//! What is built and traced: generated meshes, and real ones from the folder that `SLIMBVH_SCENES` names.
+//! The meshes: generated ones, and real ones from the folder that `SLIMBVH_SCENES` names.
 
 use anyhow::{Context, Result};
 use glam::Vec3;
@@ -13,7 +13,7 @@ pub const SCENES_VARIABLE: &str = "SLIMBVH_SCENES";
 /// A mesh to measure with, by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
-    /// How tables call it.
+    /// The name in tables.
     pub name: &'static str,
     source: Source,
 }
@@ -58,10 +58,10 @@ impl Subject {
         Self { name, source }
     }
 
-    /// The mesh; `None`, and a line on standard error, where its file is missing.
+    /// The mesh. If its file is missing: `None`, and a line on standard error.
     ///
     /// # Errors
-    /// The file is there but cannot be read.
+    /// If the file exists but cannot be read.
     pub fn mesh(&self) -> Result<Option<Mesh>> {
         let file = match self.source {
             Source::Generated(make) => return Ok(Some(make())),

@@ -1,4 +1,4 @@
-//! The rays that all tracers are given.
+//! The rays, the same for all tracers.
 
 use anyhow::{Context, Result};
 use glam::Vec3;
@@ -6,30 +6,30 @@ use rayon::prelude::*;
 use slimbvh::{Builder, Bvh, Camera, Mesh, Projection};
 use slimbvh_core::{Hit, IndexedTriangles, Ray};
 
-/// Pixels of the picture, one ray each.
+/// Width and height of the picture; each pixel has one ray.
 pub const PICTURE: [u32; 2] = [1280, 720];
 
-/// Rays that a task takes at once: a row of the picture.
+/// Rays of a task: a row of the picture.
 pub const BLOCK: usize = PICTURE[0] as usize;
 
-/// From the middle of the scene to the eye, and how far in lengths of the scene's diagonal.
+/// The direction from the scene's middle to the eye, and the distance in diagonals of the scene.
 const EYE: Vec3 = Vec3::new(0.35, 0.25, 1.0);
 const EYE_DISTANCE: f32 = 1.1;
 const VERTICAL_FOV: f32 = 35.0;
 
-/// Toward the sun.
+/// The direction to the sun.
 const SUN: Vec3 = Vec3::new(0.3, 0.8, 0.5);
 
-/// How far shadow rays start from the surface, in lengths of the scene's diagonal.
+/// The distance from the surface to the start of shadow rays, in diagonals of the scene.
 const SURFACE_OFFSET: f32 = 1e-4;
 
-/// Rays from the eye through every pixel, and one to the sun from each hit whose triangle, seen from the side that the
-/// eye sees, faces it. Directions have length 1 but for rounding.
+/// Rays from the eye through every pixel, and a ray to the sun from each hit, if the side of the triangle that the eye sees
+/// faces the sun. Directions have length 1, up to rounding.
 #[derive(Clone, Debug)]
 pub struct RayLists {
-    /// Asked for the closest hit.
+    /// Rays for closest hits.
     pub primary: Vec<Ray>,
-    /// Asked whether there is any hit.
+    /// Rays for any hit.
     pub shadow: Vec<Ray>,
 }
 
@@ -68,7 +68,7 @@ impl RayLists {
     }
 }
 
-/// From where a ray hits to the sun, if that side of the triangle faces it.
+/// The shadow ray from a hit to the sun, if that side of the triangle faces it.
 fn shadow_ray(mesh: &Mesh, bvh: &Bvh, ray: &Ray, offset: f32) -> Option<Ray> {
     let hit: Hit = bvh.closest_hit(ray);
     if !hit.is_hit() {

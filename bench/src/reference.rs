@@ -1,4 +1,4 @@
-//! The answers that all others are held against.
+//! The reference answers that all others are compared with.
 
 use crate::agreement::{Agreement, TOLERANCE};
 use crate::tracers::{Demand, Slim};
@@ -6,13 +6,13 @@ use crate::{Answer, RayLists, Tracer, pool};
 use anyhow::{Result, ensure};
 use slimbvh::{CodeBits, Mesh};
 
-/// Rays, and what slimbvh with 30-bit codes answers to them on one thread.
+/// The rays, and the answers of slimbvh with 30-bit codes on one thread.
 pub struct Reference {
     /// The rays.
     pub rays: RayLists,
     /// Closest hits of the primary rays.
     pub closest: Vec<Answer>,
-    /// Whether the shadow rays hit anything.
+    /// Whether each shadow ray hits anything.
     pub any: Vec<bool>,
 }
 
@@ -38,7 +38,7 @@ impl Reference {
     /// Checks a tracer's answers to the primary rays.
     ///
     /// # Errors
-    /// They differ more than the tracer's [`Demand`] allows.
+    /// If they differ by more than the tracer's [`Demand`] allows.
     pub fn check_closest(&self, tracer: &dyn Tracer, answers: &[Answer]) -> Result<Agreement> {
         let agreement = Agreement::of_closest(&self.closest, answers);
         let equal = self.closest == answers;

@@ -1,4 +1,4 @@
-//! A pool of one thread means one thread, for peers too. A binary of its own: it watches the process' threads.
+//! In a pool of one thread peers use one thread, too. This is a binary of its own, as it watches the process' threads.
 #![cfg(target_os = "linux")]
 
 use anyhow::{Context, Result, ensure};
@@ -32,7 +32,7 @@ fn no_other_thread_works_in_a_pool_of_one() -> Result<()> {
     let one = pool(1)?;
     let worker = one.install(|| fs::read_link("/proc/thread-self"))?;
     for mut tracer in tracers(&input) {
-        // It takes all processors for large meshes.
+        // tinybvh uses all processors for large meshes.
         if tracer.name().starts_with("tinybvh") {
             continue;
         }

@@ -1,4 +1,4 @@
-//! All tracers are asked the same: what a direction's length and a ray's range mean to slimbvh they mean to each of them.
+//! All tracers trace the same rays: a direction's length and a ray's range mean the same to each as to slimbvh.
 
 use anyhow::Result;
 use glam::Vec3;
@@ -58,7 +58,7 @@ fn lengths_beginnings_and_ends_mean_the_same_to_all() -> Result<()> {
     Ok(())
 }
 
-/// Numbers of triangles are the caller's, after a second build in kept buffers, too.
+/// Numbers of triangles are the caller's, also after a second build into kept buffers.
 #[test]
 fn all_name_the_same_triangles() -> Result<()> {
     let mesh = icosphere(Vec3::ZERO, 1.0, 4);
@@ -67,7 +67,7 @@ fn all_name_the_same_triangles() -> Result<()> {
         let corners = face.map(|i| Vec3::from_array(mesh.vertices[i as usize]));
         corners.into_iter().sum::<Vec3>() / 3.0
     };
-    // Off all planes of axes, along which not all are safe.
+    // Off all planes of axes, where not all tracers are watertight.
     let aside = Vec3::new(0.051, 0.032, 0.017);
     let inward = |face| {
         let start = 3.0 * middle(face) + aside;

@@ -21,10 +21,10 @@ use slimbvh::{Backend, Change, Cpu, FrameConfig, Frames, Output, Picture, Pictur
 use std::path::PathBuf;
 use std::time::Instant;
 
-/// Pictures are numbered with four digits.
+/// File names number frames with four digits.
 const MOST_FRAMES: u32 = 9999;
 
-/// More pictures in a frame differ by less than what a screen shows.
+/// With more times a frame, the mean changes by less than a screen shows.
 const MOST_TIMES: u32 = 1024;
 
 const EXAMPLES: &str = "\
@@ -45,39 +45,39 @@ pub struct AnimateArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
-    /// Frames of one round, after which all is where it was in the first
+    /// Frames of one loop; the frame after the last equals the first
     #[arg(long, value_name = "N", value_parser = |text: &str| options::whole(text, 1..=MOST_FRAMES))]
     frames: u32,
 
-    /// The camera goes once round the scene's middle, and a light that the scene does not have itself goes with it
+    /// Move the camera once around the scene's middle; a light that was added to the scene moves with it
     #[arg(long)]
     orbit: bool,
 
-    /// All lights go once round the scene's middle
+    /// Move all lights once around the scene's middle
     #[arg(long)]
     orbit_light: bool,
 
-    /// The scene bends
+    /// Deform the scene's vertices
     #[arg(long, value_enum)]
     deform: Option<Deform>,
 
-    /// What is done to the tree from frame to frame
+    /// How the tree follows from frame to frame
     #[arg(long, value_enum, default_value_t = Update::Auto)]
     update: Update,
 
-    /// The share of the time to the next frame that the shutter is open, 0 to 1: what moves is blurred
+    /// Motion blur: the share of the time between two frames that the shutter is open, 0 to 1
     #[arg(long, value_name = "SHARE", default_value_t = 0.0, value_parser = options::share)]
     shutter: f64,
 
-    /// At how many times of an open shutter, evenly apart, the scene is seen; a frame is their mean, in linear light
+    /// Pictures a frame while the shutter is open, at even intervals; a frame is their mean, in linear light
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=MOST_TIMES))]
     shutter_times: u32,
 
-    /// Where pictures go: a folder for frame-0000.png and so on, or one looping GIF. Without it none are kept
+    /// The output: a folder for frame-0000.png and so on, or one looping GIF. Without it no frame is kept
     #[arg(long, value_name = "FOLDER|FILE.gif")]
     out: Option<PathBuf>,
 
-    /// Frames a second that the GIF shows, as nearly as its hundredths of a second allow
+    /// Frames a second of the GIF, rounded to delays of whole hundredths of a second
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = |text: &str| options::whole(text, 1..=50))]
     fps: u32,
 
@@ -96,7 +96,7 @@ pub struct AnimateArguments {
     #[command(flatten)]
     backend: BackendArguments,
 
-    /// Write what was done in each frame as JSON, to standard output for "-"
+    /// Write a summary with each frame as JSON; "-" is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -128,7 +128,7 @@ pub fn run(arguments: &AnimateArguments) -> Result<()> {
     Ok(())
 }
 
-/// Makes all frames on what was chosen.
+/// Renders all frames on the chosen backend.
 fn animate(
     arguments: &AnimateArguments,
     chosen: &Chosen,
@@ -171,7 +171,7 @@ fn animate(
         finds_cost: true,
     };
     if config.plan.is_refused() {
-        bail!("--reduce on with --deform needs --solid: what bends may come to cut itself");
+        bail!("--reduce on with --deform needs --solid: a deformed surface may cut itself");
     }
     let work = Work {
         arguments,
@@ -187,7 +187,10 @@ fn animate(
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match work.frames(gpu, scene) {
             Err(error) if super::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
+                output::warn(&format!(
+                    "{}; using the CPU instead",
+                    output::sentence(&error)
+                ));
                 work.frames(Cpu, scene)
             }
             done => done,
@@ -195,7 +198,7 @@ fn animate(
     }
 }
 
-/// What is to be made.
+/// The inputs of an animation.
 struct Work<'a> {
     arguments: &'a AnimateArguments,
     animation: &'a Animation,
@@ -205,7 +208,7 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
-    /// Makes all frames on one backend.
+    /// Renders all frames on one backend.
     fn frames<B: Backend>(&self, backend: B, scene: &mut Scene) -> Result<Run> {
         let Self {
             arguments,

@@ -1,4 +1,4 @@
-//! What a picture's trees may leave out.
+//! The options of reduced trees, and the report on a plan.
 
 use super::output::count;
 use anyhow::{Result, bail};
@@ -15,38 +15,40 @@ use std::fmt::Write;
 
 #[derive(Debug, Args)]
 pub struct ReduceArguments {
-    /// Whether triangles that face away count on closed surfaces seen from outside. Without it, they do not where
-    /// --reduce finds it worth to know which these are
+    /// Whether rays skip triangles that face away, on closed surfaces seen from outside. Default: they do if the plan of
+    /// --reduce surveys the surfaces
     #[arg(long, value_enum)]
     cull: Option<Cull>,
 
-    /// Whether the camera and each light get trees without the triangles that face away
+    /// Whether the camera and each light get reduced trees, without the triangles that face away
     #[arg(long, value_enum, default_value_t = Reduce::Auto)]
     reduce: Reduce,
 
-    /// Promise that no closed part cuts itself or is inside out in places, so that nobody looks for that
+    /// Skip the search for seams: promise that no closed part cuts itself or is inside out in places
     #[arg(long)]
     solid: bool,
 
-    /// Savings to do without, separated by commas; the picture stays the same
+    /// Savings to turn off, separated by commas; the picture stays the same
     #[arg(long, value_enum, value_delimiter = ',', value_name = "SAVING")]
     without: Vec<Saving>,
 
-    /// Tell what was left out, and why
+    /// Print what was left out, and why
     #[arg(long)]
     pub explain: bool,
 }
 
 impl ReduceArguments {
-    /// Refuses what cannot be had together.
+    /// Rejects options that contradict each other.
     pub fn check(&self) -> Result<()> {
         if self.switches().is_contradiction() {
-            bail!("--reduce on leaves out what --cull off wants to count; leave one of them out");
+            bail!(
+                "--reduce on and --cull off contradict each other: reduced trees leave out what faces away; leave one of them out"
+            );
         }
         Ok(())
     }
 
-    /// Whether anything is to be left out, or passed over, in any case.
+    /// Whether the options demand reduced trees or culling.
     #[must_use]
     pub fn is_asked_for(&self) -> bool {
         self.reduce == Reduce::On || self.cull == Some(Cull::On)
@@ -61,7 +63,7 @@ impl ReduceArguments {
         }
     }
 
-    /// How one picture is planned.
+    /// The plan's settings for one picture.
     #[must_use]
     pub fn config(&self) -> PlanConfig {
         PlanConfig {
@@ -71,7 +73,7 @@ impl ReduceArguments {
     }
 }
 
-/// A plan, and what came of it.
+/// The summary of a plan and its trees, for `--json`.
 #[derive(Debug, Serialize)]
 pub struct PlanSummary {
     surveyed: bool,
@@ -86,11 +88,11 @@ pub struct PlanSummary {
 #[derive(Debug, Serialize)]
 struct TargetSummary {
     name: String,
-    /// By number, from 1.
+    /// Numbers of the lights, from 1.
     lights: Vec<usize>,
     half: &'static str,
     tree: &'static str,
-    /// Triangles in its tree.
+    /// The number of triangles in its tree.
     triangles: Option<usize>,
     estimated_share: f64,
     estimated_saving_ms: f64,
@@ -138,7 +140,7 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)])
     }
 }
 
-/// For people: the decisions, what came of them, and the times.
+/// The decisions, the resulting sets and the times, as text.
 #[must_use]
 pub fn explain(
     plan: &Plan,

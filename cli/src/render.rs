@@ -40,7 +40,7 @@ pub struct RenderArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
-    /// Where the picture goes
+    /// The file to write the picture to
     #[arg(short, long, value_name = "FILE.png", default_value = "slimbvh.png")]
     output: PathBuf,
 
@@ -59,12 +59,12 @@ pub struct RenderArguments {
     #[command(flatten)]
     backend: BackendArguments,
 
-    /// Write what was done as JSON, to standard output for "-"
+    /// Write a summary as JSON; "-" is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
 
-/// What was done.
+/// The summary of a picture, for `--json`.
 #[derive(Debug, Serialize)]
 struct Summary {
     scene: String,
@@ -121,7 +121,7 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     Ok(())
 }
 
-/// Tells before the work, not after it, that a file has no place to go.
+/// Checks the paths of all output files before any work starts.
 fn check_places(arguments: &RenderArguments) -> Result<()> {
     let picture = arguments.output.as_path();
     let is_png = picture
@@ -164,7 +164,10 @@ fn render(
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match job.render_on(gpu, &mut picture) {
             Err(error) if super::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
+                output::warn(&format!(
+                    "{}; using the CPU instead",
+                    output::sentence(&error)
+                ));
                 job.render_on(Cpu, &mut picture)?
             }
             outcome => outcome?,
@@ -180,7 +183,7 @@ fn render(
     Ok((summary, text, picture))
 }
 
-/// A picture to be made.
+/// The inputs of a picture.
 struct Job<'a> {
     scene: &'a Scene,
     plan: &'a Plan<'a>,
@@ -188,7 +191,7 @@ struct Job<'a> {
     settings: &'a RenderSettings,
 }
 
-/// What was computed, and what it took.
+/// Times, counts and sizes of a finished picture.
 struct Outcome {
     backend: &'static str,
     adapter: Option<String>,
@@ -199,7 +202,7 @@ struct Outcome {
 }
 
 impl Job<'_> {
-    /// Builds and renders.
+    /// Builds the trees and renders the picture on one backend.
     fn render_on<B: Backend>(&self, backend: B, picture: &mut Picture) -> Result<Outcome> {
         let config = FrameConfig {
             build: self.config,
@@ -274,7 +277,7 @@ fn summarize(
     }
 }
 
-/// The summary for people.
+/// The summary as text.
 fn describe(s: &Summary, outcome: &Outcome) -> String {
     let Outcome { build, report, .. } = outcome;
     let mut text = String::new();

@@ -1,4 +1,4 @@
-//! In how many bytes hierarchies are stored.
+//! The options of codecs, and the sizes of a stored hierarchy.
 
 use super::output::bytes;
 use super::reduce::ReduceArguments;
@@ -13,32 +13,32 @@ use slimbvh::{
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
-    /// How inner nodes are stored: in full, as in the paper on compressed hierarchies (10 bits a plane), or in 4 to 21 bits on a
-    /// lattice. The picture stays the same
+    /// Codec of inner nodes: full precision, paper10 (10 bits a plane, after the paper on NODE and NODE+MESH), or 4 to 21 bits
+    /// on a lattice. The picture stays the same
     #[arg(long, value_parser = node_codecs(), default_value = AUTO)]
     nodes: Nodes,
 
-    /// How triangles are stored: in full, in 10 bits in their leaf's box as in the paper (surfaces crack), or on a lattice. Without it
-    /// in full, or on a lattice where there is a --tolerance
+    /// Codec of triangles: full precision, 10 bits a coordinate in the leaf's box as in that paper (surfaces crack), or on a
+    /// lattice. Default: full precision, or the lattice if there is a --tolerance
     #[arg(long, value_parser = mesh_codecs())]
     mesh: Option<MeshCodec>,
 
-    /// How far vertices may move onto the lattice: a length, or pixels at the scene's nearest point, as in 0.5px. Without it
-    /// as little as floats can tell
+    /// How far vertices may move onto the lattice: a length, or pixels at the scene's nearest point, as in 0.5px. Default: the
+    /// finest lattice that holds the scene
     #[arg(long, value_name = "LENGTH|Npx", value_parser = options::tolerance)]
     tolerance: Option<Tolerance>,
 }
 
-/// The codec of nodes; none for the one that the triangles need.
+/// The codec of nodes; `None` is the default for the codec of triangles.
 #[derive(Clone, Copy, Debug)]
 struct Nodes(Option<NodeCodec>);
 
-/// The name of [`Nodes`] without a codec.
+/// The name of `Nodes(None)`.
 const AUTO: &str = "auto";
 
 /// Parses the name of a codec of nodes.
 fn node_codecs() -> impl TypedValueParser<Value = Nodes> {
-    let auto = PossibleValue::new(AUTO).help("As the triangles need, else in full");
+    let auto = PossibleValue::new(AUTO).help("The default for the codec of triangles");
     let codecs = NodeCodec::ALL.map(|codec| {
         let help = format!("{} bytes", codec.node_bytes());
         PossibleValue::new(codec.name()).help(help)
@@ -51,7 +51,7 @@ fn node_codecs() -> impl TypedValueParser<Value = Nodes> {
 fn mesh_codecs() -> impl TypedValueParser<Value = MeshCodec> {
     let codecs = MeshCodec::ALL.map(|codec| PossibleValue::new(codec.name()).help(codec.summary()));
     let names = PossibleValuesParser::new(codecs);
-    // Only names of codecs get here.
+    // The parser before this accepts only names of codecs.
     names.map(|name| MeshCodec::named(&name).unwrap_or_default())
 }
 
@@ -63,24 +63,24 @@ pub struct Storage {
 }
 
 impl StorageArguments {
-    /// Refuses what cannot be had together.
+    /// Rejects options that contradict each other.
     pub fn check(&self) -> Result<()> {
         self.kinds().map(|_| ())
     }
 
-    /// Refuses reduction where triangles are not those that it was decided for.
+    /// Rejects reduction with a codec that moves triangles after the decision.
     pub fn check_reduction(&self, reduce: &ReduceArguments) -> Result<()> {
         let (_, mesh) = self.kinds()?;
         if mesh.moves_vertices() && reduce.is_asked_for() {
             bail!(
-                "--mesh {} moves triangles after it was decided which may be left out; leave --reduce on and --cull on out",
+                "--mesh {} moves triangles after the plan has chosen which to leave out; leave --reduce on and --cull on out",
                 mesh.name()
             );
         }
         Ok(())
     }
 
-    /// Refuses to ask for another tree than a file has, whose codecs these are.
+    /// Rejects options that differ from `codecs`, those of the saved tree.
     pub fn check_saved(&self, codecs: (NodeCodec, MeshCodec), name: &str) -> Result<()> {
         if self.tolerance.is_some() {
             bail!(
@@ -101,12 +101,12 @@ impl StorageArguments {
         Ok(())
     }
 
-    /// Whether nothing may be left out, nor passed over.
+    /// Whether the codec of triangles excludes reduced trees and culling.
     pub fn forbids_reduction(&self) -> bool {
         self.mesh.is_some_and(MeshCodec::moves_vertices)
     }
 
-    /// The codecs; a lattice of triangles has no step yet.
+    /// The chosen codecs; the step of a triangle lattice is not known yet.
     fn kinds(&self) -> Result<(NodeCodec, MeshCodec)> {
         let lattice = MeshCodec::ALL.into_iter();
         let mut lattice = lattice.filter(|codec| codec.step_exponent().is_some());
@@ -130,7 +130,7 @@ impl StorageArguments {
         Ok((nodes, mesh))
     }
 
-    /// Decides, and moves the scene's vertices onto the lattice, if there is one.
+    /// Chooses the codecs. Moves the scene's vertices onto the lattice, if there is one.
     pub fn apply(&self, scene: &mut Scene, settings: &RenderSettings) -> Result<Storage> {
         let step_exponent = self.step_exponent(scene, settings);
         let storage = self.on_lattice(step_exponent)?;
@@ -138,8 +138,8 @@ impl StorageArguments {
         Ok(storage)
     }
 
-    /// As [`Self::apply`] for a scene that is posed in turn, whose vertices may move: one lattice for all poses, which each of
-    /// them must be moved onto.
+    /// As [`Self::apply`] for a scene with one pose for each time: chooses one lattice for all poses. The caller moves the
+    /// vertices of each pose onto it.
     pub fn for_all(
         &self,
         settings: &RenderSettings,
@@ -160,7 +160,7 @@ impl StorageArguments {
         self.on_lattice(Some(wanted.map_or(finest, |wanted| wanted.max(finest))))
     }
 
-    /// The lattice's step for the scene as it is; none where it would be finer than floats.
+    /// The lattice's step for the scene as it is; `None` if the tolerance is finer than `f32` can represent.
     fn step_exponent(&self, scene: &Scene, settings: &RenderSettings) -> Option<i32> {
         match self.tolerance {
             Some(tolerance) => tolerance.step_exponent(scene, settings),
@@ -168,7 +168,7 @@ impl StorageArguments {
         }
     }
 
-    /// With a lattice of this step; without one nothing moves, and nothing is gained.
+    /// The codecs with a lattice of this step; with `None` triangles stay in full precision.
     fn on_lattice(&self, step_exponent: Option<i32>) -> Result<Storage> {
         let (nodes, mesh) = self.kinds()?;
         let mesh = mesh.with_step(step_exponent);
@@ -184,7 +184,7 @@ impl Storage {
         }
     }
 
-    /// How to build.
+    /// The settings of a build with these codecs.
     #[must_use]
     pub fn config(&self, code_bits: CodeBits, tree: TreeKind) -> BuildConfig {
         BuildConfig {
@@ -196,7 +196,7 @@ impl Storage {
     }
 }
 
-/// How long the lists of a hierarchy and its mesh are.
+/// Sizes of the lists of a hierarchy and its mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Sizes {
     pub triangle_count: usize,
@@ -207,7 +207,7 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// For people.
+    /// The sizes as text.
     #[must_use]
     pub fn describe(&self) -> String {
         let per_triangle = |bytes: usize| bytes as f64 / self.triangle_count.max(1) as f64;
@@ -223,7 +223,7 @@ impl Sizes {
     }
 }
 
-/// Bytes of a mesh's lists.
+/// The size of a mesh's lists in bytes.
 #[must_use]
 pub fn mesh_bytes(mesh: &Mesh) -> usize {
     size_of_val(mesh.vertices.as_slice())
@@ -232,7 +232,7 @@ pub fn mesh_bytes(mesh: &Mesh) -> usize {
         + size_of_val(mesh.materials.as_slice())
 }
 
-/// Codecs for people.
+/// The names of the codecs, with the step of a lattice.
 pub fn describe((nodes, mesh): (NodeCodec, MeshCodec)) -> String {
     let step = mesh.step_exponent();
     let step = step.map_or_else(String::new, |exponent| format!(" of step 2^{exponent}"));

@@ -138,7 +138,7 @@ pub fn decide_smaller(
 
 /// One thread per component. Reads which set is taken, and the components. Negates their sides for L−.
 #[spirv(compute(threads(64)))]
-pub fn decide_turn(
+pub fn decide_negate(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] decided: &[SetCounts],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] components: &[Component],

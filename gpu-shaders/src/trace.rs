@@ -23,7 +23,8 @@ mod store;
 trace_kernels! {
     [() 0 1 2 3 4 5 6 7 8]
     |nodes: Node, triangles: LeafTriangle| PlainNodes(nodes), LeafTriangles(triangles);
-    pub fn trace_rays;
+    pub fn trace_closest;
+    pub fn trace_any;
     pub fn trace_nearest;
     pub fn trace_counted;
     pub fn trace_paths_facing;

@@ -16,10 +16,10 @@ kernels! {
         compact_counts,
         decide_components,
         decide_counts,
+        decide_negate,
         decide_sides,
         decide_smaller,
         decide_spans,
-        decide_turn,
         encode_q10_f32,
         encode_q10_links,
         encode_q10_sizes,
@@ -51,6 +51,16 @@ kernels! {
         topology_kept_63,
         topology_nodes_30,
         topology_nodes_63,
+        trace_any,
+        trace_any_q10_f32,
+        trace_any_q10_lattice,
+        trace_any_q21_f32,
+        trace_any_q21_lattice,
+        trace_closest,
+        trace_closest_q10_f32,
+        trace_closest_q10_lattice,
+        trace_closest_q21_f32,
+        trace_closest_q21_lattice,
         trace_counted,
         trace_nearest,
         trace_paths,
@@ -64,11 +74,6 @@ kernels! {
         trace_paths_q10_lattice,
         trace_paths_q21_f32,
         trace_paths_q21_lattice,
-        trace_rays,
-        trace_rays_q10_f32,
-        trace_rays_q10_lattice,
-        trace_rays_q21_f32,
-        trace_rays_q21_lattice,
         trace_shadows,
         trace_shadows_facing,
         trace_shadows_q10_f32,
@@ -87,6 +92,10 @@ kernels! {
     lab {
         encode_paper10_f32,
         encode_paper10_leaf10,
+        trace_any_paper10_f32,
+        trace_any_paper10_leaf10,
+        trace_closest_paper10_f32,
+        trace_closest_paper10_leaf10,
         trace_counted_paper10_f32,
         trace_counted_paper10_leaf10,
         trace_counted_q10_f32,
@@ -103,19 +112,17 @@ kernels! {
         trace_paths_counted_paper10_leaf10,
         trace_paths_paper10_f32,
         trace_paths_paper10_leaf10,
-        trace_rays_paper10_f32,
-        trace_rays_paper10_leaf10,
         trace_shadows_paper10_f32,
         trace_shadows_paper10_leaf10,
     }
 }
 
 traces! {
-    None => trace_rays, trace_nearest, trace_counted, trace_paths, trace_paths_counted, trace_shadows;
-    Some(Coding::Paper10F32) => trace_rays_paper10_f32, trace_nearest_paper10_f32, trace_counted_paper10_f32, trace_paths_paper10_f32, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32;
-    Some(Coding::Paper10Leaf10) => trace_rays_paper10_leaf10, trace_nearest_paper10_leaf10, trace_counted_paper10_leaf10, trace_paths_paper10_leaf10, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10;
-    Some(Coding::Q10F32) => trace_rays_q10_f32, trace_nearest_q10_f32, trace_counted_q10_f32, trace_paths_q10_f32, trace_paths_counted_q10_f32, trace_shadows_q10_f32;
-    Some(Coding::Q10Lattice) => trace_rays_q10_lattice, trace_nearest_q10_lattice, trace_counted_q10_lattice, trace_paths_q10_lattice, trace_paths_counted_q10_lattice, trace_shadows_q10_lattice;
-    Some(Coding::Q21F32) => trace_rays_q21_f32, trace_nearest_q21_f32, trace_counted_q21_f32, trace_paths_q21_f32, trace_paths_counted_q21_f32, trace_shadows_q21_f32;
-    Some(Coding::Q21Lattice) => trace_rays_q21_lattice, trace_nearest_q21_lattice, trace_counted_q21_lattice, trace_paths_q21_lattice, trace_paths_counted_q21_lattice, trace_shadows_q21_lattice;
+    None => trace_closest, trace_any, trace_nearest, trace_counted, trace_paths, trace_paths_counted, trace_shadows;
+    Some(Coding::Paper10F32) => trace_closest_paper10_f32, trace_any_paper10_f32, trace_nearest_paper10_f32, trace_counted_paper10_f32, trace_paths_paper10_f32, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32;
+    Some(Coding::Paper10Leaf10) => trace_closest_paper10_leaf10, trace_any_paper10_leaf10, trace_nearest_paper10_leaf10, trace_counted_paper10_leaf10, trace_paths_paper10_leaf10, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10;
+    Some(Coding::Q10F32) => trace_closest_q10_f32, trace_any_q10_f32, trace_nearest_q10_f32, trace_counted_q10_f32, trace_paths_q10_f32, trace_paths_counted_q10_f32, trace_shadows_q10_f32;
+    Some(Coding::Q10Lattice) => trace_closest_q10_lattice, trace_any_q10_lattice, trace_nearest_q10_lattice, trace_counted_q10_lattice, trace_paths_q10_lattice, trace_paths_counted_q10_lattice, trace_shadows_q10_lattice;
+    Some(Coding::Q21F32) => trace_closest_q21_f32, trace_any_q21_f32, trace_nearest_q21_f32, trace_counted_q21_f32, trace_paths_q21_f32, trace_paths_counted_q21_f32, trace_shadows_q21_f32;
+    Some(Coding::Q21Lattice) => trace_closest_q21_lattice, trace_any_q21_lattice, trace_nearest_q21_lattice, trace_counted_q21_lattice, trace_paths_q21_lattice, trace_paths_counted_q21_lattice, trace_shadows_q21_lattice;
 }

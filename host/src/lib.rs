@@ -24,8 +24,11 @@ mod text;
 mod tolerance;
 pub mod topology;
 #[cfg_attr(
-    not(any(feature = "gpu", feature = "scenes")),
-    allow(dead_code, reason = "lists of trees are read from files and GPUs")
+    not(feature = "scenes"),
+    allow(
+        dead_code,
+        reason = "only files have tags of codecs, and only they and GPUs have lists of trees"
+    )
 )]
 mod tree;
 

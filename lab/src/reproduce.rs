@@ -1,7 +1,7 @@
 //! `slimbvh-lab reproduce`: the papers' tables, measured again.
 
-mod aim;
 mod compressed;
+mod facing_target;
 mod layout;
 mod lights;
 mod measure;

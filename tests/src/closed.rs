@@ -5,8 +5,8 @@ use glam::Vec3;
 use slimbvh::Mesh;
 use slimbvh::generate::{TorusKnot, icosphere, torus_knot};
 
-/// A sphere around the origin whose vertices lie at random distances from `1 - depth` to 1 (pbrt tests with one). The
-/// origin sees all of it.
+/// A sphere around the origin whose vertices lie at random distances from `1 - depth` to 1, as in pbrt's tests. The whole
+/// surface is visible from the origin.
 #[must_use]
 pub fn dented_sphere(subdivisions: u32, depth: f32, seed: u64) -> Mesh {
     let mut random = Random::new(seed);
@@ -33,7 +33,7 @@ pub fn small_torus_knot() -> Mesh {
     })
 }
 
-/// A closed tube along x of this length and radius, its sides single strips of long triangles.
+/// A closed tube along x of this length and radius; each side is a single strip of long triangles.
 #[must_use]
 pub fn long_prism(length: f32, radius: f32, sides: u32) -> Mesh {
     let mut vertices = Vec::new();
@@ -58,7 +58,7 @@ pub fn long_prism(length: f32, radius: f32, sides: u32) -> Mesh {
     }
 }
 
-/// A mesh scaled, then moved; every shared vertex stays shared.
+/// Scales, then moves a mesh; shared vertices stay shared.
 #[must_use]
 pub fn placed(mut mesh: Mesh, scale: f32, translation: Vec3) -> Mesh {
     for vertex in &mut mesh.vertices {
@@ -67,7 +67,8 @@ pub fn placed(mut mesh: Mesh, scale: f32, translation: Vec3) -> Mesh {
     mesh
 }
 
-/// How often the closed surfaces of a mesh wind around a point: 0 outside (van Oosterom and Strackee 1983, solid angles).
+/// The winding number of a mesh's closed surfaces around a point, by solid angles (van Oosterom and Strackee 1983); 0 is
+/// outside.
 #[must_use]
 pub fn winding_number(mesh: &Mesh, point: [f32; 3]) -> f64 {
     let point = point.map(f64::from);
@@ -85,7 +86,7 @@ pub fn winding_number(mesh: &Mesh, point: [f32; 3]) -> f64 {
     solid_angle / (4.0 * std::f64::consts::PI)
 }
 
-/// Points inside: a little below the middles of random faces, kept where the surface winds around them.
+/// Points inside: a little below the middles of random faces, if the winding number there is not 0.
 #[must_use]
 pub fn points_inside(mesh: &Mesh, depth: f32, count: usize, seed: u64) -> Vec<Vec3> {
     let mut random = Random::new(seed);

@@ -1,5 +1,5 @@
-//! What each fuzz target checks of any bytes at all. The targets in `fuzz/` and the test that replays the seeds call the same
-//! functions; all panic where a law does not hold.
+//! The check of each fuzz target, for arbitrary bytes. The targets in `fuzz/` and the test that replays the seeds call these
+//! functions, which panic if a law does not hold.
 
 mod build_and_trace;
 mod classification;
@@ -18,7 +18,7 @@ pub use options::options;
 pub use saved_file::saved_file;
 pub use triangle_codec::triangle_codec;
 
-/// What a target does with some bytes.
+/// A target's check of some bytes.
 pub type Check = fn(&[u8]);
 
 /// All targets, by the names that they have in `fuzz/`.

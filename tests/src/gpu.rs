@@ -1,4 +1,4 @@
-//! The GPU that tests run on, single kernels on it, and devices of other limits.
+//! The GPU of the tests, single dispatches of kernels, and devices with other limits.
 
 mod dispatch;
 
@@ -12,8 +12,8 @@ use std::fmt::Display;
 use std::io::Write;
 use std::sync::OnceLock;
 
-/// The adapter that `SLIMBVH_ADAPTER` names, or else a real GPU, or else one in software. Without any, says so on stderr
-/// and returns none.
+/// The adapter that `SLIMBVH_ADAPTER` names, else a hardware GPU, else a software adapter. If there is none, prints that to
+/// stderr and returns `None`.
 ///
 /// # Panics
 /// If the adapter cannot be opened, and with `REQUIRE_GPU=1` if there is none.
@@ -30,7 +30,7 @@ fn open() -> Option<Gpu> {
         Err(GpuError::NoAdapter(AdapterError::None)) => {
             let is_required = std::env::var_os("REQUIRE_GPU").is_some_and(|value| value != "0");
             assert!(!is_required, "there is no GPU, and REQUIRE_GPU is set");
-            // The test harness would swallow what `eprintln` says. Nobody is left to be told when stderr is closed.
+            // The test harness would capture `eprintln`. An error means that stderr is closed, so it is ignored.
             let _ = writeln!(
                 std::io::stderr(),
                 "SKIPPED: there is no GPU, not even in software: nothing of the GPU backend was tested"
@@ -41,7 +41,7 @@ fn open() -> Option<Gpu> {
     }
 }
 
-/// The same adapter opened once more, for tests that break it.
+/// Opens the same adapter once more, for tests that break it.
 ///
 /// # Panics
 /// As [`gpu`].
@@ -50,7 +50,7 @@ pub fn own_gpu() -> Option<Gpu> {
     gpu().map(|gpu| done(Gpu::open(&AdapterChoice::Named(gpu.name().to_owned()))))
 }
 
-/// The same adapter, opened by the caller as it were, with limits that were changed from the adapter's own.
+/// The same adapter with changed limits, on a device that the test opens as a caller would.
 ///
 /// # Panics
 /// As [`gpu`], and if the driver refuses the limits.
@@ -75,16 +75,16 @@ pub fn gpu_with_limits(change: impl FnOnce(&mut wgpu::Limits)) -> Option<Gpu> {
     Some(done(Gpu::from_device(device, queue)))
 }
 
-/// Whether it computes on the CPU, whose arithmetic is the CPU backend's.
+/// Whether this is a software adapter, which has the CPU backend's arithmetic.
 #[must_use]
 pub fn is_software(gpu: &Gpu) -> bool {
     gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu
 }
 
-/// What must not fail.
+/// Unwraps the result of an operation that must not fail.
 ///
 /// # Panics
-/// If it did.
+/// If the operation failed.
 #[track_caller]
 pub fn done<T, E: Display>(result: Result<T, E>) -> T {
     match result {
@@ -93,7 +93,7 @@ pub fn done<T, E: Display>(result: Result<T, E>) -> T {
     }
 }
 
-/// Frames on a GPU with one tree over all triangles.
+/// Frames on a GPU, with one tree over all triangles.
 pub fn whole_tree(gpu: &Gpu, build: BuildConfig) -> Frames<&Gpu> {
     let switches = Switches {
         reduce: Reduce::Off,

@@ -1,7 +1,7 @@
 //! Generators and oracles for the tests of slimbvh.
 //!
-//! Meshes and rays come as proptest [`strategies`] and as [`closed`] solids for stress; answers are compared with those of
-//! an [`oracle`]; [`validate`] walks a tree; [`parity`] is what the GPU and the CPU must have; [`fuzz`] checks any bytes.
+//! Meshes and rays come from proptest [`strategies`] and as [`closed`] solids. An [`oracle`] gives reference answers,
+//! [`validate`] checks a tree, [`parity`] compares GPU and CPU, and [`fuzz`] has the checks of the fuzz targets.
 
 pub mod closed;
 pub mod fuzz;
@@ -18,7 +18,7 @@ pub mod validate;
 use proptest::test_runner::Config;
 use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, Mesh};
 
-/// A proptest configuration with this many cases, or more where `PROPTEST_CASES` asks for it.
+/// A proptest configuration with this number of cases, or more if `PROPTEST_CASES` is larger.
 #[must_use]
 pub fn cases(count: u32) -> Config {
     let config = Config::default();
@@ -36,7 +36,7 @@ pub fn cases(count: u32) -> Config {
 /// Both lengths of codes.
 pub const CODE_BITS: [CodeBits; 2] = [CodeBits::Bits30, CodeBits::Bits63];
 
-/// Builds from a mesh that must be sound.
+/// Builds a tree from a mesh that must be valid.
 ///
 /// # Panics
 /// If the mesh is refused.
@@ -45,7 +45,7 @@ pub fn build(mesh: &Mesh, code_bits: CodeBits) -> Bvh {
     build_as(mesh, code_bits.into())
 }
 
-/// Builds from a mesh that must be sound, as configured.
+/// Builds a tree with a configuration from a mesh that must be valid.
 ///
 /// # Panics
 /// If the mesh is refused.

@@ -1,4 +1,4 @@
-//! What answers are compared with. Exact answers for any numbers are [`slimbvh_lab::oracle`]'s, which the binary has, too.
+//! Reference answers for tests. The laboratory's [`slimbvh_lab::oracle`] has exact answers for any numbers.
 
 pub mod brute;
 pub mod double;

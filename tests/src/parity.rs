@@ -1,11 +1,11 @@
-//! What it means that the GPU's results are those of the CPU.
+//! Comparisons of the GPU's results with the CPU's.
 
 use bytemuck::{NoUninit, bytes_of};
 use slimbvh::Picture;
 use slimbvh_core::Hit;
 use std::fmt::Debug;
 
-/// Every bit is the same.
+/// Checks that all bits are equal.
 ///
 /// # Errors
 /// The first difference.
@@ -23,10 +23,10 @@ pub fn same_bits<T: NoUninit + Debug>(gpu: &[T], cpu: &[T]) -> Result<(), String
     }
 }
 
-/// Every number differs by no more than this share of it, or of `floor` where it is smaller.
+/// Checks that every number differs by at most this share of it, or of `floor` if the number is smaller.
 ///
 /// # Errors
-/// The first that does.
+/// The first number with a larger difference.
 pub fn close(gpu: &[f32], cpu: &[f32], share: f32, floor: f32) -> Result<(), String> {
     if gpu.len() != cpu.len() {
         return Err(format!("{} instead of {}", gpu.len(), cpu.len()));
@@ -34,7 +34,7 @@ pub fn close(gpu: &[f32], cpu: &[f32], share: f32, floor: f32) -> Result<(), Str
     let is_close = |(a, b): (&f32, &f32)| {
         let difference = (f64::from(*a) - f64::from(*b)).abs();
         let bound = f64::from(share) * f64::from(a.abs().max(b.abs()).max(floor));
-        // Equal bits are close, also where they are no number.
+        // Equal bits are close, NaN included.
         a.to_bits() == b.to_bits() || (difference <= bound && bound.is_finite())
     };
     match gpu.iter().zip(cpu).position(|pair| !is_close(pair)) {
@@ -43,18 +43,18 @@ pub fn close(gpu: &[f32], cpu: &[f32], share: f32, floor: f32) -> Result<(), Str
     }
 }
 
-/// How far a real GPU's t may be off, as a share of it: fused products, and reciprocals to 2.5 ULP, where the CPU rounds
-/// each.
+/// The allowed relative error of a hardware GPU's t: products may be fused and reciprocals have 2.5 ULP, where the CPU
+/// rounds each operation.
 pub const T_SHARE: f32 = 1e-5;
 
-/// One ray in so many may still differ: where it grazes a plane, t is what rounding leaves of it, and where triangles
-/// meet at one t, the last bit tells which comes first.
+/// One ray in this number may differ by more: on a grazing ray t is mostly rounding, and between triangles at one t the last
+/// bit decides.
 pub const GRAZING: usize = 100;
 
-/// The same primitives, at almost the same t, except for grazing rays.
+/// Checks for the same primitives at almost the same t, except for grazing rays.
 ///
 /// # Errors
-/// The first difference of too many.
+/// The first difference, if there are too many.
 pub fn close_hits(gpu: &[Hit], cpu: &[Hit]) -> Result<(), String> {
     let differs = |&at: &usize| {
         let (a, b) = (gpu[at], cpu[at]);
@@ -77,11 +77,11 @@ pub fn close_hits(gpu: &[Hit], cpu: &[Hit]) -> Result<(), String> {
     }
 }
 
-/// Pictures of the same size, of which no more than this share of the sRGB bytes differ, and these by no more than
-/// `most`. Returns how many differ.
+/// Checks that two pictures have the same size, and that at most this share of their sRGB bytes differ, each by at most
+/// `most`. Returns the number of different bytes.
 ///
 /// # Errors
-/// What differs too much.
+/// The difference that is too large.
 pub fn alike(gpu: &Picture, cpu: &Picture, share: f64, most: u8) -> Result<usize, String> {
     if (gpu.width, gpu.height) != (cpu.width, cpu.height) {
         return Err(format!(

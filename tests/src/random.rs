@@ -15,7 +15,7 @@ impl Random {
         Self { state: seed }
     }
 
-    /// 64 even bits.
+    /// 64 uniform bits.
     pub fn bits(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.state;
@@ -45,7 +45,7 @@ impl Random {
         Vec3::new(next(), next(), next())
     }
 
-    /// A direction, evenly over the sphere, of length 1.
+    /// A direction of length 1, uniform over the sphere.
     pub fn direction(&mut self) -> Vec3 {
         loop {
             let p = self.point();
@@ -55,7 +55,7 @@ impl Random {
         }
     }
 
-    /// Puts items into a random order (Fisher and Yates).
+    /// Shuffles items (Fisher and Yates).
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for end in (1..items.len()).rev() {
             items.swap(end, self.below(end + 1));

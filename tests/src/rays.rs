@@ -1,12 +1,12 @@
-//! Rays of every awkward kind: a [`RayRecipe`] comes from proptest and knows no mesh; [`RayRecipe::cook`] makes a ray of it
-//! that starts at, aims at or lies in some triangle of a mesh.
+//! Rays of every awkward kind: proptest makes a [`RayRecipe`] without a mesh; [`RayRecipe::cook`] turns it into a ray that
+//! starts at, aims at or lies in a triangle of a mesh.
 
 use proptest::array::uniform3;
 use proptest::prelude::*;
 
 pub use slimbvh_lab::stress::{Aim, Face, Range, RayRecipe, Start};
 
-/// Any ray that is one.
+/// Any valid ray.
 pub fn any_ray() -> impl Strategy<Value = RayRecipe> {
     (start(), aim(), length(), range()).prop_map(|(start, aim, length, range)| RayRecipe {
         start,
@@ -16,7 +16,7 @@ pub fn any_ray() -> impl Strategy<Value = RayRecipe> {
     })
 }
 
-/// A number of them.
+/// A list of recipes.
 pub fn some_rays(count: usize) -> impl Strategy<Value = Vec<RayRecipe>> {
     proptest::collection::vec(any_ray(), count)
 }

@@ -1,14 +1,14 @@
-//! Real meshes, where there are any.
+//! Real meshes, if their files are present.
 
 use slimbvh::Mesh;
 use slimbvh::scene::{LoadOptions, load};
 use std::io::Write;
 use std::path::PathBuf;
 
-/// Reads files from the folder that `SLIMBVH_SCENES` names, each with its name. Says on stderr what is missing.
+/// Reads files from the folder that `SLIMBVH_SCENES` names, each with its name. Prints missing files to stderr.
 ///
 /// # Panics
-/// If a file is there but cannot be read.
+/// If a file exists but cannot be read.
 #[must_use]
 pub fn real_meshes(names: &[&str]) -> Vec<(String, Mesh)> {
     let Some(folder) = std::env::var_os("SLIMBVH_SCENES").map(PathBuf::from) else {
@@ -30,8 +30,8 @@ pub fn real_meshes(names: &[&str]) -> Vec<(String, Mesh)> {
     meshes
 }
 
-/// Straight to stderr: the test harness would swallow what `eprintln` says.
+/// Prints to stderr directly, as the test harness would capture `eprintln`.
 fn warn(what: &str) {
-    // Nobody is left to be told when stderr is closed.
+    // An error means that stderr is closed, so it is ignored.
     let _ = writeln!(std::io::stderr(), "SKIPPED: {what}");
 }

@@ -13,12 +13,12 @@ pub use kinds::{
 /// Three corners of each triangle.
 pub type Corners = [[f32; 3]; 3];
 
-/// A mesh of any kind, of any magnitude from `10^-30` to `10^30`, anywhere.
+/// A mesh of any kind and place, with a magnitude from `10^-30` to `10^30`.
 pub fn any_mesh() -> impl Strategy<Value = Mesh> {
     (any_kind(), placement()).prop_map(|(mesh, placement)| placement.apply(mesh))
 }
 
-/// Some thousands of triangles of all kinds in one mesh, of any magnitude, anywhere.
+/// A mesh of some thousand triangles of all kinds, of any magnitude and place.
 pub fn large_mesh() -> impl Strategy<Value = Mesh> {
     let parts = proptest::collection::vec(any_kind(), 24..48);
     (parts, placement()).prop_map(|(parts, placement)| {
@@ -48,12 +48,12 @@ fn any_kind() -> impl Strategy<Value = Mesh> {
     ]
 }
 
-/// Where a mesh is put, and how large.
+/// The place and the scale of a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
     /// Factor of the coordinates.
     pub scale: f32,
-    /// Added after scaling, in scaled units of 1.
+    /// Added after scaling, in scaled units.
     pub translation: [f32; 3],
 }
 
@@ -70,7 +70,7 @@ impl Placement {
     }
 }
 
-/// Most often none; otherwise a magnitude, a translation that costs bits, or both.
+/// Most often the identity; otherwise a scale, a translation that costs bits, or both.
 pub fn placement() -> impl Strategy<Value = Placement> {
     let scale = prop_oneof![
         4 => Just(1.0f32),

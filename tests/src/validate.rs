@@ -1,4 +1,4 @@
-//! Walks a tree and checks all that it promises, with nothing of core but its boxes, codes and frames.
+//! Checks all invariants of a tree, using only boxes, codes and grids of core.
 
 mod fault;
 mod order;
@@ -10,7 +10,7 @@ pub use shape::{Shape, validate_shape};
 
 use slimbvh::{Bvh, CodeBits, Mesh};
 
-/// Checks everything about a tree built from a mesh.
+/// Checks all invariants of a tree built from a mesh.
 ///
 /// # Errors
 /// The first fault found.

@@ -13,7 +13,7 @@ use slimbvh::{Mesh, Stages};
 use slimbvh_core::Ray;
 use std::cell::Cell;
 
-/// A triangle as the crate wants it: boxed by its owner, and with room for the number of its node.
+/// A triangle in the crate's form: it computes its own box and stores the number of its node.
 struct Shape {
     corners: [Point3<f32>; 3],
     primitive: u32,
@@ -39,7 +39,7 @@ impl BHShape<f32, 3> for Shape {
 
 /// The crate's `Bvh`, built in parallel.
 ///
-/// The tree gives candidates, and the crate's own test of a triangle decides. As that test passes back faces by, a triangle is
+/// The tree returns candidates, and the crate's own triangle test decides. As that test culls back faces, each triangle is
 /// tested with both windings.
 pub struct Binned {
     name: &'static str,
@@ -48,19 +48,19 @@ pub struct Binned {
     bvh: Bvh<f32, 3>,
 }
 
-/// How candidates for the closest hit come.
+/// The order of candidates for the closest hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Order {
-    /// The nearest box first, up to the first box behind the best hit.
+    /// By their boxes, nearest first, up to the first box behind the best hit.
     Nearest,
-    /// All of them, in the order of the tree.
+    /// All candidates, in the order of the tree.
     All,
-    /// In the order of the tree, without boxes behind the best hit so far: what is asked of boxes is the caller's to say.
+    /// In the order of the tree, without boxes behind the best hit so far; the crate lets the caller choose the box test.
     Pruned,
 }
 
 impl Binned {
-    /// Nothing is built yet, but the list of triangles is there.
+    /// A tracer without a tree yet, with the list of triangles.
     #[must_use]
     pub fn new(name: &'static str, order: Order, mesh: &Mesh) -> Self {
         let corner = |i: u32| Point3::from(mesh.vertices[i as usize]);
@@ -133,7 +133,7 @@ impl Binned {
     }
 }
 
-/// A ray, and how far along it the best hit is.
+/// A ray, and the t of its best hit.
 struct Pruned<'a> {
     ray: &'a PeerRay<f32, 3>,
     nearest: Cell<f32>,
@@ -146,10 +146,10 @@ impl IntersectsAabb<f32, 3> for Pruned<'_> {
     }
 }
 
-/// A ray as the crate takes it, with a direction of length 1.
+/// A ray in the crate's form, with a direction of length 1.
 struct Line {
     ray: PeerRay<f32, 3>,
-    /// Of the direction that was given.
+    /// The length of the given direction.
     length: f32,
 }
 

@@ -1,4 +1,4 @@
-//! What all of obvhs' trees begin with, and what they are asked with.
+//! The build that all of obvhs' trees start with, and obvhs' rays and hits.
 
 use super::{Answer, not_behind};
 use anyhow::{Result, ensure};
@@ -12,7 +12,7 @@ use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use slimbvh_core::Ray;
 
-/// A binary tree of single triangles, by locally ordered clustering and, as the preset says, reinsertion.
+/// A binary tree over single triangles, by locally ordered clustering and, if the preset asks for it, reinsertion.
 pub struct Clusters<'a> {
     pub params: BvhBuildParams,
     pub triangles: &'a [Triangle],
@@ -22,7 +22,7 @@ pub struct Clusters<'a> {
 }
 
 impl<'a> Clusters<'a> {
-    /// Nothing is built yet.
+    /// No tree yet.
     pub fn new(params: BvhBuildParams, triangles: &'a [Triangle]) -> Self {
         Self {
             params,
@@ -33,14 +33,14 @@ impl<'a> Clusters<'a> {
         }
     }
 
-    /// Builds in the buffers of the build before.
+    /// Builds into the buffers of the build before.
     pub fn build(&mut self) -> Result<()> {
         let params = &self.params;
         ensure!(
             !params.pre_split,
             "presets that split triangles are not handled"
         );
-        // The first build gets zeroed pages from the system, as in obvhs' own function.
+        // The first build takes zeroed pages from the system, as obvhs' own function does.
         if self.bvh.nodes.is_empty() {
             self.builder = PlocBuilder::with_capacity(self.triangles.len());
             self.bvh = Bvh2::zeroed(self.triangles.len());
@@ -61,7 +61,7 @@ impl<'a> Clusters<'a> {
         Ok(())
     }
 
-    /// Frees everything.
+    /// Frees all memory.
     pub fn forget(&mut self) {
         *self = Self::new(self.params, self.triangles);
     }
@@ -75,7 +75,7 @@ pub fn in_order(triangles: &[Triangle], order: &[u32], to: &mut Vec<Triangle>) {
         .collect_into_vec(to);
 }
 
-/// A ray as obvhs takes it, and what is to be added to its t. Its reciprocals are part of the time, as slimbvh's preparation is.
+/// A ray in obvhs' form, and the shift to add to its t. Its reciprocals are part of the time, as slimbvh's preparation is.
 #[inline(always)]
 pub fn peer_ray(ray: &Ray) -> (PeerRay, f32) {
     let (ray, shift) = not_behind(ray);
@@ -83,7 +83,7 @@ pub fn peer_ray(ray: &Ray) -> (PeerRay, f32) {
     (PeerRay::new(origin, direction, ray.t_min, ray.t_max), shift)
 }
 
-/// What obvhs has found along a ray, whose shift is that of [`peer_ray`], in a tree whose triangles are in this order.
+/// The hit that obvhs found along a ray with the shift of [`peer_ray`], in a tree with triangles in this order.
 #[inline(always)]
 pub fn answer(hit: &RayHit, shift: f32, order: &[u32]) -> Answer {
     match order.get(hit.primitive_id as usize) {

@@ -1,4 +1,4 @@
-//! What is compared.
+//! The tracers that are compared.
 
 mod binned;
 mod clusters;
@@ -31,7 +31,7 @@ use slimbvh::{BuildConfig, CodeBits, Mesh, Stages, TreeKind};
 use slimbvh_core::Ray;
 use std::ops::Add;
 
-/// A mesh as each tracer wants it.
+/// A mesh in the form of each tracer.
 pub struct Input<'a> {
     /// Vertices and indices, for slimbvh.
     pub mesh: &'a Mesh,
@@ -40,13 +40,13 @@ pub struct Input<'a> {
     /// A list of corners, three a triangle, for tinybvh.
     #[cfg(feature = "tinybvh")]
     pub positions: Vec<[f32; 4]>,
-    /// The vertices and one more that is not used, for Embree.
+    /// The vertices and one more, unused, for Embree.
     #[cfg(feature = "embree")]
     pub padded: Vec<[f32; 3]>,
 }
 
 impl<'a> Input<'a> {
-    /// Makes the lists. A caller without one in hand pays for it too; no time of a tracer includes it.
+    /// Makes the lists. No time of a tracer includes this, though a caller without such a list pays for it.
     #[must_use]
     pub fn new(mesh: &'a Mesh) -> Self {
         Self {
@@ -67,7 +67,7 @@ impl<'a> Input<'a> {
     }
 }
 
-/// The list that obvhs takes.
+/// The list of triangles for obvhs.
 #[must_use]
 pub fn triangles(mesh: &Mesh) -> Vec<Triangle> {
     let corner = |i: u32| glam::Vec3A::from_array(mesh.vertices[i as usize]);
@@ -89,49 +89,49 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// Nothing was hit.
+    /// A miss.
     pub const MISS: Self = Self {
         t: f32::INFINITY,
         primitive: u32::MAX,
     };
 
-    /// Whether something was hit.
+    /// Whether this is a hit.
     #[must_use]
     pub const fn is_hit(&self) -> bool {
         self.primitive != u32::MAX
     }
 }
 
-/// Which of its two questions a ray asks.
+/// The query of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Question {
-    /// What is hit first?
+    /// The closest hit.
     Closest,
-    /// Is anything hit?
+    /// Any hit.
     Any,
 }
 
-/// Sizes of what was built, in bytes, as far as they are known.
+/// Sizes of a tree in bytes, as far as they are known.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bytes {
-    /// The nodes.
+    /// All nodes.
     pub nodes: Option<usize>,
-    /// The nodes and the triangles with the caller's numbers.
+    /// All nodes, and all triangles with the caller's numbers.
     pub all: Option<usize>,
 }
 
-/// What a tracer's answers have to be.
+/// The required agreement of a tracer's answers with slimbvh's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Demand {
-    /// slimbvh's to the last bit.
+    /// Equal to the last bit.
     Exact,
-    /// As many hits as slimbvh's, within a tolerance.
+    /// The same number of hits, within a tolerance.
     Close,
-    /// Any: what differs is counted.
+    /// None: differences are counted.
     Counted,
 }
 
-/// What rays touched, all together.
+/// Sums of the nodes and triangles that rays touched.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Visits {
     /// Inner nodes opened; each tests two boxes.
@@ -153,25 +153,25 @@ impl Add for Visits {
 
 /// Builds over a mesh and answers rays, in the rayon pool that calls it.
 pub trait Tracer: Send + Sync {
-    /// How tables call it: the library's name first, then what it is asked to build.
+    /// The name in tables: the library's name, then the kind of tree.
     fn name(&self) -> &'static str;
 
-    /// What its answers have to be.
+    /// The required agreement of its answers.
     fn demand(&self) -> Demand {
         Demand::Counted
     }
 
-    /// Builds all that tracing needs, in place of what was built before; buffers are used again. Returns the times of
-    /// its stages, if it tells them.
+    /// Builds all that tracing needs, into the buffers of the build before. Returns the times of its stages, if it reports
+    /// them.
     ///
     /// # Errors
-    /// For meshes that are not valid.
+    /// For invalid meshes.
     fn build(&mut self) -> Result<Stages>;
 
-    /// Frees what was built and all buffers: the next build begins from nothing.
+    /// Frees the tree and all buffers: the next build allocates anew.
     fn forget(&mut self);
 
-    /// Whether a ray is one that may be asked about.
+    /// Whether the tracer accepts this ray.
     fn takes(&self, _ray: &Ray) -> bool {
         true
     }
@@ -182,29 +182,29 @@ pub trait Tracer: Send + Sync {
     /// Finds whether each ray hits anything.
     fn any_hits(&self, rays: &[Ray], answers: &mut [bool]);
 
-    /// Sizes of what was built.
+    /// Sizes of the tree.
     fn bytes(&self) -> Bytes;
 
-    /// What these rays touch, if it can be counted.
+    /// Counts of nodes and triangles that these rays touch, if the tracer can count them.
     fn visits(&self, _rays: &[Ray], _question: Question) -> Option<Visits> {
         None
     }
 }
 
-/// Who answers with slimbvh's 30-bit tree, which others are held against.
+/// The name of the reference: slimbvh with 30-bit codes.
 pub const OURS: &str = "slimbvh 30";
 
-/// What [`OURS`] is held against first: obvhs with its fastest preset.
+/// The name of the first peer to compare [`OURS`] with: obvhs with its fastest preset.
 pub const PEER: &str = "obvhs fastest";
 
-/// tinybvh's tree, which this machine's processor decides.
+/// The name of tinybvh's tree, which depends on AVX2.
 pub const TINY: &str = if cfg!(target_feature = "avx2") {
     "tinybvh bvh8"
 } else {
     "tinybvh bvh2"
 };
 
-/// All of them, [`OURS`] and [`PEER`] first.
+/// All tracers, [`OURS`] and [`PEER`] first.
 #[must_use]
 pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
     let mesh = input.mesh;
@@ -247,13 +247,13 @@ pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
     tracers
 }
 
-/// Answers rays in the order in which they come, a row of the picture at a time. All tracers go through this.
+/// Answers rays in their order, with a row of the picture as a task. All tracers use this loop.
 fn answer_rows<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&[Ray], &mut [A]) + Sync) {
     let rows = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
     rows.for_each(|(answers, rays)| answer(rays, answers));
 }
 
-/// [`answer_rows`], ray by ray.
+/// As [`answer_rows`], with one ray a call.
 fn answer_all<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray) -> A + Sync) {
     answer_rows(rays, answers, |rays, answers| {
         for (to, ray) in answers.iter_mut().zip(rays) {
@@ -262,7 +262,7 @@ fn answer_all<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&Ray) ->
     });
 }
 
-/// For tracers whose rays begin at 0: the ray from where its range begins, and what is to be added to its t.
+/// For tracers whose rays start at t = 0: the ray moved to the start of its range, and the shift to add to its t.
 #[inline]
 fn from_start(ray: &Ray) -> (Ray, f32) {
     if ray.t_min == 0.0 {
@@ -271,7 +271,7 @@ fn from_start(ray: &Ray) -> (Ray, f32) {
     moved(ray)
 }
 
-/// For tracers whose rays do not begin behind their origin: as [`from_start`] where this one does.
+/// For tracers whose rays cannot start behind their origin: as [`from_start`] if this ray does.
 #[inline]
 fn not_behind(ray: &Ray) -> (Ray, f32) {
     if ray.t_min >= 0.0 {
@@ -280,7 +280,7 @@ fn not_behind(ray: &Ray) -> (Ray, f32) {
     moved(ray)
 }
 
-/// The ray from where its range begins, and what is to be added to its t.
+/// The ray moved to the start of its range, and the shift to add to its t.
 #[cold]
 fn moved(ray: &Ray) -> (Ray, f32) {
     let along = |axis: usize| {
@@ -296,7 +296,7 @@ fn moved(ray: &Ray) -> (Ray, f32) {
     (moved, ray.t_min)
 }
 
-/// The length of a direction, for tracers that make it 1. In double precision where squares of single ones do not hold.
+/// The length of a direction, for tracers that normalize it. In `f64` if squares leave the range of `f32`.
 #[inline]
 fn length(direction: Vec3) -> f32 {
     let length = direction.length();

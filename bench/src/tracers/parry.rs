@@ -10,14 +10,14 @@ use slimbvh_core::Ray;
 
 /// parry3d's `TriMesh`.
 ///
-/// A build copies vertices and indices first, as a mesh owns them.
+/// A build first copies vertices and indices, as parry3d's mesh owns them.
 pub struct Parry<'a> {
     mesh: &'a Mesh,
     built: Option<TriMesh>,
 }
 
 impl<'a> Parry<'a> {
-    /// Nothing is built yet.
+    /// A tracer without a tree yet.
     #[must_use]
     pub fn new(mesh: &'a Mesh) -> Self {
         Self { mesh, built: None }
@@ -38,7 +38,7 @@ fn closest_hit(mesh: &TriMesh, ray: &Ray) -> Answer {
     })
 }
 
-/// parry3d asks for the closest hit only. What is hit is called nearer than anything here, so that the search ends.
+/// parry3d has closest hits only. The first hit is reported as the nearest possible, which ends the search.
 fn any_hit(mesh: &TriMesh, ray: &Ray) -> bool {
     let (ray, _) = from_start(ray);
     let peer_ray = peer_ray(&ray);

@@ -15,7 +15,7 @@ use std::ops::Add;
 
 /// obvhs' `Bvh2` over triangles in leaf order, as its documentation advises.
 ///
-/// The build is `build_bvh2_from_tris` step by step, as that one offers no way to keep its buffers.
+/// The build repeats `build_bvh2_from_tris` step by step, as that function cannot keep its buffers.
 pub struct Ploc<'a> {
     name: &'static str,
     clusters: Clusters<'a>,
@@ -23,7 +23,7 @@ pub struct Ploc<'a> {
 }
 
 impl<'a> Ploc<'a> {
-    /// Nothing is built yet.
+    /// A tracer without a tree yet.
     #[must_use]
     pub fn new(name: &'static str, params: BvhBuildParams, triangles: &'a [Triangle]) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl<'a> Ploc<'a> {
             if pair[0].1 > pair[1].1 {
                 pair.swap(0, 1);
             }
-            // The far child's box is held against what the near child's triangles left of the ray.
+            // Compare the far child's box with the t that the near child's triangles left.
             let mut inner = [None; 2];
             for ((node, enter), inner) in pair.into_iter().zip(&mut inner) {
                 if enter >= ray.tmax {

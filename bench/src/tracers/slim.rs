@@ -19,7 +19,7 @@ pub struct Slim<'a> {
 }
 
 impl<'a> Slim<'a> {
-    /// Nothing is built yet.
+    /// A tracer without a tree yet.
     #[must_use]
     pub fn new(name: &'static str, config: BuildConfig, mesh: &'a Mesh) -> Self {
         Self {
@@ -31,7 +31,7 @@ impl<'a> Slim<'a> {
         }
     }
 
-    /// Walks the tree with a collector that counts.
+    /// Traces with a collector that counts.
     fn count<C: Collector>(&self, ray: &Ray, collector: impl Fn(f32) -> C) -> Visits {
         let ray = PreparedRay::new(ray, self.bvh.scene_exponent());
         let mut counted = Counted::new(collector(ray.t_max));

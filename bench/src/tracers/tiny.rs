@@ -1,6 +1,6 @@
 //! tinybvh, through the crate tinybvh-rs.
 
-// The wrapper does not mark its trees as fit for threads.
+// The wrapper's trees are neither `Send` nor `Sync`.
 #![allow(unsafe_code)]
 
 use super::{Answer, Bytes, TINY, Tracer, answer_all, from_start, length};
@@ -12,13 +12,13 @@ use tinybvh_rs::{INFINITE, Intersector, Ray as PeerRay, bvh};
 #[cfg(target_feature = "avx2")]
 use tinybvh_rs::{bvh8_cpu, mbvh};
 
-/// tinybvh's tree of eight children a node, which needs AVX2; without, its binary tree.
+/// tinybvh's tree of eight children a node, which needs AVX2; without AVX2 its binary tree.
 pub struct Tiny<'a> {
     positions: &'a [[f32; 4]],
     built: Option<Shared<'a>>,
 }
 
-/// The tree that is traced. That of eight children has copied what it needs of the list of corners.
+/// The tree that is traced. The tree of eight children owns a copy of the corners that it needs.
 struct Shared<'a> {
     #[cfg(target_feature = "avx2")]
     tree: bvh8_cpu::BVH,
@@ -27,14 +27,14 @@ struct Shared<'a> {
     _positions: &'a [[f32; 4]],
 }
 
-// SAFETY: the tree's memory is its own and the list's, and nothing in it belongs to the thread that made it.
+// SAFETY: the tree owns its memory or borrows the list's, and nothing in it belongs to the thread that made it.
 unsafe impl Send for Shared<'_> {}
-// SAFETY: all that is done through a shared reference is `Intersect`, which is const: it reads the tree, and writes to the
-// ray and to its own stack.
+// SAFETY: the only call through a shared reference is `Intersect`, which is const: it reads the tree and writes to the ray
+// and to its own stack.
 unsafe impl Sync for Shared<'_> {}
 
 impl<'a> Tiny<'a> {
-    /// Nothing is built yet. Three corners a triangle.
+    /// A tracer without a tree yet. `positions` has three corners a triangle.
     #[must_use]
     pub fn new(positions: &'a [[f32; 4]]) -> Self {
         Self {
@@ -59,7 +59,7 @@ impl<'a> Shared<'a> {
         })
     }
 
-    /// tinybvh makes directions unit length, and takes the end of a ray where it puts the hit.
+    /// tinybvh normalizes directions, and reads the end of a ray's range from the place where it stores the hit.
     fn closest_hit(&self, ray: &Ray) -> Answer {
         let (ray, shift) = from_start(ray);
         let direction = Vec3::from_array(ray.direction);
@@ -79,7 +79,7 @@ impl<'a> Shared<'a> {
     }
 }
 
-/// A ray with as much room, and at such a place, as tinybvh 1.6 expects: the wrapper's own is half as large, and its `Ray::new`
+/// A ray with the size and alignment that tinybvh 1.6 expects: the wrapper's own type is half as large, and its `Ray::new`
 /// writes beyond it.
 #[repr(C, align(64))]
 struct Room {
@@ -103,7 +103,7 @@ impl Room {
     }
 }
 
-/// With tinybvh's bound.
+/// The reciprocal, with tinybvh's bound for small numbers.
 fn reciprocal(x: f32) -> f32 {
     if x.abs() > 1e-12 {
         x.recip()
@@ -132,7 +132,7 @@ impl Tracer for Tiny<'_> {
         }
     }
 
-    /// The wrapper asks for the closest hit only.
+    /// The wrapper has closest hits only.
     fn any_hits(&self, rays: &[Ray], answers: &mut [bool]) {
         if let Some(built) = &self.built {
             answer_all(rays, answers, |ray| built.closest_hit(ray).is_hit());

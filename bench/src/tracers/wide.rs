@@ -13,7 +13,7 @@ use slimbvh_core::Ray;
 
 /// obvhs' `CwBvh` over triangles in leaf order.
 ///
-/// The build is `build_cwbvh_from_tris` step by step; what it converts from keeps its buffers.
+/// The build repeats `build_cwbvh_from_tris` step by step; the binary tree that it converts keeps its buffers.
 pub struct Wide<'a> {
     name: &'static str,
     clusters: Clusters<'a>,
@@ -22,7 +22,7 @@ pub struct Wide<'a> {
 }
 
 impl<'a> Wide<'a> {
-    /// Nothing is built yet.
+    /// A tracer without a tree yet.
     #[must_use]
     pub fn new(name: &'static str, params: BvhBuildParams, triangles: &'a [Triangle]) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Where frames go: nowhere, into a folder, or into one GIF.
+//! The output of frames: none, a folder, or one GIF.
 
 use super::AnimateArguments;
 use crate::output;
@@ -6,13 +6,13 @@ use anyhow::{Context, Result, bail};
 use slimbvh::Picture;
 use std::path::{Path, PathBuf};
 
-/// A GIF's sides are numbers of 16 bits.
+/// The longest side of a GIF: its format stores sides in 16 bits.
 const MOST_GIF_SIDE: u32 = 65535;
 
-/// Colors of a GIF's frame are chosen from about so many of its pixels.
+/// The palette of a GIF's frame is chosen from about this number of its pixels.
 const PIXELS_FOR_COLORS: usize = 1 << 14;
 
-/// A place that was looked at and found to take frames.
+/// An output whose paths were checked.
 #[derive(Debug)]
 pub enum Destination {
     Nowhere,
@@ -20,20 +20,20 @@ pub enum Destination {
     Gif(PathBuf),
 }
 
-/// What takes frames.
+/// An output that accepts frames.
 pub enum Sink<'p> {
     Nowhere,
     Folder(&'p Path),
     Gif {
         path: &'p Path,
         encoder: gif::Encoder<Vec<u8>>,
-        /// Hundredths of a second.
+        /// In hundredths of a second.
         delay: u16,
     },
 }
 
 impl Destination {
-    /// Tells before the work, not after it, that files have no place to go.
+    /// Checks the paths of all output files before any work starts.
     pub fn check(arguments: &AnimateArguments) -> Result<Self> {
         let scene = arguments.scene.scene.as_deref();
         let mut taken: Vec<PathBuf> = scene.into_iter().map(Path::to_owned).collect();
@@ -61,7 +61,7 @@ impl Destination {
                 Self::Gif(path.clone())
             }
             Some(path) => bail!(
-                "{:?} is neither a folder that is there nor a file that ends in .gif",
+                "{:?} is neither an existing folder nor a file that ends in .gif",
                 path.display().to_string()
             ),
         };
@@ -72,7 +72,7 @@ impl Destination {
         Ok(place)
     }
 
-    /// Begins.
+    /// Starts the output.
     pub fn open(&self, [width, height]: [u32; 2], frames_per_second: u32) -> Result<Sink<'_>> {
         match self {
             Self::Nowhere => Ok(Sink::Nowhere),
@@ -93,7 +93,7 @@ impl Destination {
 }
 
 impl Sink<'_> {
-    /// Takes the next frame. In a folder it is there from now on.
+    /// Adds the next frame. In a folder it is written at once.
     pub fn add(&mut self, frame: u32, picture: &Picture) -> Result<()> {
         match self {
             Self::Nowhere => Ok(()),
@@ -112,7 +112,7 @@ impl Sink<'_> {
         }
     }
 
-    /// Writes the GIF, whole.
+    /// Writes the GIF, if that is the output.
     pub fn finish(self) -> Result<()> {
         match self {
             Self::Nowhere | Self::Folder(_) => Ok(()),

@@ -1,26 +1,26 @@
-//! What a frame did.
+//! The measurements of a frame.
 
 use slimbvh::animate::Action;
 use slimbvh::{Backend, FrameReport, RenderReport, Stages};
 use std::time::Duration;
 
-/// One frame: sums over the times that its shutter is open at.
+/// One frame: sums over the pictures of an open shutter.
 #[derive(Debug, Default)]
 pub struct Record {
     /// How many trees were rebuilt, refitted and kept.
     pub actions: Actions,
-    /// Camera, lights and vertices were moved.
+    /// Time to move camera, lights and vertices.
     pub pose: Duration,
     pub build: Stages,
     pub report: RenderReport,
-    /// The latest tree's cost, where it is known.
+    /// The latest tree's cost by the surface area heuristic, if it is known.
     pub cost: Option<f64>,
-    /// All of the frame by the clock, without writing it.
+    /// Wall-clock time of the frame, without writing it.
     pub total: Duration,
     pub write: Duration,
 }
 
-/// How often each was done.
+/// The number of rebuilds, of refits, and of pictures whose tree was kept.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Actions {
     pub rebuilt: usize,
@@ -29,7 +29,7 @@ pub struct Actions {
 }
 
 impl Actions {
-    /// What cost most.
+    /// The most expensive action that occurred.
     pub fn most(&self) -> Action {
         match (self.rebuilt, self.refitted) {
             (0, 0) => Action::Kept,
@@ -39,7 +39,7 @@ impl Actions {
     }
 }
 
-/// Times of a frame in milliseconds, as a table shows them.
+/// Times of a frame in milliseconds: a row of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Times {
     pub pose: f64,
@@ -80,7 +80,7 @@ impl Record {
 }
 
 impl Times {
-    /// What `pick` takes from the times of each column.
+    /// Applies `pick` to each column.
     pub fn by_column(all: &[Self], pick: impl Fn(&mut [f64]) -> f64) -> Self {
         let column = |of: fn(&Self) -> f64| {
             let mut column: Vec<f64> = all.iter().map(of).collect();
@@ -96,12 +96,12 @@ impl Times {
     }
 }
 
-/// The largest one.
+/// The largest time of a column.
 pub fn worst(column: &mut [f64]) -> f64 {
     column.iter().copied().fold(0.0, f64::max)
 }
 
-/// All frames together.
+/// Sums over all frames.
 #[derive(Debug, Default)]
 pub struct Sums {
     pub actions: Actions,

@@ -1,4 +1,4 @@
-//! What an animation tells of itself.
+//! The report on an animation, as text and JSON.
 
 use super::AnimateArguments;
 use super::record::{Record, Sums, Times, ms, worst};
@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::Duration;
 
-/// Frames that are shown one by one; of more only the median and the worst.
+/// The table has one row a frame up to this number of frames; beyond, only the median and the worst.
 const MOST_ROWS: usize = 24;
 
 /// A finished animation.
@@ -21,15 +21,15 @@ pub struct Run {
     pub adapter: Option<String>,
     pub threads: usize,
     pub records: Vec<Record>,
-    /// What finding out about the surfaces took, once.
+    /// Time of the survey of surfaces, which is made once.
     pub survey: Duration,
     /// The plan of the first frame, in words.
     pub plan: Vec<(String, String)>,
-    /// What the machine decided by itself in the last one.
+    /// What the backend decided by itself in the last frame.
     pub decided: Vec<(String, String)>,
 }
 
-/// What was done.
+/// The summary of an animation, for `--json`.
 #[derive(Debug, Serialize)]
 pub struct Summary {
     scene: String,
@@ -172,13 +172,13 @@ fn done(action: Action) -> &'static str {
     }
 }
 
-/// A value's name on the command line.
+/// The name of a value on the command line.
 fn name(value: &impl ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or_else(String::new, |value| value.get_name().into())
 }
 
-/// The summary for people.
+/// The summary as text.
 pub fn describe(arguments: &AnimateArguments, scene: &Scene, run: &Run) -> String {
     let mut text = String::new();
     head(&mut text, arguments, scene, run);
@@ -226,7 +226,7 @@ fn head(text: &mut String, arguments: &AnimateArguments, scene: &Scene, run: &Ru
             text,
             "shutter",
             &format!(
-                "open for {} of a frame, seen at {times}; all is their sum",
+                "open for {} of a frame, seen at {times}; figures are sums over them",
                 arguments.shutter
             ),
         );
@@ -236,7 +236,7 @@ fn head(text: &mut String, arguments: &AnimateArguments, scene: &Scene, run: &Ru
     }
 }
 
-/// A row a frame, or the median and the worst of each column.
+/// A table with one row a frame, or with the median and the worst of each column.
 fn table(text: &mut String, records: &[Record]) {
     let head = "frame   tree       SAH cost   pose ms  build ms  trace ms  shade ms  total ms";
     let _ = writeln!(text, "{head}");
@@ -272,7 +272,7 @@ fn table(text: &mut String, records: &[Record]) {
     row("worst", "", cost(worst), Times::by_column(&times, worst));
 }
 
-/// Totals.
+/// Sums over all frames, one line each.
 fn foot(text: &mut String, run: &Run) {
     let sums = Sums::of(&run.records);
     line(

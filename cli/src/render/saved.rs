@@ -1,4 +1,4 @@
-//! A picture of what is in a file, where nothing need be built.
+//! Renders a saved hierarchy, without a build.
 
 use super::{Outcome, RenderArguments, Summary, describe, summarize};
 use crate::backend::Chosen;
@@ -9,11 +9,11 @@ use slimbvh::backend::TreeSize;
 use slimbvh::reduce::{Plan, PlanRequest};
 use slimbvh::{Bvh, FrameSizes, Picture, RenderSettings, Renderer, Scene, Stages};
 
-/// Refuses what asks for another tree before the file is read.
+/// Rejects options that would need another tree, before the file is read.
 pub fn check(arguments: &RenderArguments) -> Result<()> {
     let name = arguments.scene.name();
     if let Some(asked) = arguments.picture.codes.asked_for() {
-        bail!("{asked} is for builds; \"{name}\" is built already, leave it out");
+        bail!("{asked} is an option of builds; \"{name}\" is built already, leave it out");
     }
     if arguments.reduce.is_asked_for() {
         bail!(
@@ -23,7 +23,7 @@ pub fn check(arguments: &RenderArguments) -> Result<()> {
     Ok(())
 }
 
-/// Reads and renders.
+/// Reads the file and renders its scene.
 pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, String, Picture)> {
     let name = arguments.scene.name();
     let mut load = Stages::default();
@@ -35,7 +35,7 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
     arguments.storage.check_saved(bvh.codecs(), &name)?;
     if bvh.triangle_count() < bvh.mesh_triangle_count() {
         bail!(
-            "\"{name}\" holds a hierarchy without some of the triangles, which no picture can be made with"
+            "\"{name}\" holds a hierarchy over a part of its triangles, which cannot be rendered"
         );
     }
     let settings = arguments.picture.settings();
@@ -65,7 +65,10 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
         #[cfg(feature = "gpu")]
         Chosen::GpuIfItFits(gpu) => match saved.on_gpu(gpu, &mut picture) {
             Err(error) if crate::backend::is_the_gpus_fault(&error) => {
-                output::warn(&format!("{}; the CPU does it", output::sentence(&error)));
+                output::warn(&format!(
+                    "{}; using the CPU instead",
+                    output::sentence(&error)
+                ));
                 saved.on_cpu(&mut picture)?
             }
             outcome => outcome?,
@@ -81,17 +84,17 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
     Ok((summary, text, picture))
 }
 
-/// What was in a file, to be rendered.
+/// The contents of a file, and how to render them.
 struct Saved<'a> {
     scene: &'a Scene,
     bvh: &'a Bvh,
-    /// What was done before.
+    /// Times of loading.
     load: Stages,
     settings: &'a RenderSettings,
 }
 
 impl Saved<'_> {
-    /// Renders on this machine's cores.
+    /// Renders on the CPU.
     fn on_cpu(&self, picture: &mut Picture) -> Result<Outcome> {
         let mut renderer = Renderer::new();
         let progress = output::bar("rendering");
@@ -106,14 +109,14 @@ impl Saved<'_> {
         })
     }
 
-    /// Copies the hierarchy to a GPU, and renders there.
+    /// Uploads the hierarchy to a GPU and renders there.
     #[cfg(feature = "gpu")]
     fn on_gpu(&self, gpu: &slimbvh::gpu::Gpu, picture: &mut Picture) -> Result<Outcome> {
         use slimbvh::gpu;
         let mut outcome = self.outcome();
         let upload = || -> Result<gpu::Bvh, gpu::GpuError> {
             let bvh = gpu::Bvh::upload(gpu, self.bvh)?;
-            // Else the picture's time would have what is left of it.
+            // Wait here, so that the picture's time does not include the upload.
             gpu.frame().submit()?.wait()?;
             Ok(bvh)
         };
@@ -132,7 +135,7 @@ impl Saved<'_> {
         })
     }
 
-    /// All but what the renderer tells.
+    /// The outcome before rendering: the renderer's fields are empty.
     fn outcome(&self) -> Outcome {
         Outcome {
             backend: "cpu",
@@ -153,7 +156,7 @@ impl Saved<'_> {
     }
 }
 
-/// Says what to do where the file has a codec that the GPU has not.
+/// Adds advice to an error if the GPU lacks kernels for the file's codecs.
 #[cfg(feature = "gpu")]
 fn advise(error: anyhow::Error, name: &str) -> anyhow::Error {
     match error.downcast_ref() {

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// Time limit of a run. A software GPU compiles its kernels first.
+/// Time limit of a run. A software adapter compiles its kernels first.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// A temporary folder that the binary runs in.

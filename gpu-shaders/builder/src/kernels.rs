@@ -12,8 +12,9 @@ use syn::{File, Item, ItemFn};
 const LAB: [&str; 3] = ["_paper10_", "trace_nearest_", "trace_counted_"];
 
 /// The kernels that trace one kind of tree in a codec, in the order of a row; each name ends in the codec's.
-const QUESTIONS: [&str; 6] = [
-    "trace_rays",
+const QUESTIONS: [&str; 7] = [
+    "trace_closest",
+    "trace_any",
     "trace_nearest",
     "trace_counted",
     "trace_paths",

@@ -27,7 +27,8 @@ trace_kernels! {
     |nodes: Paper10Node, triangles: LeafTriangle|
         Paper10Nodes { nodes, root: root.paper10(), opaque_zero: root.opaque_zero() },
         LeafTriangles(triangles);
-    pub fn trace_rays_paper10_f32;
+    pub fn trace_closest_paper10_f32;
+    pub fn trace_any_paper10_f32;
     pub fn trace_nearest_paper10_f32;
     pub fn trace_counted_paper10_f32;
     pub fn trace_paths_paper10_f32;
@@ -40,7 +41,8 @@ trace_kernels! {
     |nodes: Paper10Node, triangles: Paper10Triangle|
         Paper10Nodes { nodes, root: root.paper10(), opaque_zero: root.opaque_zero() },
         Paper10Triangles { triangles, opaque_zero: root.opaque_zero() };
-    pub fn trace_rays_paper10_leaf10;
+    pub fn trace_closest_paper10_leaf10;
+    pub fn trace_any_paper10_leaf10;
     pub fn trace_nearest_paper10_leaf10;
     pub fn trace_counted_paper10_leaf10;
     pub fn trace_paths_paper10_leaf10;
@@ -53,7 +55,8 @@ trace_kernels! {
     |nodes: [u32; 4], triangles: LeafTriangle|
         LatticeNodes::<10, 4, false> { nodes, root: root.lattice(), step: step(&root) },
         LeafTriangles(triangles);
-    pub fn trace_rays_q10_f32;
+    pub fn trace_closest_q10_f32;
+    pub fn trace_any_q10_f32;
     pub fn trace_nearest_q10_f32;
     pub fn trace_counted_q10_f32;
     pub fn trace_paths_q10_f32;
@@ -66,7 +69,8 @@ trace_kernels! {
     |nodes: [u32; 4], triangles: u32|
         LatticeNodes::<10, 4, true> { nodes, root: root.lattice(), step: step(&root) },
         LatticeTriangles { words: triangles, step: step(&root) };
-    pub fn trace_rays_q10_lattice;
+    pub fn trace_closest_q10_lattice;
+    pub fn trace_any_q10_lattice;
     pub fn trace_nearest_q10_lattice;
     pub fn trace_counted_q10_lattice;
     pub fn trace_paths_q10_lattice;
@@ -79,7 +83,8 @@ trace_kernels! {
     |nodes: [u32; 7], triangles: LeafTriangle|
         LatticeNodes::<21, 7, false> { nodes, root: root.lattice(), step: step(&root) },
         LeafTriangles(triangles);
-    pub fn trace_rays_q21_f32;
+    pub fn trace_closest_q21_f32;
+    pub fn trace_any_q21_f32;
     pub fn trace_nearest_q21_f32;
     pub fn trace_counted_q21_f32;
     pub fn trace_paths_q21_f32;
@@ -92,7 +97,8 @@ trace_kernels! {
     |nodes: [u32; 7], triangles: u32|
         LatticeNodes::<21, 7, true> { nodes, root: root.lattice(), step: step(&root) },
         LatticeTriangles { words: triangles, step: step(&root) };
-    pub fn trace_rays_q21_lattice;
+    pub fn trace_closest_q21_lattice;
+    pub fn trace_any_q21_lattice;
     pub fn trace_nearest_q21_lattice;
     pub fn trace_counted_q21_lattice;
     pub fn trace_paths_q21_lattice;

@@ -5,8 +5,8 @@
 /// The first line lists the bindings: after the root (0), where the tree has one, come the numbers for all other arguments. A source
 /// expression sees the bound slices under the names given and the root, decoded.
 ///
-/// - rays: one thread per ray. Reads the scene's exponent, whether any hit will do (1, or else 0), the tree and the ray. Stores
-///   the closest hit in four words, or in one word 1 where the ray hits anything, else 0.
+/// - closest: one thread per ray. Reads the scene's exponent, the tree and the ray. Stores the closest hit.
+/// - any: one thread per ray. Stores 1 where the ray hits anything, else 0.
 /// - nearest: one thread per ray. Stores the nearest hits in order, misses at the end.
 /// - counted: one thread per ray. Stores how many nodes and triangles the search for the closest hit visits.
 /// - paths: one thread per path. Reads the scene's exponent, a target, the tree, the components of the primitives and their
@@ -20,28 +20,44 @@ macro_rules! trace_kernels {
     (
         [($($root:ident)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt $g:tt $h:tt $i:tt]
         |$nodes:ident: $node:ty, $triangles:ident: $triangle:ty| $node_source:expr, $triangle_source:expr;
-        pub fn $rays:ident;
+        pub fn $closest:ident;
+        pub fn $any:ident;
         pub fn $nearest:ident;
         pub fn $counted:ident;
         pub fn $paths:ident;
         pub fn $paths_counted:ident;
         pub fn $shadows:ident;
     ) => {
-        /// Answers rays by their closest hit, or by whether they hit anything.
+        /// Answers rays by their closest hit.
         #[spirv(compute(threads(64)))]
-        pub fn $rays(
+        pub fn $closest(
             #[spirv(global_invocation_id)] id: UVec3,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $b)] any_will_do: &UVec4,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $nodes: &[$node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] answers: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] hits: &mut [Hit],
         ) {
             $(let $root = root_words($root);)?
-            let (i, question) = (thread_index(id), [exponent.x, any_will_do.x]);
-            store::rays(i, question, &$node_source, &$triangle_source, rays, answers);
+            let (i, exponent) = (thread_index(id), exponent.x as i32);
+            store::closest(i, exponent, &$node_source, &$triangle_source, rays, hits);
+        }
+
+        /// Answers rays by whether they hit anything.
+        #[spirv(compute(threads(64)))]
+        pub fn $any(
+            #[spirv(global_invocation_id)] id: UVec3,
+            $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] found: &mut [u32],
+        ) {
+            $(let $root = root_words($root);)?
+            let (i, exponent) = (thread_index(id), exponent.x as i32);
+            store::any(i, exponent, &$node_source, &$triangle_source, rays, found);
         }
 
         /// Answers rays by their nearest hits.

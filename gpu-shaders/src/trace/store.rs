@@ -6,41 +6,38 @@ use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    ClosestHit, ClosestOrAny, Counted, HitFilter, NodeSource, Skip, TriangleSource, any_hit,
-    closest_hit, nearest_hits, traverse,
+    ClosestHit, Counted, HitFilter, NodeSource, Skip, TriangleSource, any_hit, closest_hit,
+    nearest_hits, traverse,
 };
 use slimbvh_core::{Hit, Ray};
 
-/// The question is the scene's exponent, and whether any hit will do: 1, or else 0.
 #[inline(always)]
-pub fn rays<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn closest<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
-    [exponent, any_will_do]: [u32; 2],
+    exponent: i32,
     nodes: &N,
     triangles: &T,
     rays: &[Ray],
-    answers: &mut [u32],
+    hits: &mut [Hit],
 ) {
     let i = i as usize;
-    let is_any = any_will_do == 1;
-    let last = if is_any { i } else { 4 * i + 3 };
-    if i < rays.len() && last < answers.len() {
-        let ray = PreparedRay::new(&rays[i], exponent as i32);
-        let mut collector = if is_any {
-            ClosestOrAny::any(ray.t_max)
-        } else {
-            ClosestOrAny::closest(ray.t_max)
-        };
-        traverse(nodes, triangles, &ray, &Skip::NONE, &mut collector);
-        let hit = ray.restore(collector.closest.hit);
-        if is_any {
-            answers[last] = hit.is_hit() as u32;
-        } else {
-            answers[last - 3] = hit.t.to_bits();
-            answers[last - 2] = hit.u.to_bits();
-            answers[last - 1] = hit.v.to_bits();
-            answers[last] = hit.primitive;
-        }
+    if i < rays.len() && i < hits.len() {
+        hits[i] = closest_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE);
+    }
+}
+
+#[inline(always)]
+pub fn any<N: NodeSource, T: TriangleSource<N::Bounds>>(
+    i: u32,
+    exponent: i32,
+    nodes: &N,
+    triangles: &T,
+    rays: &[Ray],
+    found: &mut [u32],
+) {
+    let i = i as usize;
+    if i < rays.len() && i < found.len() {
+        found[i] = any_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE) as u32;
     }
 }
 

@@ -4,7 +4,7 @@ use super::bvh::Bvh;
 use super::render::{Image, check_view};
 use super::{
     Answer, Builder, Components, Decisions, DecisionsDownload, DecisionsReport, Download, Frame,
-    Gpu, GpuError, Renderer, Scene, Subset, TargetSides,
+    Gpu, GpuError, Misfit, Renderer, Scene, Subset, TargetSides,
 };
 use crate::backend::{
     self, Backend, Change, DeferredTrees, Load, Output, Shot, Source, TargetSet, TreeSize,
@@ -38,10 +38,9 @@ impl HeldScene {
     /// # Errors
     /// Before the first [`Backend::load`].
     pub fn scene(&self) -> Result<&Scene, GpuError> {
-        self.scene.as_ref().ok_or_else(|| GpuError::Unfit {
-            what: "the scene",
-            fault: "is not on the GPU; load it first".into(),
-        })
+        self.scene
+            .as_ref()
+            .ok_or_else(|| Misfit::NotLoaded.of("the scene"))
     }
 }
 

@@ -12,7 +12,7 @@ use super::program::{Program, Recorder};
 use super::sides::{Components, Subset, TargetRanges};
 use super::sort::Keys;
 use super::work::Work;
-use super::{Bvh, Frame, Gpu, GpuError, Mesh};
+use super::{Bvh, Frame, Gpu, GpuError, Mesh, Misfit};
 use crate::tree::most_triangles;
 use crate::{BuildConfig, CodeBits, MeshError, RefitError};
 use slimbvh_core::topology::depth_bound;
@@ -263,11 +263,7 @@ impl Builder {
             return Err(GpuError::Refit(RefitError::Reduced));
         }
         if built.coded.is_some() && self.plain_of != Some(bvh.stamp) {
-            return Err(GpuError::Unfit {
-                what: "the hierarchy",
-                fault: "is in a codec and was not built last by this builder; build it again"
-                    .into(),
-            });
+            return Err(Misfit::NotBuiltLast.of("the hierarchy"));
         }
         self.check(gpu, mesh.triangle_count)?;
         let recorded = gpu.checked(|| self.encode(frame, Task::Refit(built), mesh));
@@ -288,10 +284,7 @@ impl Builder {
     /// The range with the exponent of the mesh that was sorted or refitted last.
     pub(super) fn exponent(&self) -> Result<Range, GpuError> {
         let kept = self.scratch.exponent.kept(16);
-        kept.ok_or_else(|| GpuError::Unfit {
-            what: "the builder",
-            fault: "has seen no mesh; sort, build or refit one first".into(),
-        })
+        kept.ok_or_else(|| Misfit::NoMesh.of("the builder"))
     }
 
     fn key_bits(&self) -> u32 {

@@ -7,7 +7,7 @@ mod upload;
 use super::buffer::{Download, Range, Slot};
 use super::coding::Coding;
 use super::encode::Encoder;
-use super::{Frame, Gpu, GpuError};
+use super::{Frame, Gpu, GpuError, Misfit};
 use crate::{BuildConfig, MeshCodec, NodeCodec};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::node::LEAF_SIZE;
@@ -182,10 +182,9 @@ impl Bvh {
 
     /// The built hierarchy.
     pub(super) fn built(&self) -> Result<&Built, GpuError> {
-        self.built.as_ref().ok_or_else(|| GpuError::Unfit {
-            what: "the hierarchy",
-            fault: "is empty; build it first".into(),
-        })
+        self.built
+            .as_ref()
+            .ok_or_else(|| Misfit::NotBuilt.of("the hierarchy"))
     }
 
     /// Copies the present triangle count, to be read when the frame is done.
@@ -224,10 +223,7 @@ impl Bvh {
     pub fn bindings(&self) -> Result<[wgpu::BindGroupEntry<'_>; 3], GpuError> {
         let built = self.built()?;
         if built.coded.is_some() {
-            return Err(GpuError::Unfit {
-                what: "the hierarchy",
-                fault: "is stored in a codec; functions for WGSL take one in full".into(),
-            });
+            return Err(Misfit::InCodec.of("the hierarchy"));
         }
         let mut binding = 0;
         Ok(

@@ -3,7 +3,7 @@
 use super::buffer::Range;
 use super::program::{Recorder, Uniform, threads};
 use super::render::{PicturePlan, TEXEL_BYTES, Wave, row_texels};
-use super::{Frame, GpuError, Kernel, Renderer};
+use super::{Frame, GpuError, Kernel, Misfit, Renderer};
 use slimbvh_core::camera::Camera;
 use slimbvh_core::shade::Path;
 use wgpu::TextureFormat;
@@ -69,30 +69,22 @@ impl Renderer {
         let gpu = frame.gpu();
         let [width, height] = self.size;
         let picture = self.picture(gpu)?;
-        let fault = |fault: String| GpuError::Unfit {
-            what: "the texture",
-            fault,
-        };
+        let unfit = |fault: Misfit| Err(fault.of("the texture"));
         if texture.width() < width || texture.height() < height {
-            return Err(fault(format!(
-                "has {}x{} texels, the picture {width}x{height}",
-                texture.width(),
-                texture.height()
-            )));
+            return unfit(Misfit::TextureTooSmall {
+                texture: [texture.width(), texture.height()],
+                picture: self.size,
+            });
         }
         if !texture.usage().contains(wgpu::TextureUsages::COPY_DST) {
-            return Err(fault("was made without the usage COPY_DST".into()));
+            return unfit(Misfit::MissingUsage { usage: "COPY_DST" });
         }
         let row_bytes = TEXEL_BYTES * u64::from(row_texels(width));
         let order = match texture.format() {
             TextureFormat::Rgba32Float => None,
             TextureFormat::Rgba8Unorm | TextureFormat::Rgba8UnormSrgb => Some(0),
             TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb => Some(1),
-            other => {
-                return Err(fault(format!(
-                    "is of format {other:?}; take Rgba32Float, Rgba8Unorm, Bgra8Unorm, or their Srgb kinds"
-                )));
-            }
+            format => return unfit(Misfit::TextureFormat { format }),
         };
         gpu.checked(|| {
             let (source, source_row_bytes) = match order {

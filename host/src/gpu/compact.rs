@@ -4,7 +4,7 @@ use super::buffer::{Range, Slot};
 use super::mesh::check_storage;
 use super::program::{Recorder, threads};
 use super::scan::{Scan, TOTAL_BYTES};
-use super::{Frame, Gpu, GpuError, Kernel};
+use super::{Frame, Gpu, GpuError, Kernel, Misfit};
 
 /// Item indices are `u32`, with one bit an item.
 const MOST_BIT_BYTES: u64 = 1 << 29;
@@ -49,13 +49,11 @@ impl Compact {
         let [bits, indices, total] = [bits, indices, total].map(Range::of_slice);
         check_storage(gpu, "the bits", &bits, 4)?;
         if bits.size >= MOST_BIT_BYTES {
-            return Err(GpuError::Unfit {
-                what: "the bits",
-                fault: format!(
-                    "take {} bytes; fewer than {MOST_BIT_BYTES} can be numbered",
-                    bits.size
-                ),
-            });
+            let fault = Misfit::TooManyBits {
+                bytes: bits.size,
+                limit_bytes: MOST_BIT_BYTES,
+            };
+            return Err(fault.of("the bits"));
         }
         check_storage(gpu, "the indices", &indices, 4)?;
         check_storage(gpu, "the total", &total, TOTAL_BYTES)?;

@@ -4,7 +4,7 @@ use super::buffer::{Download, Range};
 use super::decisions::Decisions;
 use super::program::{Program, Recorder, Uniform, groups, threads};
 use super::sides::{TargetRanges, TargetSides};
-use super::{Frame, Gpu, GpuError, Kernel, Mesh};
+use super::{Frame, Gpu, GpuError, Kernel, Mesh, Misfit};
 use slimbvh_core::decide::SetCounts;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::launch::BLOCK;
@@ -55,10 +55,8 @@ impl TargetSides {
         answer: Answer,
     ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
-        let mesh = decisions.mesh.as_ref().ok_or_else(|| GpuError::Unfit {
-            what: "the decisions",
-            fault: "know no mesh; measure one first".into(),
-        })?;
+        let mesh = decisions.mesh.as_ref();
+        let mesh = mesh.ok_or_else(|| Misfit::NotMeasured.of("the decisions"))?;
         let side_count = decisions.component_count + 1;
         let eye_sides = match answer {
             Answer::Facing => None,
@@ -119,13 +117,11 @@ fn eye_sides(eye: &TargetSides, side_count: u32) -> Result<Range, GpuError> {
     if sides.size == 4 * u64::from(side_count) {
         return Ok(sides.clone());
     }
-    Err(GpuError::Unfit {
-        what: "the eye",
-        fault: format!(
-            "has the sides of {} components, not of {side_count}",
-            sides.size / 4
-        ),
-    })
+    let fault = Misfit::OtherComponents {
+        has: sides.size / 4,
+        needs: u64::from(side_count),
+    };
+    Err(fault.of("the eye"))
 }
 
 fn record(
@@ -173,7 +169,7 @@ fn record(
         );
         recorder.dispatch(Kernel::decide_smaller, &[], &[blocks], &[counts], groups(1));
         recorder.update(
-            Kernel::decide_turn,
+            Kernel::decide_negate,
             &[],
             &[counts, components],
             &[sides],

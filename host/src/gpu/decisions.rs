@@ -3,7 +3,7 @@
 use super::buffer::{Download, Range, Slot, upload};
 use super::program::{Program, Recorder, Uniform, groups};
 use super::sides::Components;
-use super::{Builder, Frame, Gpu, GpuError, Kernel, Mesh};
+use super::{Builder, Frame, Gpu, GpuError, Kernel, Mesh, Misfit};
 use crate::topology::Topology;
 use slimbvh_core::decide::{Component, Measure};
 use slimbvh_core::launch::BLOCK;
@@ -126,16 +126,12 @@ impl Decisions {
         let gpu = frame.gpu();
         let expected = (self.triangle_count, (self.vertex_count.max(1) * 12) as u64);
         if (mesh.triangle_count, mesh.vertices.size) != expected {
-            return Err(GpuError::Unfit {
-                what: "the mesh",
-                fault: format!(
-                    "has {} triangles and {} vertices, but its surfaces {} and {}",
-                    mesh.triangle_count,
-                    mesh.vertices.size / 12,
-                    self.triangle_count,
-                    self.vertex_count
-                ),
-            });
+            let fault = Misfit::OtherMesh {
+                triangle_count: u64::from(mesh.triangle_count),
+                vertex_count: mesh.vertices.size / 12,
+                surfaces: [u64::from(self.triangle_count), self.vertex_count as u64],
+            };
+            return Err(fault.of("the mesh"));
         }
         if self.span_count == 0 {
             self.mesh = Some(mesh.clone());

@@ -1,6 +1,7 @@
 //! What can go wrong on a GPU.
 
 use super::coding::node_names;
+use super::misfit::Misfit;
 use crate::{MeshError, RefitError, ViewError};
 use thiserror::Error;
 
@@ -55,7 +56,7 @@ pub enum GpuError {
         /// What it is.
         what: &'static str,
         /// What is wrong with it.
-        fault: String,
+        fault: Misfit,
     },
     /// The GPU has no memory left.
     #[error("{adapter:?} is out of memory; render a smaller scene or picture, or use the CPU")]

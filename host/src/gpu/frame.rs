@@ -2,7 +2,7 @@
 
 use super::buffer::{Download, Range};
 use super::timer::Timer;
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, Misfit};
 use crate::Stages;
 
 /// Commands for the GPU in the order of recording; one submission.
@@ -70,20 +70,15 @@ impl<'g> Frame<'g> {
     /// For a buffer without the usage `COPY_SRC`, and a slice whose ends are not multiples of 4 bytes.
     pub fn read_later(&mut self, slice: wgpu::BufferSlice) -> Result<Download, GpuError> {
         let (gpu, range) = (self.gpu, Range::of_slice(slice));
-        let fault = |fault: String| {
-            Err(GpuError::Unfit {
-                what: "the buffer to read",
-                fault,
-            })
-        };
+        let unfit = |fault: Misfit| Err(fault.of("the buffer to read"));
         if !range.buffer.usage().contains(wgpu::BufferUsages::COPY_SRC) {
-            return fault("was made without the usage COPY_SRC".into());
+            return unfit(Misfit::MissingUsage { usage: "COPY_SRC" });
         }
         if !(range.offset.is_multiple_of(4) && range.size.is_multiple_of(4)) {
-            return fault(format!(
-                "is to be read from byte {} for {} bytes, which are not multiples of 4",
-                range.offset, range.size
-            ));
+            return unfit(Misfit::PartialWord {
+                offset: range.offset,
+                bytes: range.size,
+            });
         }
         gpu.checked(|| Ok(self.download(&range)))
     }

@@ -65,7 +65,8 @@ macro_rules! kernels {
 /// The kernels that trace one kind of tree.
 #[derive(Clone, Copy, Debug)]
 pub struct Traces {
-    pub rays: Kernel,
+    pub closest: Kernel,
+    pub any: Kernel,
     pub nearest: Kernel,
     pub counted: Kernel,
     pub paths: Kernel,
@@ -74,12 +75,13 @@ pub struct Traces {
 }
 
 macro_rules! traces {
-    ($($coding:pat => $rays:ident, $nearest:ident, $counted:ident, $paths:ident, $paths_counted:ident, $shadows:ident;)*) => {
+    ($($coding:pat => $closest:ident, $any:ident, $nearest:ident, $counted:ident, $paths:ident, $paths_counted:ident, $shadows:ident;)*) => {
         /// The kernels for a codec, or for trees in full.
         pub const fn traces(coding: Option<Coding>) -> Traces {
             match coding {
                 $($coding => Traces {
-                    rays: Kernel::$rays,
+                    closest: Kernel::$closest,
+                    any: Kernel::$any,
                     nearest: Kernel::$nearest,
                     counted: Kernel::$counted,
                     paths: Kernel::$paths,

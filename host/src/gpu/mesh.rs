@@ -1,7 +1,7 @@
 //! A mesh in the GPU's memory.
 
 use super::buffer::{Range, upload};
-use super::{Gpu, GpuError};
+use super::{Gpu, GpuError, Misfit};
 use crate::MeshError;
 use slimbvh_core::MAX_TRIANGLES;
 use wgpu::BufferUsages;
@@ -115,22 +115,22 @@ pub fn check_parts(
     range: &Range,
     element_bytes: u64,
 ) -> Result<(), GpuError> {
-    let fault = |fault: String| Err(GpuError::Unfit { what, fault });
+    let unfit = |fault: Misfit| Err(fault.of(what));
     if !range.buffer.usage().contains(BufferUsages::STORAGE) {
-        return fault("was made without the usage STORAGE".into());
+        return unfit(Misfit::MissingUsage { usage: "STORAGE" });
     }
     let alignment = u64::from(gpu.limits().min_storage_buffer_offset_alignment);
     if !range.offset.is_multiple_of(alignment) {
-        return fault(format!(
-            "begins at byte {}, which is no multiple of {alignment}",
-            range.offset
-        ));
+        return unfit(Misfit::MisalignedOffset {
+            offset: range.offset,
+            alignment,
+        });
     }
     if range.size == 0 || !range.size.is_multiple_of(element_bytes) {
-        return fault(format!(
-            "has {} bytes, which is not one element of {element_bytes} bytes or more",
-            range.size
-        ));
+        return unfit(Misfit::PartialElement {
+            bytes: range.size,
+            element_bytes,
+        });
     }
     Ok(())
 }

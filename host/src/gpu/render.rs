@@ -9,7 +9,7 @@ use super::program::{Program, Recorder};
 use super::sort::Sort;
 use super::trees::{DeferralRange, Tree, Trees, TreesRanges};
 use super::work::Work;
-use super::{Bvh, Frame, Gpu, GpuError, Scene};
+use super::{Bvh, Frame, Gpu, GpuError, Misfit, Scene};
 use crate::Stages;
 use crate::backend::DeferredTrees;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
@@ -389,10 +389,7 @@ impl Renderer {
     /// The picture's range.
     pub(super) fn picture(&mut self, gpu: &Gpu) -> Result<Range, GpuError> {
         if self.size == [0, 0] {
-            return Err(GpuError::Unfit {
-                what: "the picture",
-                fault: "is empty; render first".into(),
-            });
+            return Err(Misfit::NotRendered.of("the picture"));
         }
         Ok(self.picture.range(gpu, picture_bytes(self.size)))
     }

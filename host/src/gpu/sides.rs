@@ -3,7 +3,7 @@
 use super::buffer::{Range, Slot, upload};
 use super::decide::Decider;
 use super::program::Uniform;
-use super::{Frame, Gpu, GpuError};
+use super::{Frame, Gpu, GpuError, Misfit};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use wgpu::BufferUsages;
@@ -156,10 +156,8 @@ impl TargetSides {
     }
 
     pub(super) fn ranges(&self) -> Result<&TargetRanges, GpuError> {
-        self.ranges.as_ref().ok_or_else(|| GpuError::Unfit {
-            what: "the target",
-            fault: "is empty; set or decide it first".into(),
-        })
+        let ranges = self.ranges.as_ref();
+        ranges.ok_or_else(|| Misfit::NotDecided.of("the target"))
     }
 }
 

@@ -6,7 +6,7 @@ use super::buffer::{ALIGNMENT, Range};
 use super::kernel::{Traces, traces};
 use super::mesh::check_parts;
 use super::program::{Recorder, Uniform, threads};
-use super::{Bvh, Frame, GpuError, Kernel};
+use super::{Bvh, Frame, GpuError, Kernel, Misfit};
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::{Hit, Ray};
 
@@ -37,7 +37,8 @@ impl Query {
 
     const fn kernel(self, traces: &Traces) -> Kernel {
         match self {
-            Self::Closest | Self::Any => traces.rays,
+            Self::Closest => traces.closest,
+            Self::Any => traces.any,
             Self::Nearest => traces.nearest,
             Self::Counted => traces.counted,
         }
@@ -68,13 +69,12 @@ impl Bvh {
         check_parts(gpu, "the buffer of answers", &answers, answer_bytes)?;
         let ray_count = rays.size / RAY_BYTES;
         if answers.size < ray_count * answer_bytes {
-            return Err(GpuError::Unfit {
-                what: "the buffer of answers",
-                fault: format!(
-                    "has {} bytes, but {ray_count} rays have answers of {answer_bytes} bytes each",
-                    answers.size
-                ),
-            });
+            let fault = Misfit::TooFewAnswers {
+                bytes: answers.size,
+                ray_count,
+                answer_bytes,
+            };
+            return Err(fault.of("the buffer of answers"));
         }
         let limit = gpu.limits().max_storage_buffer_binding_size;
         let most = limit / answer_bytes.max(RAY_BYTES) / RAYS_PER_STEP * RAYS_PER_STEP;
@@ -87,11 +87,6 @@ impl Bvh {
             let root = built.coded.as_ref().map(|coded| &coded.root);
             let mut uniforms: Vec<Uniform> = root.map(Uniform::Stored).into_iter().collect();
             uniforms.push(Uniform::Stored(&built.exponent));
-            match query {
-                Query::Closest => uniforms.push(Uniform::Params([0; 4])),
-                Query::Any => uniforms.push(Uniform::Params([1, 0, 0, 0])),
-                Query::Nearest | Query::Counted => {}
-            }
             let mut first = 0;
             while first < ray_count {
                 let count = most.min(ray_count - first);

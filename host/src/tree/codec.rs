@@ -58,7 +58,6 @@ impl NodeCodec {
     }
 
     /// The tag in files, and the bits of a lattice plane.
-    #[cfg(feature = "scenes")]
     const fn tags(self) -> [u32; 2] {
         match self {
             Self::F32 => [0, 0],
@@ -240,7 +239,6 @@ impl MeshCodec {
     }
 
     /// The tag in files.
-    #[cfg(feature = "scenes")]
     const fn tag(self) -> u32 {
         match self {
             Self::F32 => 0,
@@ -251,14 +249,12 @@ impl MeshCodec {
 }
 
 /// Tags of codecs in files: nodes, bits of a lattice plane, triangles.
-#[cfg(feature = "scenes")]
 pub(crate) const fn tags((nodes, mesh): (NodeCodec, MeshCodec)) -> [u32; 3] {
     let [nodes, bits] = nodes.tags();
     [nodes, bits, mesh.tag()]
 }
 
 /// The codecs with these [`tags`] and this lattice step. `None` for unknown tags and invalid pairs.
-#[cfg(feature = "scenes")]
 pub(crate) fn tagged(
     [nodes, bits, mesh]: [u32; 3],
     step_exponent: i32,

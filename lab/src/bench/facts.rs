@@ -1,4 +1,4 @@
-//! What needs no clock: sizes, and what rays touch.
+//! Results without times: sizes of trees, and counts of tests by rays.
 
 use super::prepared::Prepared;
 use crate::measure::counts::{Counts, count};
@@ -8,25 +8,25 @@ use anyhow::Result;
 use slimbvh::reduce::{Planner, Saving, Savings};
 use slimbvh::{Builder, Bvh, Cpu, CpuError, FrameConfig, Frames};
 
-/// Of the trees of a picture, the same on every machine.
+/// Sizes and counts of a picture's trees, the same on every machine.
 pub struct Facts {
-    /// How many there are.
+    /// The number of trees.
     pub trees: usize,
     pub mesh_triangles: usize,
-    /// Triangles in all of them.
+    /// Triangles in all trees.
     pub tree_triangles: usize,
     /// Bytes of all nodes.
     pub node_bytes: usize,
     /// Bytes of all triangles in leaves.
     pub triangle_bytes: usize,
-    /// Of the tree for rays from the eye: 1 for each node opened and 1 for each triangle tested (`slimbvh::sah_cost`).
+    /// The cost of the camera's tree by the surface area heuristic: 1 a node opened, 1 a triangle tested (`slimbvh::sah_cost`).
     pub sah_cost: f64,
     pub counts: Counts,
     pub moves: Moves,
 }
 
 impl Facts {
-    /// Builds all trees, none in turn, and follows all rays of the picture.
+    /// Builds all trees at once, without [`Saving::Turns`], and traces all rays of the picture.
     pub fn new(prepared: &Prepared) -> Result<Self> {
         let (scene, settings) = (&prepared.scene, &prepared.settings);
         let savings = Savings::ALL.without(Saving::Turns);
@@ -63,12 +63,12 @@ impl Facts {
         })
     }
 
-    /// Of nodes and leaves, a triangle that is in a tree.
+    /// [`Self::resident_bytes`] for each triangle in a tree.
     pub fn bytes_a_triangle(&self) -> f64 {
         self.resident_bytes() as f64 / self.tree_triangles.max(1) as f64
     }
 
-    /// Of all nodes and triangles in leaves.
+    /// Bytes of all nodes and of all triangles in leaves.
     pub fn resident_bytes(&self) -> usize {
         self.node_bytes + self.triangle_bytes
     }

@@ -1,4 +1,4 @@
-//! A scene made ready for a setup.
+//! A scene prepared for a setup.
 
 use super::setup::{Lights, Setup, Update};
 use crate::stress::{Moves, snapped};
@@ -7,20 +7,20 @@ use slimbvh::reduce::{PlanConfig, Saving, Savings, Switches};
 use slimbvh::{BuildConfig, RenderSettings, Scene};
 use std::borrow::Cow;
 
-/// All that a picture with a setup is made from.
+/// The inputs of a picture with a setup.
 pub struct Prepared<'a> {
     pub setup: Setup,
-    /// Its vertices moved onto the lattice, where there is one.
+    /// The scene, with vertices on the lattice if the setup has one.
     pub scene: Cow<'a, Scene>,
-    /// The same with its mesh twisted, where the tree is refitted from there.
+    /// The scene with a twisted mesh, if the setup refits: its tree is built here first.
     pub twisted: Option<Scene>,
     pub config: BuildConfig,
     pub settings: RenderSettings,
-    /// How far the lattice moved vertices.
+    /// Distances by which the lattice moved vertices.
     pub moves: Moves,
 }
 
-/// The mesh that trees are refitted from is twisted by a small share of a turn.
+/// A refit starts from a mesh that is twisted by a small share of a turn.
 const TWIST: Motion = Motion {
     frame_count: 64,
     orbit: false,
@@ -59,7 +59,7 @@ impl<'a> Prepared<'a> {
         }
     }
 
-    /// How its frames are planned.
+    /// The settings of the plan, with these savings.
     pub fn plan_config(&self, savings: Savings) -> PlanConfig {
         PlanConfig {
             switches: Switches {

@@ -1,4 +1,4 @@
-//! What can be set, and what it is set to.
+//! Setups: the settings that `bench` varies, and the setups that it tries.
 
 mod names;
 
@@ -6,7 +6,7 @@ use crate::measure::step::{PIXELS, Step};
 use slimbvh::reduce::Reduce;
 use slimbvh::{BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, Scene, TreeKind};
 
-/// One way to make a picture.
+/// The settings of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
     pub reduce: Reduce,
@@ -26,7 +26,7 @@ pub enum Lights {
     Apart,
 }
 
-/// How triangles are stored.
+/// The codec of triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Triangles {
     Full,
@@ -34,15 +34,15 @@ pub enum Triangles {
     Lattice(Step),
 }
 
-/// How a tree is made.
+/// How a frame gets its tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Update {
     Rebuild,
-    /// From one over the same triangles that were somewhere else.
+    /// The tree of the same triangles at other places is refitted.
     Refit,
 }
 
-/// What a setup was made to vary.
+/// The setting that a setup varies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Knob {
@@ -55,7 +55,7 @@ pub enum Knob {
     Tree,
     Update,
     Threads,
-    /// Several at once.
+    /// Several settings at once.
     Crossed,
 }
 
@@ -63,7 +63,7 @@ pub enum Knob {
 const TOLERANCES: [f32; 3] = [0.1, 0.5, 2.0];
 
 impl Setup {
-    /// What `slimbvh render` does where nobody asks for anything, with a tree that both backends build.
+    /// The defaults of `slimbvh render`, with a tree that both backends build.
     pub fn usual(threads: usize) -> Self {
         Self {
             reduce: Reduce::Auto,
@@ -77,7 +77,7 @@ impl Setup {
         }
     }
 
-    /// One tree over all triangles, nothing in a codec: what pictures are compared with.
+    /// The reference for pictures: one tree over all triangles, without codecs.
     pub fn plain(threads: usize) -> Self {
         Self {
             reduce: Reduce::Off,
@@ -85,7 +85,7 @@ impl Setup {
         }
     }
 
-    /// The usual one, then each knob by itself. A mesh in a codec takes the nodes along that go with it.
+    /// The usual setup, then each knob by itself. A codec of triangles brings its codec of nodes.
     pub fn one_at_a_time(threads: usize, light_count: usize) -> Vec<(Knob, Self)> {
         let usual = Self::usual(threads);
         let mut all = vec![(Knob::Default, usual)];
@@ -134,7 +134,7 @@ impl Setup {
         all
     }
 
-    /// Whether nodes and triangles go together.
+    /// Whether the codecs of nodes and triangles go together.
     pub fn is_possible(&self) -> bool {
         match self.mesh {
             Triangles::Full => true,
@@ -147,7 +147,7 @@ impl Setup {
         }
     }
 
-    /// Whether there are kernels for its tree and its codecs.
+    /// Whether the GPU has kernels for this tree and these codecs.
     pub fn has_kernels(&self) -> bool {
         let has_nodes = match self.nodes {
             NodeCodec::F32 | NodeCodec::Paper10 => true,
@@ -156,17 +156,17 @@ impl Setup {
         has_nodes && self.tree == TreeKind::Radix
     }
 
-    /// Whether it should make the plain tree's picture, byte for byte.
+    /// Whether the picture must equal the plain tree's, byte for byte.
     pub fn is_lossless(&self) -> bool {
         self.mesh == Triangles::Full
     }
 
-    /// Whether it does the same work on the same cores as the usual one, so that both can be compared.
+    /// Whether times can be compared with the usual setup's: the same update, the same number of threads.
     pub fn is_comparable(&self, usual: &Self) -> bool {
         self.update == usual.update && self.threads == usual.threads
     }
 
-    /// How to build for a scene, whose vertices must be moved onto the lattice, if there is one.
+    /// The settings of a build. If they have a lattice, the scene's vertices must be moved onto it.
     pub fn config(&self, scene: &Scene) -> BuildConfig {
         BuildConfig {
             code_bits: self.codes,
@@ -182,7 +182,7 @@ impl Setup {
         }
     }
 
-    /// Without reduction where triangles are not those that it was decided for.
+    /// The setup without reduction, if its codec moves triangles after the plan has chosen sets.
     fn allowed(self) -> Self {
         match self.mesh {
             Triangles::Leaf10 => Self {
@@ -195,7 +195,7 @@ impl Setup {
 }
 
 impl Triangles {
-    /// The nodes that go with it.
+    /// The codec of nodes that goes with this codec of triangles.
     pub fn nodes(self) -> NodeCodec {
         match self {
             Self::Full => NodeCodec::F32,

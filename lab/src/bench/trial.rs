@@ -45,7 +45,7 @@ where
         })
     }
 
-    /// Makes a picture, from the mesh. Uploading the scene to a GPU is not timed.
+    /// Renders a picture, from the mesh on. Uploading the scene to a GPU is not timed.
     pub fn frame(&mut self) -> Result<Times> {
         let Self {
             prepared,
@@ -56,7 +56,7 @@ where
         pool.install(|| frame(prepared, frames, picture))
     }
 
-    /// Bytes of all memory for the picture, the mesh included. Lists and buffers only grow, so that this is the peak.
+    /// Bytes of all memory for the picture, the mesh included. Lists and buffers only grow, so this is the peak.
     pub fn peak_bytes(&self) -> usize {
         mesh_bytes(&self.prepared.scene.mesh) + self.frames.held_bytes()
     }

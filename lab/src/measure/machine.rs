@@ -1,9 +1,9 @@
-//! What measures, by name.
+//! The names of the processor and of the GPU that measure.
 
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::output::things;
 
-/// The processor's name, as Linux tells it.
+/// The processor's name, from Linux' `/proc/cpuinfo`.
 #[must_use]
 pub fn processor() -> String {
     let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
@@ -15,7 +15,7 @@ pub fn processor() -> String {
     )
 }
 
-/// A backend's name, and what it runs on, in words.
+/// A backend's name, and the machine that it runs on.
 pub(crate) fn describe(chosen: &Chosen) -> (&'static str, String) {
     match chosen {
         Chosen::Cpu => {
@@ -27,13 +27,13 @@ pub(crate) fn describe(chosen: &Chosen) -> (&'static str, String) {
     }
 }
 
-/// A GPU's name, and whether it is one.
+/// An adapter's name, with a note if it is a software adapter.
 #[cfg(feature = "gpu")]
 fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
     let name = gpu.name();
     match gpu.device().adapter_info().device_type {
         wgpu::DeviceType::Cpu => {
-            format!("{name}, a CPU that plays a GPU: the times say nothing about one")
+            format!("{name}, a software adapter: the times say nothing about a GPU")
         }
         _ => name.to_owned(),
     }

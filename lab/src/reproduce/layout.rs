@@ -1,6 +1,6 @@
 //! The trees that a picture is traced through.
 
-use super::aim::Aim;
+use super::facing_target::FacingTarget;
 use super::steps::Steps;
 use super::times::{Build, Picture};
 use crate::measure::rounds::Rounds;
@@ -21,9 +21,9 @@ pub enum Sorting {
 /// The trees for the rays of a picture. `None` is the whole tree, in which all triangles count.
 #[derive(Clone, Debug)]
 pub struct Layout {
-    pub camera: Option<Aim>,
+    pub camera: Option<FacingTarget>,
     /// Trees for shadow rays.
-    pub shadows: Vec<Option<Aim>>,
+    pub shadows: Vec<Option<FacingTarget>>,
     /// For each light, the index of its tree in `shadows`.
     pub lights: Vec<usize>,
     pub sorting: Sorting,
@@ -46,7 +46,7 @@ impl Layout {
     }
 
     /// A set for the camera, and one for each light.
-    pub fn sets(camera: &Aim, lights: &[Aim], sorting: Sorting) -> Self {
+    pub fn sets(camera: &FacingTarget, lights: &[FacingTarget], sorting: Sorting) -> Self {
         Self {
             camera: Some(camera.clone()),
             shadows: lights.iter().cloned().map(Some).collect(),
@@ -66,7 +66,7 @@ impl Layout {
         if self.sorting == Sorting::Once || is_any_whole {
             picture.camera_build = Build::of(&steps.sort()?);
         }
-        let mut build = |place: usize, set: Option<&Aim>| -> Result<Build> {
+        let mut build = |place: usize, set: Option<&FacingTarget>| -> Result<Build> {
             Ok(Build::of(&match (self.sorting, set) {
                 (Sorting::Each, Some(set)) => steps.build_alone(place, set)?,
                 (_, set) => steps.build(place, set)?,

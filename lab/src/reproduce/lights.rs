@@ -1,6 +1,6 @@
-//! Lights that are near each other, and sets that they share.
+//! Groups of lights near each other, and the sets that they share.
 
-use super::aim::Aim;
+use super::facing_target::FacingTarget;
 use super::layout::{Layout, Sorting};
 use anyhow::Result;
 use glam::Vec3;
@@ -12,33 +12,33 @@ use slimbvh::{Light, RenderSettings, Scene};
 pub struct Rig {
     pub lights: Vec<Light>,
     pub center: [f32; 3],
-    /// From the middle to the farthest light.
+    /// Distance from the middle to the farthest light.
     pub radius: f32,
-    /// From one light to the next.
+    /// Distance from one light to the next.
     pub spacing: f32,
-    /// The share of the triangles that the set of all of them keeps.
+    /// The share of the triangles that the set shared by all lights keeps.
     pub share: f64,
 }
 
-/// How far above the model the lights are, in diagonals of its box.
+/// Height of the lights above the model's middle, in diagonals of its box.
 const HEIGHT: f32 = 2.5;
 
-/// Halvings of the range in which the spacing is looked for.
+/// Steps of the bisection for the spacing.
 const HALVINGS: u32 = 24;
 
 impl Rig {
-    /// Puts `side * side` lights so far apart that one set for all of them keeps this share of the triangles, or the nearest
-    /// that there is.
+    /// Places `side * side` lights so far apart that one set for all keeps at least this share of the triangles, as nearly as
+    /// the geometry allows.
     pub fn new(scene: &Scene, topology: &Topology, side: u32, share: f64) -> Self {
         let (middle, diagonal) = extent(scene);
         let center = middle + Vec3::new(0.0, HEIGHT * diagonal, 0.0);
-        // The set keeps the more, the farther apart they are; the ball around them must not touch the model.
-        // No light is outside, whatever was rounded.
+        // The set grows with the spacing, and the ball around the lights must not touch the model. The last factor covers
+        // rounding, so that each light lies in the ball.
         let reach = |spacing: f32| 0.5 * (side - 1) as f32 * spacing * 2.0f32.sqrt() * 1.000_001;
         let count = scene.mesh.indices.len().max(1) as f64;
         let share_of = |spacing: f32| {
-            let aim = Aim::ball(center.to_array(), reach(spacing), topology);
-            aim.count(scene, topology) as f64 / count
+            let target = FacingTarget::ball(center.to_array(), reach(spacing), topology);
+            target.count(scene, topology) as f64 / count
         };
         let mut low = 0.0;
         let mut high = (HEIGHT - 0.6) * diagonal / reach(1.0).max(f32::MIN_POSITIVE);
@@ -67,9 +67,9 @@ impl Rig {
         }
     }
 
-    /// The set that all of them share.
-    pub fn group(&self, topology: &Topology) -> Aim {
-        Aim::ball(self.center, self.radius, topology)
+    /// The set that all lights share.
+    pub fn group(&self, topology: &Topology) -> FacingTarget {
+        FacingTarget::ball(self.center, self.radius, topology)
     }
 }
 
@@ -80,7 +80,7 @@ pub fn extent(scene: &Scene) -> (Vec3, f32) {
     (middle, (bounds.max - bounds.min).length())
 }
 
-/// What the plan decides for one frame of a scene whose surfaces are known, in words, and as trees.
+/// The plan for one frame of a surveyed scene, in words and as a layout of trees.
 pub fn plan(
     scene: &Scene,
     topology: &Topology,
@@ -97,21 +97,22 @@ pub fn plan(
         frame_count: 1,
     };
     let plan = Plan::new(topology, &asked)?;
-    let set = |aim: &reduce::ViewTarget| {
-        let is_set = aim.choice == TreeChoice::Set;
-        is_set.then(|| Aim {
-            target: aim.target,
-            sides: aim.sides.clone(),
+    let set = |view: &reduce::ViewTarget| {
+        let is_set = view.choice == TreeChoice::Set;
+        is_set.then(|| FacingTarget {
+            target: view.target,
+            sides: view.sides.clone(),
         })
     };
-    // The whole tree, if any light needs it, is the last.
+    // If any light needs the whole tree, it is the last.
     let (camera, lights) = plan.targets.split_at(1);
-    let mut shadows: Vec<Option<Aim>> = lights.iter().map(set).filter(Option::is_some).collect();
+    let mut shadows: Vec<Option<FacingTarget>> =
+        lights.iter().map(set).filter(Option::is_some).collect();
     let sets = shadows.len();
     let mut next = 0..sets;
     let trees: Vec<usize> = lights
         .iter()
-        .map(|aim| match aim.choice {
+        .map(|view| match view.choice {
             TreeChoice::Set => next.next().unwrap_or(sets),
             TreeChoice::Whole | TreeChoice::Unused => sets,
         })
@@ -124,10 +125,10 @@ pub fn plan(
         Some(_) => "a set",
         None => "the whole tree",
     };
-    let name = |aim: &reduce::ViewTarget| match (aim.choice, aim.half) {
-        (TreeChoice::Set, FacingSet::Front) => format!("a set L+ for {}", aim.name()),
-        (TreeChoice::Set, FacingSet::Back) => format!("a set L- for {}", aim.name()),
-        _ => format!("the whole tree for {}", aim.name()),
+    let name = |view: &reduce::ViewTarget| match (view.choice, view.half) {
+        (TreeChoice::Set, FacingSet::Front) => format!("a set L+ for {}", view.name()),
+        (TreeChoice::Set, FacingSet::Back) => format!("a set L- for {}", view.name()),
+        _ => format!("the whole tree for {}", view.name()),
     };
     let names: Vec<String> = lights.iter().map(name).collect();
     let places = plan.target_of_light().into_iter();
@@ -146,7 +147,7 @@ mod tests {
     use super::*;
     use slimbvh::generate::icosphere;
 
-    /// A ball of radius 2 under lights: what is kept is a cap, whose share is known.
+    /// The set of a ball of radius 2 under lights is a cap, whose share is known.
     #[test]
     fn the_set_of_all_lights_keeps_the_share_that_is_asked_for() {
         let scene = Scene {
@@ -159,7 +160,7 @@ mod tests {
             assert!((rig.share - share).abs() < 0.002, "{}", rig.share);
             assert_eq!(rig.lights.len() as u32, side * side);
             let distance = f64::from(rig.center[1] - 2.0);
-            // Lengths of normals are bounded from above, by up to 13 % more.
+            // The lengths of normals are upper bounds, up to 13 % too large.
             let cap = |radius: f32| 0.5 * (1.0 - (2.0 - f64::from(radius)) / distance);
             let (least, most) = (cap(rig.radius), cap(1.13 * rig.radius));
             assert!(
@@ -173,8 +174,8 @@ mod tests {
                 let away = Vec3::from(*position).distance(Vec3::from(rig.center));
                 assert!(away <= rig.radius * 1.000_001);
             }
-            // More would be kept if they were farther apart.
-            let wider = Aim::ball(rig.center, rig.radius * 1.1, &topology);
+            // Lights farther apart would keep more.
+            let wider = FacingTarget::ball(rig.center, rig.radius * 1.1, &topology);
             let count = wider.count(&scene, &topology);
             assert!(count as f64 / scene.mesh.indices.len() as f64 > share + 0.01);
         }

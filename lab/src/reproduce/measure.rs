@@ -1,6 +1,6 @@
-//! Everything that is measured of a scene.
+//! All measurements of a scene.
 
-use super::aim::Aim;
+use super::facing_target::FacingTarget;
 use super::layout::{Layout, Sorting, take_turns};
 use super::lights::{self, Rig};
 use super::printed;
@@ -17,13 +17,13 @@ use slimbvh::topology::Topology;
 use slimbvh::{Backend, BuildConfig, Cpu, RenderSettings, Scene};
 use slimbvh_cli::backend::Chosen;
 
-/// Sets in the order of all lists here: what faces the camera, what faces away, and both for the light.
+/// The sets, in the order of all lists here: triangles that face the camera, that face away from it, and both for the light.
 pub const SETS: [&str; 4] = ["C+", "C-", "L+", "L-"];
 
-/// Samples a pixel up to which sets are sorted both ways.
+/// Up to this number of samples a pixel, pictures are rendered with both ways to sort sets.
 const MOST_SAMPLES_OF_BOTH: u32 = 16;
 
-/// What was measured of one scene.
+/// The measurements of one scene.
 #[derive(Serialize)]
 pub struct SceneRecord {
     pub name: &'static str,
@@ -33,7 +33,7 @@ pub struct SceneRecord {
     pub is_uniform: bool,
     pub stand_in: Option<String>,
     pub triangles: usize,
-    /// Components, and how many of them are closed with an inside and an outside.
+    /// The number of components, and of those that are closed with an inside and an outside.
     pub components: [usize; 2],
     /// Triangles that stay in every set.
     pub seams: usize,
@@ -48,27 +48,27 @@ pub struct SceneRecord {
     pub savings: Vec<SavingRecord>,
 }
 
-/// Trees over all triangles and over each set.
+/// Times of one round: trees over all triangles and over each set, in milliseconds.
 #[derive(Clone, Debug, Serialize)]
 pub struct SetsRound {
-    /// Order of all triangles.
+    /// Sorting all triangles.
     pub sort: f64,
-    /// Order and tree.
+    /// Sorting and building the whole tree.
     pub all: f64,
     pub sets: [SetTimes; 4],
 }
 
-/// One set.
+/// Times of one set.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct SetTimes {
     pub division: Division,
-    /// Its triangles put in order by themselves.
+    /// Sorted alone, as in the paper.
     pub alone: Build,
-    /// Its triangles taken from the order of all, which is not included.
+    /// Selected from the order of all triangles; that sort is not included.
     pub shared: Build,
 }
 
-/// Pictures of so many samples a pixel.
+/// Pictures with one number of samples a pixel.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pictures {
     pub samples: u32,
@@ -78,7 +78,7 @@ pub struct Pictures {
     pub reduced: Vec<Reduced>,
 }
 
-/// Pictures with sets.
+/// Pictures with sets, for one way to sort them.
 #[derive(Clone, Debug, Serialize)]
 pub struct Reduced {
     pub sorting: Sorting,
@@ -90,23 +90,23 @@ pub struct Reduced {
 pub struct LightsRecord {
     pub lights: usize,
     pub spacing: f32,
-    /// The share of the triangles that the set of all of them keeps.
+    /// The share of the triangles that the set shared by all lights keeps.
     pub share: f64,
-    /// What the plan chooses.
+    /// The plan's choice, in words.
     pub plan: String,
     pub rows: Vec<LightsRow>,
 }
 
-/// One way to make them.
+/// Pictures with one choice of sets.
 #[derive(Clone, Debug, Serialize)]
 pub struct LightsRow {
     pub name: &'static str,
-    /// Triangles of the tree for shadow rays, or of all trees together.
+    /// Triangles in all trees for shadow rays.
     pub triangles: usize,
     pub rounds: Rounds<Picture>,
 }
 
-/// Measures one scene. Lights near each other are tried on the one of which that is printed; so are savings, on the CPU.
+/// Measures one scene. Groups of lights and, on the CPU, savings are measured on the scene for which the paper prints them.
 pub fn measure(
     subject: Subject,
     chosen: &Chosen,
@@ -129,22 +129,24 @@ fn measure_on<B: Backend>(
     has_lights: bool,
 ) -> Result<SceneRecord> {
     let (scene, topology) = (&subject.scene, &subject.topology);
-    let camera = Aim::camera(scene, topology)?;
-    let light = Aim::light(scene, 0, topology)?;
-    let aims = [camera.clone(), camera.away(), light.clone(), light.away()];
-    let sizes = aims.each_ref().map(|aim| aim.count(scene, topology));
+    let camera = FacingTarget::camera(scene, topology)?;
+    let light = FacingTarget::light(scene, 0, topology)?;
+    let targets = [camera.clone(), camera.back(), light.clone(), light.back()];
+    let sizes = targets
+        .each_ref()
+        .map(|target| target.count(scene, topology));
     let either_will_do = is_seen_from_outside(topology, &camera);
     let (light_set, lit) = match either_will_do {
-        true => (SETS[3], &aims[3]),
-        false => (SETS[2], &aims[2]),
+        true => (SETS[3], &targets[3]),
+        false => (SETS[2], &targets[2]),
     };
 
     let config = BuildConfig::default();
     let mut steps = Steps::new(backend, config, scene, Some(topology))?;
-    let sets = sets(&mut steps, &aims, protocol.build_rounds)?;
+    let sets = sets(&mut steps, &targets, protocol.build_rounds)?;
     let mut all_pictures = Vec::new();
     for &(samples, rounds) in &protocol.pictures {
-        // The longest are for comparison with what is printed.
+        // The longest pictures are only compared with printed figures.
         if subject.printed.is_none() && samples > MOST_SAMPLES_OF_BOTH {
             continue;
         }
@@ -186,7 +188,7 @@ fn measure_on<B: Backend>(
     })
 }
 
-/// One picture of so many samples a pixel.
+/// The settings of a picture with this number of samples a pixel.
 pub fn settings(protocol: &Protocol, sample_count: u32) -> RenderSettings {
     RenderSettings {
         size: protocol.size,
@@ -196,10 +198,10 @@ pub fn settings(protocol: &Protocol, sample_count: u32) -> RenderSettings {
     }
 }
 
-/// Builds over all triangles and over each set, in turn. One round before does not count.
+/// Builds over all triangles and over each set, in turn. The first round is not counted.
 fn sets<B: Backend>(
     steps: &mut Steps<B>,
-    aims: &[Aim; 4],
+    targets: &[FacingTarget; 4],
     rounds: u32,
 ) -> Result<Rounds<SetsRound>> {
     let mut all = Rounds(Vec::new());
@@ -207,12 +209,12 @@ fn sets<B: Backend>(
         let sort = ms(&steps.sort()?);
         let whole = ms(&steps.build(0, None)?);
         let mut sets = [SetTimes::default(); 4];
-        for (place, (aim, times)) in (1..).zip(aims.iter().zip(&mut sets)) {
-            times.shared = Build::of(&steps.build(place, Some(aim))?);
+        for (place, (target, times)) in (1..).zip(targets.iter().zip(&mut sets)) {
+            times.shared = Build::of(&steps.build(place, Some(target))?);
         }
-        for (place, (aim, times)) in (1..).zip(aims.iter().zip(&mut sets)) {
-            times.division = Division::of(&steps.divide(aim)?);
-            times.alone = Build::of(&steps.build_alone(place, aim)?);
+        for (place, (target, times)) in (1..).zip(targets.iter().zip(&mut sets)) {
+            times.division = Division::of(&steps.divide(target)?);
+            times.alone = Build::of(&steps.build_alone(place, target)?);
         }
         if round > 0 {
             all.0.push(SetsRound {
@@ -225,10 +227,11 @@ fn sets<B: Backend>(
     Ok(all)
 }
 
-/// Makes pictures each way, in turn. Where there are many samples it hardly matters how sets are sorted: one way does.
+/// Renders pictures with each layout, in turn. With many samples only one way to sort sets is measured, as sorting hardly
+/// matters then.
 fn pictures<B: Backend>(
     steps: &mut Steps<B>,
-    (camera, light): (&Aim, &Aim),
+    (camera, light): (&FacingTarget, &FacingTarget),
     settings: &RenderSettings,
     turns: (u32, u32),
 ) -> Result<Pictures> {
@@ -256,7 +259,7 @@ fn pictures<B: Backend>(
     })
 }
 
-/// Makes pictures under `side * side` lights.
+/// Renders pictures under `side * side` lights.
 fn many_lights<B: Backend>(
     backend: B,
     subject: &Subject,
@@ -270,10 +273,10 @@ fn many_lights<B: Backend>(
         lights: rig.lights.clone(),
         ..subject.scene.clone()
     };
-    let camera = Aim::camera(&scene, topology)?;
+    let camera = FacingTarget::camera(&scene, topology)?;
     let group = rig.group(topology);
-    let alone = (0..count).map(|light| Aim::light(&scene, light, topology));
-    let alone: Vec<Aim> = alone.collect::<Result<_>>()?;
+    let alone = (0..count).map(|light| FacingTarget::light(&scene, light, topology));
+    let alone: Vec<FacingTarget> = alone.collect::<Result<_>>()?;
     let settings = settings(protocol, 1);
     let (plan, planned) = lights::plan(&scene, topology, &settings)?;
     let mut ways = vec![
@@ -285,15 +288,15 @@ fn many_lights<B: Backend>(
         ),
     ];
     if is_seen_from_outside(topology, &camera) {
-        let away: Vec<Aim> = alone.iter().map(Aim::away).collect();
+        let back: Vec<FacingTarget> = alone.iter().map(FacingTarget::back).collect();
         ways.extend([
             (
                 "one set for all, L-",
-                grouped(&camera, &group.away(), count),
+                grouped(&camera, &group.back(), count),
             ),
             (
                 "a set for each, L-",
-                Layout::sets(&camera, &away, Sorting::Once),
+                Layout::sets(&camera, &back, Sorting::Once),
             ),
         ]);
     }
@@ -303,8 +306,8 @@ fn many_lights<B: Backend>(
     let mut steps = Steps::new(backend, config, &scene, Some(topology))?;
     let all = take_turns(&mut steps, &layouts, &settings, (1, protocol.light_rounds))?;
     let row = |((name, layout), rounds): ((&'static str, Layout), Rounds<Picture>)| {
-        let triangles = |aim: &Option<Aim>| match aim {
-            Some(aim) => aim.count(&scene, topology),
+        let triangles = |target: &Option<FacingTarget>| match target {
+            Some(target) => target.count(&scene, topology),
             None => scene.mesh.indices.len(),
         };
         LightsRow {
@@ -322,16 +325,16 @@ fn many_lights<B: Backend>(
     })
 }
 
-/// A set for the camera, and one for all lights.
-fn grouped(camera: &Aim, group: &Aim, count: usize) -> Layout {
+/// The layout with a set for the camera and one set for all lights.
+fn grouped(camera: &FacingTarget, group: &FacingTarget, count: usize) -> Layout {
     Layout {
         lights: vec![0; count],
         ..Layout::sets(camera, std::slice::from_ref(group), Sorting::Once)
     }
 }
 
-/// Whether shadow rays begin outside of everything closed: then what faces away from a light blocks it as well.
-fn is_seen_from_outside(topology: &Topology, camera: &Aim) -> bool {
+/// Whether shadow rays start outside of all closed components. Then the back set, L−, blocks each light as well.
+fn is_seen_from_outside(topology: &Topology, camera: &FacingTarget) -> bool {
     let eye = slimbvh::topology::Target::Point(camera.target.point);
     camera.target.is_position == 1 && topology.is_outside_all(&eye)
 }

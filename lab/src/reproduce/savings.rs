@@ -1,4 +1,4 @@
-//! What each saving saves, in a scene in which it matters.
+//! Measures each saving, in a scene in which it matters.
 
 mod stage;
 
@@ -16,31 +16,31 @@ use slimbvh::{
 };
 use stage::Stage;
 
-/// What a picture does without.
+/// A saving that is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Saved {
-    /// Work of a plan.
+    /// A saving of the plan.
     Plan(Saving),
-    /// Shadow rays where there is no light.
+    /// No shadow rays where no light arrives.
     DarkRays,
 }
 
-/// The same picture with a saving and without it.
+/// The measurements of one picture, with a saving and without it.
 #[derive(Clone, Debug, Serialize)]
 pub struct SavingRecord {
     pub saving: String,
-    /// In a few words.
+    /// A short description.
     pub scene: &'static str,
     pub with: Way,
     pub without: Way,
 }
 
-/// One way to make a picture.
+/// The measurements of a picture.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Way {
-    /// Triangles of all sets that a frame builds.
+    /// Triangles in all sets that a frame builds.
     pub triangles: usize,
-    /// Bytes of the trees that are there at once, at most.
+    /// Peak bytes of trees that exist at the same time.
     pub tree_bytes: usize,
     pub shadow_rays: u64,
     pub rounds: Rounds<FrameTimes>,
@@ -49,20 +49,20 @@ pub struct Way {
 /// Milliseconds of a frame.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct FrameTimes {
-    /// Trees, those that are built in turn as well.
+    /// All trees, deferred ones included.
     pub build: f64,
-    /// From samples to pixels.
+    /// Rendering, from samples to pixels.
     pub render: f64,
 }
 
 impl Saved {
-    /// All savings of plans, then the other.
+    /// All savings of plans, then [`Self::DarkRays`].
     pub fn all() -> impl Iterator<Item = Self> {
         let plans = Saving::ALL.into_iter().map(Self::Plan);
         plans.chain([Self::DarkRays])
     }
 
-    /// As `slimbvh render --without` calls it, where it is a plan's.
+    /// A plan's saving has the name of its value for `slimbvh render --without`.
     pub fn name(self) -> String {
         let value = match self {
             Self::Plan(saving) => saving.to_possible_value(),
@@ -71,7 +71,7 @@ impl Saved {
         value.map_or("dark rays".into(), |value| value.get_name().to_owned())
     }
 
-    /// What makes a picture without it.
+    /// The settings and savings of a picture without this saving.
     fn left_out(self, settings: &RenderSettings) -> (RenderSettings, Savings) {
         match self {
             Self::Plan(saving) => (*settings, Savings::ALL.without(saving)),
@@ -93,13 +93,13 @@ impl FrameTimes {
     }
 }
 
-/// Measures each saving on this machine's cores.
+/// Measures each saving on the CPU.
 pub fn measure(subject: &Subject, protocol: &Protocol) -> Result<Vec<SavingRecord>> {
     let measure = |saved| compare(saved, subject, protocol);
     Saved::all().map(measure).collect()
 }
 
-/// Makes a picture with a saving and without it, in turn. One round before does not count.
+/// Renders a picture with a saving and without it, in turn. The first round is not counted.
 fn compare(saved: Saved, subject: &Subject, protocol: &Protocol) -> Result<SavingRecord> {
     let Stage { words, scene } = Stage::new(saved, subject);
     let settings = settings(protocol, 1);
@@ -125,7 +125,7 @@ fn compare(saved: Saved, subject: &Subject, protocol: &Protocol) -> Result<Savin
     let saving = saved.name();
     ensure!(
         with.picture == without.picture,
-        "with the saving {saving:?} the picture of the {} is another than without it ({words})",
+        "the saving {saving:?} changes the picture of the {} ({words})",
         subject.name
     );
     Ok(SavingRecord {
@@ -136,7 +136,7 @@ fn compare(saved: Saved, subject: &Subject, protocol: &Protocol) -> Result<Savin
     })
 }
 
-/// Sets wherever anything may be left out.
+/// The plan with a set for each target that allows one.
 fn plan<'a>(
     subject: &'a Subject,
     scene: &Scene,
@@ -157,7 +157,7 @@ fn plan<'a>(
     Ok(Plan::new(&subject.topology, &asked)?)
 }
 
-/// A picture that is made again and again, and what that took.
+/// A picture that is rendered repeatedly, with its measurements.
 struct Trial<'a> {
     request: FrameRequest<'a>,
     frames: Frames<Cpu>,

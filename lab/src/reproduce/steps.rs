@@ -1,6 +1,6 @@
-//! A scene on a backend, built and rendered in steps that are timed one by one.
+//! Builds and renders a scene on a backend in steps, each timed by itself.
 
-use super::aim::Aim;
+use super::facing_target::FacingTarget;
 use anyhow::{Result, bail};
 use slimbvh::backend::{Load, Shot, Source, TargetSet, Tree, Trees};
 use slimbvh::topology::Topology;
@@ -15,15 +15,15 @@ const MOST_TIMED_SAMPLES: u64 = 1 << 26;
 /// The stages of the division.
 const DIVISION: [&str; 3] = ["classify", "scan", "compact"];
 
-/// A scene on a backend, with any number of trees, which are numbered.
+/// A scene on a backend, with any number of trees; a place in the list names a tree.
 pub struct Steps<'a, B: Backend> {
     pub backend: B,
     pub scene: &'a Scene,
-    /// None if all trees are over all triangles.
+    /// `None` if all trees are over all triangles.
     topology: Option<&'a Topology>,
     pub held: B::Scene,
     pub builder: B::Builder,
-    /// The trees by number, each with the sides of its target if it has one.
+    /// The trees, each with the sides of its target if it has one.
     trees: Vec<(B::Bvh, B::TargetSides)>,
     /// The tree that a division without a build writes to.
     spare: (B::Bvh, B::TargetSides),
@@ -36,7 +36,7 @@ pub struct Steps<'a, B: Backend> {
 
 /// A set as a mesh, with the tree over it. The mesh is made once, and that is not timed.
 struct Alone<B: Backend> {
-    set: Aim,
+    set: FacingTarget,
     mesh: Mesh,
     held: B::Scene,
     bvh: B::Bvh,
@@ -103,7 +103,7 @@ impl<'a, B: Backend> Steps<'a, B> {
     }
 
     /// Builds a tree over sorted triangles: a set, or all.
-    pub fn build(&mut self, place: usize, set: Option<&Aim>) -> Result<Stages> {
+    pub fn build(&mut self, place: usize, set: Option<&FacingTarget>) -> Result<Stages> {
         self.make_place(place);
         let mut recording = self.backend.begin();
         let source = Source {
@@ -124,7 +124,7 @@ impl<'a, B: Backend> Steps<'a, B> {
     }
 
     /// Builds a tree over a set whose triangles are sorted by themselves.
-    pub fn build_alone(&mut self, place: usize, set: &Aim) -> Result<Stages> {
+    pub fn build_alone(&mut self, place: usize, set: &FacingTarget) -> Result<Stages> {
         self.make_place(place);
         if !B::SORTS_SETS_ALONE {
             return self.build_mesh_of(set);
@@ -144,7 +144,7 @@ impl<'a, B: Backend> Steps<'a, B> {
     }
 
     /// Builds a tree over the mesh of a set.
-    fn build_mesh_of(&mut self, set: &Aim) -> Result<Stages> {
+    fn build_mesh_of(&mut self, set: &FacingTarget) -> Result<Stages> {
         let place = self.place_of(set)?;
         let mut recording = self.backend.begin();
         let Alone {
@@ -157,7 +157,7 @@ impl<'a, B: Backend> Steps<'a, B> {
     }
 
     /// The index of a set's mesh, which is made if it is missing.
-    fn place_of(&mut self, set: &Aim) -> Result<usize> {
+    fn place_of(&mut self, set: &FacingTarget) -> Result<usize> {
         let same =
             |alone: &Alone<B>| alone.set.target == set.target && alone.set.sides == set.sides;
         if let Some(place) = self.alone.iter().position(same) {
@@ -166,7 +166,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         let mut division = Division::new();
         let mesh = &self.scene.mesh;
         if let Some(topology) = self.topology {
-            division.divide(mesh, &set.reach(topology));
+            division.divide(mesh, &set.visible_set(topology));
         }
         let primitives = division.primitives().iter();
         let triangles = primitives.map(|&i| mesh.indices[i as usize]);
@@ -191,7 +191,7 @@ impl<'a, B: Backend> Steps<'a, B> {
     }
 
     /// The times of the division alone: stages `classify`, `scan` and `compact`.
-    pub fn divide(&mut self, set: &Aim) -> Result<Stages> {
+    pub fn divide(&mut self, set: &FacingTarget) -> Result<Stages> {
         let mut recording = self.backend.begin();
         let source = Source {
             held: &self.held,

@@ -1,6 +1,6 @@
-//! What a ray meets on its way through a tree: the same on every machine.
+//! Counts nodes and triangles that rays test; the counts are the same on every machine.
 
-use super::aim::Aim;
+use super::facing_target::FacingTarget;
 use anyhow::{Context, Result};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -13,16 +13,16 @@ use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
 use slimbvh_core::trace::{AnyHit, ClosestHit, Collector, Counted, Skip, traverse};
 
-/// Means a ray.
+/// Mean counts for each ray.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Mean {
-    /// Inner nodes opened, two boxes each.
+    /// Inner nodes opened; each tests two boxes.
     pub nodes: f64,
     /// Triangles tested.
     pub triangles: f64,
 }
 
-/// What the rays of one picture meet, one sample a pixel.
+/// The counts of one picture's rays, with one sample a pixel.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Visits {
     pub primary_rays: usize,
@@ -30,17 +30,17 @@ pub struct Visits {
     pub primary_reduced: Mean,
     pub shadow_rays: usize,
     pub shadow_whole: Mean,
-    /// In what faces the light.
+    /// Through the front set, L+: triangles that face the light.
     pub shadow_reduced: Mean,
-    /// In what faces away from it.
+    /// Through the back set, L−: triangles that face away from the light.
     pub shadow_away: Mean,
 }
 
-/// Traces a picture's rays, and those to its first light, through the whole tree and through the sets.
+/// Traces a picture's primary rays and its shadow rays to the first light, through the whole tree and through the sets.
 pub fn count(
     scene: &Scene,
     topology: &Topology,
-    (camera, light): (&Aim, &Aim),
+    (camera, light): (&FacingTarget, &FacingTarget),
     size: [u32; 2],
 ) -> Result<Visits> {
     let mut builder = Builder::new(BuildConfig::default());
@@ -53,9 +53,9 @@ pub fn count(
     let whole = build(Subset::All);
     let seen = build(camera.subset(topology));
     let lit = build(light.subset(topology));
-    let away = build(light.away().subset(topology));
+    let back = build(light.back().subset(topology));
 
-    // Everything in the scene's magnitude, as the tree is.
+    // Scale camera and light to the scene's magnitude, as the tree is.
     let scale = PowerOfTwo::new(whole.scene_exponent());
     let view = scene.cameras.first().context("the scene has no camera")?;
     let view = view.to_core(size, 1)?.scaled(&scale);
@@ -79,7 +79,7 @@ pub fn count(
         shadow_rays: shadows.len(),
         shadow_whole: mean(&whole, &shadows, AnyHit::new),
         shadow_reduced: mean(&lit, &shadows, AnyHit::new),
-        shadow_away: mean(&away, &shadows, AnyHit::new),
+        shadow_away: mean(&back, &shadows, AnyHit::new),
     })
 }
 
@@ -98,7 +98,7 @@ fn shadow_ray(scene: &Scene, scale: &PowerOfTwo, ray: &Ray, hit: &Hit, light: &L
     direct_light(&surface, hit.primitive, &material, light)
 }
 
-/// Traces rays, each but for the triangle that it starts on.
+/// Traces rays and returns their mean counts. Each ray skips the triangle that it starts on.
 fn mean<C: Collector>(bvh: &Bvh, rays: &[(Ray, u32)], collector: impl Fn(f32) -> C + Sync) -> Mean {
     let counts = rays.par_iter().map(|(ray, skip)| {
         let mut counted = Counted::new(collector(PreparedRay::new(ray, 0).t_max));

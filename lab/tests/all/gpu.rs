@@ -35,9 +35,9 @@ fn compressed_trees_are_timed_on_a_gpu_and_counted_as_on_the_cpu() {
         ("encoding / construction", true),
         ("NaN", false),
         ("left out", false),
-        ("a CPU that plays a GPU: the times say nothing", is_software),
+        ("a software adapter: the times say nothing", is_software),
         ("what encoding adds to construction", false),
-        // These are not judged on a software GPU, and not for the smallest scene.
+        // These are not judged on a software adapter, and not for the smallest scene.
         ("rendering / plain", false),
     ] {
         assert_eq!(text.contains(part), is_there, "{part}: {text}");

@@ -1,5 +1,5 @@
-//! The kernels of core, instantiated in a library that has no std, no allocator and a panic handler that does not
-//! link. If it links, core needs none of them.
+//! The kernels of core, instantiated in a library without std and allocator, whose panic handler does not link. If the
+//! library links, core cannot panic and needs neither.
 #![no_std]
 
 use core::panic::PanicInfo;
@@ -50,17 +50,17 @@ use slimbvh_core::{
 };
 
 unsafe extern "C" {
-    /// Defined nowhere.
+    /// Deliberately undefined: a reachable panic fails to link.
     fn slimbvh_core_can_panic() -> !;
 }
 
 #[panic_handler]
 fn panic(_: &PanicInfo) -> ! {
-    // SAFETY: nothing that links calls it.
+    // SAFETY: it is undefined, so a library that links never calls it.
     unsafe { slimbvh_core_can_panic() }
 }
 
-/// The unwind tables of the precompiled core library name it; nothing calls it.
+/// The unwind tables of the precompiled core library refer to this function, which is never called.
 #[unsafe(no_mangle)]
 extern "C" fn rust_eh_personality() {}
 

@@ -1,5 +1,5 @@
-//! Any mesh that the door lets in, any ray at all, any codec and kind of tree: the tree answers like brute force, bit for
-//! bit, and rays together as each alone.
+//! For any valid mesh, any ray, any codec and any kind of tree, the tree's answer equals brute force bit for bit, and rays in
+//! a packet answer as each alone.
 
 use super::input::{any, drawn};
 use crate::oracle::brute::{Answers, Parts};
@@ -12,7 +12,7 @@ use slimbvh::{
     TreeKind,
 };
 
-/// A mesh and rays as they come, broken ones too.
+/// An arbitrary mesh and arbitrary rays, invalid ones included.
 #[derive(Arbitrary, Debug)]
 struct Raw {
     vertices: Vec<[f32; 3]>,
@@ -62,7 +62,7 @@ pub fn build_and_trace(data: &[u8]) {
     });
     let coded = coded.expect("codecs that go together");
 
-    // What a leaf of the paper10 codec moves is another mesh.
+    // The paper10 codec moves vertices leaf by leaf, so brute force runs over the decoded mesh.
     let expected = match codec {
         MeshCodec::Leaf10 => coded.decoded(),
         _ => plain,
@@ -136,14 +136,14 @@ fn on_grid(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
     Some((mesh, rays))
 }
 
-/// A mesh and rays that are aimed at it, as the property tests draw them.
+/// A mesh and rays aimed at it, from the strategies of the property tests.
 fn as_tests_draw(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
     let (mesh, recipes) = drawn((any_mesh(), some_rays(8)), data)?;
     let rays = recipes.iter().map(|recipe| recipe.cook(&mesh)).collect();
     Some((mesh, rays))
 }
 
-/// All codecs that go together.
+/// All valid pairs of codecs.
 fn codecs(choice: u8, step_exponent: i32) -> (NodeCodec, MeshCodec) {
     let bits = LatticeBits::ALL[usize::from(choice >> 2) % LatticeBits::ALL.len()];
     match choice % 4 {

@@ -1,5 +1,5 @@
-//! Any triangle and any target: what classification leaves out certainly faces away, by arithmetic without rounding, and 32
-//! triangles together say what each says.
+//! For any triangle and any target, a triangle that classification leaves out certainly faces away, by exact arithmetic, and
+//! 32 triangles classified together give the results of each alone.
 
 use super::input::{any, below_one};
 use arbitrary::Arbitrary;
@@ -11,8 +11,8 @@ use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::{IndexedTriangles, Triangle};
 use slimbvh_lab::oracle::ExactSum;
 
-/// Targets are at most two to this power away, in a scene of magnitude 1: products of a tiny edge with so long a way lose no
-/// more to underflow than the bound allows for.
+/// Targets are at most two to this power away, in a scene of magnitude 1. So products of a tiny edge and this distance lose
+/// no more to underflow than the bound allows.
 const FARTHEST: i32 = 20;
 
 #[derive(Arbitrary, Debug)]
@@ -30,7 +30,7 @@ struct Input {
 /// See the module.
 ///
 /// # Panics
-/// If something is left out that may be hit.
+/// If a triangle is left out that may be hit.
 pub fn classification(data: &[u8]) {
     let Some(input) = any::<Input>(data) else {
         return;
@@ -55,7 +55,7 @@ pub fn classification(data: &[u8]) {
     together(&input, &vertices, target);
 }
 
-/// Where most doubt is: in the triangle's plane, or beside it by few steps of the float grid.
+/// A target where doubt is largest: in the triangle's plane, or a few steps of the float grid beside it.
 fn target(input: &Input, [a, b, c]: &[[f32; 3]; 3]) -> Target {
     let scale = 2f32.powi(i32::from(input.distance) % (FARTHEST + 1));
     let anywhere = input.point.map(|bits| below_one(bits) * scale);
@@ -79,7 +79,7 @@ fn target(input: &Input, [a, b, c]: &[[f32; 3]; 3]) -> Target {
     }
 }
 
-/// Whether all of a target is strictly on a side, exactly: the volume is over the radius times the normal's length.
+/// Whether a whole target is strictly on one side, exactly: the volume exceeds the radius times the normal's length.
 fn is_exactly_on(side: i32, [a, b, c]: &[[f32; 3]; 3], target: &Target) -> bool {
     let difference = |p: &[f32; 3], q: &[f32; 3]| {
         [0, 1, 2].map(|axis| ExactSum::difference(p[axis].into(), q[axis].into()))

@@ -1,17 +1,17 @@
-//! From bytes to what is tested.
+//! Test inputs from bytes.
 
 use arbitrary::{Arbitrary, Unstructured};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use slimbvh_core::lattice::LatticeBox;
 
-/// Any value of a type; where bytes run out, zeros follow.
+/// An arbitrary value of a type; after the last byte zeros follow.
 pub fn any<'a, T: Arbitrary<'a>>(data: &'a [u8]) -> Option<T> {
     T::arbitrary_take_rest(Unstructured::new(data)).ok()
 }
 
-/// What a strategy of the property tests draws, with bytes as the random numbers' seed. (To take the bytes in place of the numbers
-/// is no use: a union of strategies gives half of what is left to each of those that it does not take.)
+/// A value of a property test's strategy, with the bytes as the seed of its random numbers. (Bytes in place of the random
+/// numbers would not do: a union of strategies hands half of the remaining bytes to each strategy that it does not take.)
 pub fn drawn<S: Strategy>(strategy: S, data: &[u8]) -> Option<S::Value> {
     let mut seed = [0; 32];
     for (i, byte) in data.iter().enumerate() {
@@ -22,15 +22,15 @@ pub fn drawn<S: Strategy>(strategy: S, data: &[u8]) -> Option<S::Value> {
     Some(strategy.new_tree(&mut runner).ok()?.current())
 }
 
-/// The number with these bits where it is below 1 in magnitude, as all are in a scene of magnitude 1, else one with the same
-/// significand. No negative zero.
+/// The number with these bits if its magnitude is below 1, as in a scene of magnitude 1, else a smaller number with the same
+/// significand. Never negative zero.
 pub fn below_one(bits: u32) -> f32 {
     const EXPONENT_OF_ONE: u32 = 127;
     let exponent = (bits >> 23 & 0xff) % EXPONENT_OF_ONE;
     f32::from_bits(bits & 0x807f_ffff | exponent << 23) + 0.0
 }
 
-/// A range of whole numbers: where it begins and how long it is, of so many bits less than it could be.
+/// A range of whole numbers: its start and its length, with the given number of bits fewer than possible.
 pub type Extent = (i32, u32, u8);
 
 /// The largest coordinate on a lattice.

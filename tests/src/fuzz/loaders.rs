@@ -1,5 +1,5 @@
-//! Any bytes as a scene's file: each is refused in one sentence, or is a scene that can be built over, traced and rendered. No
-//! reader panics, not even where the panic would be contained.
+//! For any bytes as a scene's file, the reader returns an error of one sentence, or a scene that can be built, traced and
+//! rendered. No reader panics, not even where the loader would contain the panic.
 
 use crate::oracle::brute::Parts;
 use slimbvh::scene::{LoadError, LoadOptions, load_bytes};
@@ -14,7 +14,7 @@ pub fn load_gltf(data: &[u8]) {
     check(Path::new("nowhere/x.gltf"), data);
 }
 
-/// OBJ. What follows a byte of zero is the material library `x.mtl`.
+/// OBJ. The bytes after the first zero are the material library `x.mtl`.
 ///
 /// # Panics
 /// As the module says.
@@ -54,7 +54,7 @@ pub fn load_stl(data: &[u8]) {
     check(Path::new("nowhere/x.stl"), data);
 }
 
-/// A folder of this process that holds a library of materials.
+/// A temporary folder of this process with a library of materials.
 fn folder_with(library: &[u8]) -> PathBuf {
     let name = format!("slimbvh-fuzz-{}", std::process::id());
     let folder = std::env::temp_dir().join(name);
@@ -81,7 +81,7 @@ fn check(path: &Path, data: &[u8]) {
     }
 }
 
-/// Builds, traces from the middle of the scene's box and renders.
+/// Builds a tree, traces from the middle of the scene's box, and renders.
 fn use_it(mut scene: Scene) {
     let mesh = &scene.mesh;
     assert_eq!(mesh.validate(), Ok(()));
@@ -100,7 +100,7 @@ fn use_it(mut scene: Scene) {
         assert!(parts.ask_tree(&ray).same_bits(&parts.ask_all(&ray)));
     }
 
-    // Cameras and lights that make no picture are refused; nothing else may happen.
+    // The only allowed failure is an error for an invalid camera or light.
     let settings = RenderSettings {
         size: [3, 2],
         sample_count: 1,

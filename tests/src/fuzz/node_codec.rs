@@ -1,5 +1,5 @@
-//! Any node in any parent: decoded boxes hold the exact ones and lie in their parent's, links come back, and the traversal sees
-//! what the encoder says.
+//! For any node in any parent, decoded boxes hold the exact ones and lie in their parent's box, links are decoded as they
+//! were encoded, and the traversal decodes the same values as the encoder.
 
 use super::input::{Extent, any, below_one, between, lattice_box};
 use arbitrary::Arbitrary;
@@ -13,7 +13,7 @@ use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::trace::NodeSource;
 use slimbvh_core::{MAX_TRIANGLES, Node, NodeRef};
 
-/// Orders of axes that rays have.
+/// The orders of axes of rays.
 const ORDERS: [[u32; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
 
 #[derive(Arbitrary, Debug)]
@@ -29,7 +29,7 @@ struct Input {
 /// See the module.
 ///
 /// # Panics
-/// If a box or a link is not as it must be.
+/// If a box or a link is wrong.
 pub fn node_codec(data: &[u8]) {
     let Some(input) = any::<Input>(data) else {
         return;
@@ -58,7 +58,7 @@ fn inside(parent: &LatticeBox, axes: [[u32; 2]; 3]) -> LatticeBox {
     bounds
 }
 
-/// Children as a tree has them: inner ones side by side, leaves in a run.
+/// Children as in a tree: inner nodes side by side, leaves in a run.
 fn links(input: &Input) -> [NodeRef; 2] {
     let [left, right] = input.counts.map(|count| u32::from(count) % (LEAF_SIZE + 1));
     let index = input.index % (MAX_TRIANGLES - 1);
@@ -90,7 +90,7 @@ fn on_lattice<const BITS: u32, const WORDS: usize>(
         assert!(decoded.contains(exact), "{BITS} {decoded:?} {exact:?}");
         assert!(parent.contains(decoded), "{BITS} {parent:?} {decoded:?}");
         for axis in 0..3 {
-            // A step of the number at most, unless the plane is the parent's.
+            // The plane moves at most one step of the number, unless it is the parent's plane.
             let extent = i64::from(parent.max[axis]) - i64::from(parent.min[axis]);
             let step = (extent >> (BITS - 1)).max(1);
             let is_near = |d: i32, e: i32, side: i32| d == side || i64::from(d.abs_diff(e)) < step;
@@ -109,7 +109,7 @@ fn on_lattice<const BITS: u32, const WORDS: usize>(
     assert_eq!(encode_child::<BITS>(parent, &rounded, true), node.left);
     assert_eq!(encode_child::<BITS>(parent, &rounded, false), node.right);
 
-    // Links do not disturb boxes, nor the other way round.
+    // Links and boxes do not overwrite each other.
     let [a, b] = children;
     let links = Links::new(a, b, Links::first_triangle(a, b));
     let words = with_links::<BITS, WORDS>(node.words, links);
@@ -118,7 +118,7 @@ fn on_lattice<const BITS: u32, const WORDS: usize>(
     let decoded = decode_node::<BITS, WORDS>(&words, parent);
     assert_eq!(decoded, [node.left, node.right]);
 
-    // The traversal, which does it in floats.
+    // The traversal decodes in floats.
     let nodes = [words];
     let plain = LatticeNodes::<BITS, WORDS, false> {
         nodes: &nodes,
@@ -204,7 +204,7 @@ fn as_paper10(input: &Input, [left_child, right_child]: [NodeRef; 2]) {
     }
 }
 
-/// A cell, and the roundings of its ends.
+/// The size of a cell, plus the rounding of its ends.
 fn cell(low: f32, high: f32) -> f64 {
     let largest = f64::from(low.abs().max(high.abs()));
     (f64::from(high) - f64::from(low)) / 1023.0 * 1.001 + 4.0 * largest * 2f64.powi(-24) + 1e-37

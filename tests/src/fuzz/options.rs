@@ -1,5 +1,5 @@
-//! Any text as the value of any option: it is refused in one sentence, or is what the option promises, and a camera and a light
-//! that are taken make a picture or are refused.
+//! For any text as the value of any option, the parser returns an error of one sentence or a value that keeps the option's
+//! promise; a parsed camera or light then makes a picture or an error.
 
 use slimbvh::{
     BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene, Tolerance, View,
@@ -7,10 +7,10 @@ use slimbvh::{
 };
 use slimbvh_cli::options::{CameraOption, light, share, size, tolerance, whole};
 
-/// See the module. A first byte chooses the option.
+/// See the module. The first byte chooses the option.
 ///
 /// # Panics
-/// If what is taken is not as promised.
+/// If a parsed value breaks its option's promise.
 pub fn options(data: &[u8]) {
     let Some((&option, text)) = data.split_first() else {
         return;

@@ -1,5 +1,5 @@
-//! Any bytes behind the header of a saved hierarchy, with the checksum put right: what is read is sound, is written again byte for
-//! byte, and can be traced and refitted.
+//! For any bytes behind the header of a saved hierarchy, with a corrected checksum, a file that is read is sound, is written
+//! again byte for byte, and can be traced and refitted.
 
 use slimbvh::scene::slim::{Saved, read, write};
 use slimbvh::{BuildConfig, Builder, LatticeBits, NodeCodec};
@@ -11,9 +11,9 @@ const HEAD_BYTES: usize = 480;
 /// See the module.
 ///
 /// # Panics
-/// If what is read is not sound.
+/// If a file that was read is not sound.
 pub fn saved_file(data: &[u8]) {
-    // As it is, which is seldom more than a header.
+    // Unchanged; the reader seldom gets beyond the header.
     if let Ok(saved) = read(data) {
         assert_writes(&saved, data);
     }
@@ -47,7 +47,7 @@ fn assert_writes(saved: &Saved, bytes: &[u8]) {
     assert!(outcome.is_ok() && written == bytes);
 }
 
-/// Header and checksum as they must be for the rest to be looked at.
+/// Corrects header and checksum, so that the reader looks at the rest.
 fn repaired(data: &[u8]) -> Vec<u8> {
     let mut bytes = data.to_vec();
     bytes.resize(data.len().max(HEAD_BYTES), 0);

@@ -1,4 +1,4 @@
-//! Any triangle in any leaf: exact on the lattice, and half a cell away in the paper10 codec.
+//! For any triangle in any leaf, the lattice codec is exact, and the paper10 codec moves corners by at most half a cell.
 
 use super::input::{Extent, any, below_one, between, lattice_box};
 use arbitrary::Arbitrary;
@@ -9,7 +9,7 @@ use slimbvh_core::encode::{
 };
 use slimbvh_core::trace::{LeafSlot, TriangleSource};
 
-/// Orders of axes that rays have.
+/// The orders of axes of rays.
 const ORDERS: [[u32; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
 
 #[derive(Arbitrary, Debug)]
@@ -24,7 +24,7 @@ struct Input {
 /// See the module.
 ///
 /// # Panics
-/// If a corner is elsewhere.
+/// If a corner is decoded to another place.
 pub fn triangle_codec(data: &[u8]) {
     let Some(input) = any::<Input>(data) else {
         return;
@@ -33,7 +33,7 @@ pub fn triangle_codec(data: &[u8]) {
     as_paper10(&input);
 }
 
-/// A triangle somewhere in the leaf's box comes back to the bit, whatever stands before it.
+/// A triangle in the leaf's box is decoded to the bit, whatever bytes precede it.
 fn on_lattice(input: &Input) {
     let bounds = lattice_box(input.bounds);
     let step_exponent = i32::from(input.step % 33) - 24;
@@ -73,7 +73,7 @@ fn on_lattice(input: &Input) {
     }
 }
 
-/// Every coordinate stays in the box and moves half a cell at most, but for the roundings of the cell's ends.
+/// Every coordinate stays in the box and moves at most half a cell, up to the rounding of the cell's ends.
 fn as_paper10(input: &Input) {
     let planes = input.bounds.map(|(a, b, _)| {
         let (a, b) = (below_one(a as u32), below_one(b));

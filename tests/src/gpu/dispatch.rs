@@ -1,4 +1,4 @@
-//! One dispatch of one kernel, with bytes in and bytes out.
+//! One dispatch of one kernel, with bytes as inputs and outputs.
 
 use super::done;
 use bytemuck::{AnyBitPattern, NoUninit, Pod, cast_slice};
@@ -6,23 +6,23 @@ use slimbvh::gpu::{Gpu, Kernel, wgpu};
 use slimbvh_core::launch;
 use wgpu::BufferUsages;
 
-/// What is dispatched. Bindings are numbered in the order of the fields; none may be empty.
+/// A dispatch. Bindings are numbered in the order of the fields; none may be empty.
 #[derive(Clone, Copy, Debug)]
 pub struct Dispatch<'a> {
-    /// What runs.
+    /// The kernel.
     pub kernel: Kernel,
     /// Workgroups.
     pub group_count: u32,
-    /// Uniforms: four words or more each.
+    /// Uniforms, of at least four words each.
     pub uniforms: &'a [&'a [u32]],
-    /// Buffers that are only read.
+    /// Contents of buffers that the kernel reads.
     pub reads: &'a [&'a [u8]],
-    /// Buffers that are written, with what they hold before.
+    /// Contents, before the dispatch, of buffers that the kernel writes.
     pub outputs: &'a [&'a [u8]],
 }
 
 impl Dispatch<'_> {
-    /// Runs the kernel and waits for it. Returns what the outputs hold after.
+    /// Runs the kernel and waits for it. Returns the contents of the outputs.
     ///
     /// # Panics
     /// If the GPU reports an error.
@@ -72,7 +72,7 @@ pub fn storage<T: NoUninit>(gpu: &Gpu, items: &[T]) -> wgpu::Buffer {
     buffer(gpu, BufferUsages::STORAGE, cast_slice(items))
 }
 
-/// What a buffer holds.
+/// Downloads a buffer.
 ///
 /// # Panics
 /// If the GPU reports an error.
@@ -84,7 +84,7 @@ pub fn contents<T: AnyBitPattern + NoUninit>(gpu: &Gpu, buffer: &wgpu::Buffer) -
     done(download.read(gpu))
 }
 
-/// Bytes as what they stand for.
+/// Casts bytes to values.
 #[must_use]
 pub fn answers<T: Pod>(bytes: &[u8]) -> Vec<T> {
     bytemuck::pod_collect_to_vec(bytes)

@@ -1,27 +1,27 @@
-//! No tree at all: core's traversal over one leaf that holds everything. Every tree must agree with it bit for bit.
+//! Brute force: core's traversal over one leaf with all triangles. Every tree must agree with it bit for bit.
 
 use slimbvh_core::trace::{
     self, BruteForce, LeafTriangles, NodeSource, PlainNodes, Skip, TriangleSource,
 };
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
 
-/// All that can be asked about a ray.
+/// The answers of all queries of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Answers {
-    /// The nearest hit.
+    /// The closest hit.
     pub closest: Hit,
-    /// Whether there is one.
+    /// Whether there is any hit.
     pub any: bool,
-    /// The nearest one as a list.
+    /// The nearest hit, as a list of one.
     pub nearest_1: [Hit; 1],
-    /// The nearest four.
+    /// The nearest four hits.
     pub nearest_4: [Hit; 4],
-    /// The nearest eight.
+    /// The nearest eight hits.
     pub nearest_8: [Hit; 8],
 }
 
 impl Answers {
-    /// Asks some source of nodes.
+    /// Traces a ray through any source of nodes, with each query.
     pub fn of<N: NodeSource, T: TriangleSource<N::Bounds>>(
         nodes: &N,
         triangles: &T,
@@ -50,13 +50,13 @@ impl Answers {
             && bits(&self.nearest_8) == bits(&other.nearest_8)
     }
 
-    /// Whether the answers fit each other: the nearest is the first of each list, lists are sorted, and a shorter one
-    /// begins a longer one.
+    /// Whether the answers agree with each other: the closest hit is first in each list, lists are sorted, and a shorter list is
+    /// a prefix of a longer one.
     #[must_use]
     pub fn are_consistent(&self) -> bool {
         let sorted = self.nearest_8.windows(2).all(|pair| {
             let (a, b) = (pair[0], pair[1]);
-            // Different t may both leave the range of floats when they are carried back to the caller's unit.
+            // Two different t may both overflow when they are scaled back to the caller's unit.
             let collapsed = !a.t.is_normal() || a.t.abs() == f32::MAX;
             let ties_in_order = a.primitive < b.primitive || collapsed;
             !b.is_hit() || a.t < b.t || (a.t == b.t && ties_in_order)
@@ -69,14 +69,14 @@ impl Answers {
     }
 }
 
-/// A ray about which a tree and the brute force differ.
+/// A ray with different answers by a tree and by brute force.
 #[derive(Clone, Copy, Debug)]
 pub struct Disagreement {
     /// The ray.
     pub ray: Ray,
-    /// What the tree says.
+    /// The tree's answers.
     pub tree: Answers,
-    /// What is right.
+    /// The answers by brute force.
     pub brute: Answers,
 }
 
@@ -102,7 +102,7 @@ impl<'a> From<&'a slimbvh::Bvh> for Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// What the tree says.
+    /// The tree's answers.
     #[must_use]
     pub fn ask_tree(&self, ray: &Ray) -> Answers {
         let triangles = LeafTriangles(self.triangles);
@@ -114,7 +114,7 @@ impl Parts<'_> {
         )
     }
 
-    /// What the brute force says.
+    /// The answers by brute force.
     #[must_use]
     pub fn ask_all(&self, ray: &Ray) -> Answers {
         let triangles = LeafTriangles(self.triangles);
@@ -122,10 +122,10 @@ impl Parts<'_> {
         Answers::of(&BruteForce(count), &triangles, ray, self.scene_exponent)
     }
 
-    /// Compares about some rays. Returns how many of them hit something.
+    /// Compares the answers to some rays. Returns the number of rays that hit.
     ///
     /// # Errors
-    /// The first disagreement, or answers that contradict each other.
+    /// The first difference, or answers that contradict each other.
     pub fn compare<'r>(
         &self,
         rays: impl IntoIterator<Item = &'r Ray>,

@@ -1,21 +1,21 @@
-//! The triangle test in `f64`, with a measure of how well it is conditioned.
+//! The triangle test in `f64`, with its condition.
 
 use glam::DVec3;
 use slimbvh_core::{LeafTriangle, Ray};
 
-/// Where a ray's line meets a triangle's plane.
+/// The intersection of a ray's line with a triangle's plane.
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneHit {
     /// In units of the direction.
     pub t: f64,
-    /// By how much a relative error of one unit in each product of the test may change t, in the same units: grows as
-    /// the triangle is seen more from its edge.
+    /// The change of t by a relative error of one unit in each product of the test, in the same units. It grows as the triangle
+    /// is seen more edge-on.
     pub sensitivity: f64,
-    /// Smallest weight of a corner: negative outside.
+    /// The smallest weight of a corner; negative outside.
     pub inside: f64,
 }
 
-/// Meets the line with the plane; `None` where they are parallel.
+/// Intersects the line with the plane; `None` if they are parallel.
 #[must_use]
 pub fn meet(ray: &Ray, triangle: &LeafTriangle, scene_exponent: i32) -> Option<PlaneHit> {
     let unit = 2f64.powi(-scene_exponent);

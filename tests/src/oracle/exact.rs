@@ -12,9 +12,9 @@ pub type GridTriangle = [[i32; 3]; 3];
 /// A ray with t from 0 on.
 #[derive(Clone, Copy, Debug)]
 pub struct GridRay {
-    /// Where t is 0.
+    /// The point at t = 0.
     pub origin: [i32; 3],
-    /// The largest component must be 1, 2 or 4.
+    /// The direction; its largest component must be 1, 2 or 4.
     pub direction: [i32; 3],
 }
 
@@ -39,7 +39,7 @@ pub struct Fraction {
 }
 
 impl Fraction {
-    /// The nearest `f64`, or one beside it.
+    /// The fraction as `f64`, off by at most one step.
     #[must_use]
     pub fn value(&self) -> f64 {
         self.over as f64 / self.under as f64
@@ -53,7 +53,7 @@ impl Fraction {
     }
 }
 
-/// Where a ray meets a triangle, exactly.
+/// The exact intersection of a ray with a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct ExactHit {
     /// In units of the direction.
@@ -64,8 +64,8 @@ pub struct ExactHit {
     pub v: Fraction,
 }
 
-/// Where a ray meets a triangle; `None` for a miss. Edges and corners count as inside. A triangle of zero area, or one seen
-/// from its own plane, is never hit.
+/// Intersects a ray with a triangle; `None` for a miss. Edges and corners count as inside. A triangle of zero area, or one
+/// whose plane holds the ray, is never hit.
 #[must_use]
 pub fn intersect(ray: &GridRay, triangle: &GridTriangle) -> Option<ExactHit> {
     let d = ray.direction.map(i64::from);

@@ -1,4 +1,4 @@
-//! One strategy a kind of mesh, all of magnitude 1 or some few units.
+//! One strategy for each kind of mesh, all of magnitude 1 or a few units.
 
 use super::{Corners, mesh_of};
 use crate::closed;
@@ -29,7 +29,7 @@ pub fn grid(reach: i32, most: usize) -> impl Strategy<Value = Mesh> {
     })
 }
 
-/// The same, as whole numbers.
+/// As [`grid`], as whole numbers.
 pub fn grid_triangles(
     reach: i32,
     most: usize,
@@ -74,7 +74,7 @@ pub fn flat(most: usize) -> impl Strategy<Value = Mesh> {
         })
 }
 
-/// Many triangles whose corners are all one point.
+/// Many triangles, each with three equal corners.
 pub fn at_one_point(most: usize) -> impl Strategy<Value = Mesh> {
     (uniform3(-1f32..1.0), 0..=most).prop_map(|(p, count)| mesh_of(&vec![[p; 3]; count]))
 }

@@ -1,11 +1,11 @@
-//! What can be wrong with a tree.
+//! Faults of a tree.
 
 use thiserror::Error;
 
-/// What [`super::validate`] finds.
+/// A fault that [`super::validate`] finds.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum Fault {
-    /// A child's index is beyond the nodes.
+    /// A child's index is out of range.
     #[error("node {node} names child {child}, which is not there")]
     NoSuchNode {
         /// The parent.
@@ -13,7 +13,7 @@ pub enum Fault {
         /// The index.
         child: u32,
     },
-    /// A node is the child of two, or of one below it.
+    /// A node has two parents, or its parent lies below it.
     #[error("node {node} has more than one parent")]
     SeveralParents {
         /// The child.
@@ -25,27 +25,27 @@ pub enum Fault {
         /// The orphan.
         node: u32,
     },
-    /// A node's run is not what its parent says, or its children do not divide it in two.
+    /// A node's run differs from the one in its parent, or its children do not divide it in two.
     #[error("node {node} does not cover the run of triangles that it should")]
     WrongRun {
         /// The node.
         node: u32,
     },
-    /// A leaf has too many triangles, or none, or a node so few that they should be a leaf.
+    /// A leaf has too many triangles or none, or an inner node has so few that it should be a leaf.
     #[error("a child of node {node} covers {count} triangles, wrong for what it is")]
     WrongCount {
         /// The parent.
         node: u32,
-        /// How many.
+        /// The number of triangles.
         count: u32,
     },
-    /// A child's box leaves out a part of the triangles below.
+    /// A child's box does not hold all triangles below.
     #[error("a child's box in node {node} is too small")]
     BoxTooSmall {
         /// The parent.
         node: u32,
     },
-    /// A child's box is larger than the triangles below.
+    /// A child's box is larger than the triangles below need.
     #[error("a child's box in node {node} is too large")]
     BoxTooLarge {
         /// The parent.
@@ -54,21 +54,21 @@ pub enum Fault {
     /// A path from the root is too long.
     #[error("a path leads through more than {bound} nodes")]
     TooDeep {
-        /// What was promised.
+        /// The depth bound.
         bound: u32,
     },
-    /// A leaf's triangle is not one of the mesh, or is there twice.
+    /// A leaf's triangle is not one of the mesh's, or occurs twice.
     #[error("place {place} holds primitive {primitive}, which is not there or there twice")]
     NotAPermutation {
-        /// Where.
+        /// Its place in leaf order.
         place: u32,
-        /// What.
+        /// Its primitive.
         primitive: u32,
     },
     /// A leaf's triangle has other corners than the mesh's, at the scene's magnitude.
     #[error("place {place} has other corners than its primitive")]
     WrongCorners {
-        /// Where.
+        /// Its place in leaf order.
         place: u32,
     },
     /// Codes descend, or equal codes are not in the order of their primitives.
@@ -77,7 +77,7 @@ pub enum Fault {
         /// The second of the pair.
         place: u32,
     },
-    /// A node is not divided where the codes' first differing bit changes.
+    /// A node is not divided at the codes' first differing bit.
     #[error("node {node} is divided at the wrong place")]
     WrongSplit {
         /// The node.

@@ -1,4 +1,4 @@
-//! The triangles' order along the curve, and where it divides nodes.
+//! Checks the triangles' order along the curve, and the division of nodes by it.
 
 use super::Fault;
 use slimbvh::{CodeBits, Mesh};
@@ -9,9 +9,9 @@ use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{Aabb, IndexedTriangles, LeafTriangle, Node};
 
-/// Checks that the leaves hold each of the mesh's triangles once, at the scene's magnitude, sorted by their Morton codes
-/// and, where those are equal, by their index; and that each node is divided where the first differing bit of its codes
-/// (of its places, where all codes are equal) changes.
+/// Checks that the leaves hold each of the mesh's triangles once, at the scene's magnitude, sorted by Morton code and, among
+/// equal codes, by index; and that each node is divided at the first differing bit of its codes (of its places, if all codes
+/// are equal).
 ///
 /// # Errors
 /// The first fault found.
@@ -28,7 +28,7 @@ pub fn validate_order(
     let count = mesh.indices.len() as u32;
     let bounds = run_bounds(0, count, &indexed);
 
-    // Every primitive once, with its own corners.
+    // Every primitive occurs once, with its own corners.
     let scale = PowerOfTwo::new(scene_exponent(&bounds));
     let mut is_there = vec![false; count as usize];
     for (leaf, place) in triangles.iter().zip(0..) {

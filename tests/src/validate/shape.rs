@@ -1,10 +1,10 @@
-//! Parents, runs, boxes and depth.
+//! Checks parents, runs, boxes and depth.
 
 use super::Fault;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef};
 
-/// What a sound tree looks like.
+/// Measures of a sound tree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Shape {
     /// Nodes on the longest path from the root.
@@ -85,7 +85,7 @@ impl Walk<'_> {
             return Err(Fault::WrongRun { node: index });
         }
 
-        // The left child ends where its own run says; the right one must begin beside it.
+        // The left child's own run says where it ends; the right child must start beside it.
         let split = self.last_of(index, node.left)?;
         if split < first || split >= last {
             return Err(Fault::WrongRun { node: index });

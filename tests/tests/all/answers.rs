@@ -1,4 +1,4 @@
-//! The answer does not depend on the tree: it is the brute force's, bit for bit.
+//! The answer does not depend on the tree: it equals brute force, bit for bit.
 
 use proptest::prelude::*;
 use slimbvh::{CodeBits, Mesh};
@@ -14,7 +14,7 @@ fn cook(recipes: &[RayRecipe], mesh: &Mesh) -> Vec<Ray> {
     recipes.iter().map(|recipe| recipe.cook(mesh)).collect()
 }
 
-/// The same rays for every run.
+/// Rays that are the same in every run.
 fn fixed_rays(count: usize) -> Vec<RayRecipe> {
     use proptest::strategy::ValueTree;
     let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -49,7 +49,7 @@ proptest! {
         }
     }
 
-    /// Of the same triangle twice, the one with the smaller index is met, as if it were alone.
+    /// Of two equal triangles the one with the smaller index is hit, as if it were alone.
     #[test]
     fn triangles_that_are_there_twice_change_no_answer(mesh in any_mesh(), recipes in some_rays(32)) {
         let twice = Mesh {
@@ -86,14 +86,14 @@ proptest! {
         for ray in cook(&recipes, &mesh) {
             let hit = bvh.closest_hit(&ray);
             let mut moved = other.closest_hit(&ray);
-            // Of two hits at t = 0 one may say -0.
+            // One of two hits at t = 0 may have t = -0.
             prop_assert_eq!(hit.t, moved.t);
             prop_assert_eq!(bvh.any_hit(&ray), other.any_hit(&ray));
             if moved.is_hit() {
                 moved.primitive = order[moved.primitive as usize];
             }
 
-            // Among equal t the smaller index comes first, and indices have moved: then the list holds it.
+            // Among equal t the smaller index comes first. The shuffle changes indices, so look for the hit in the list.
             let equals: [Hit; 64] = bvh.nearest_hits(&ray);
             let is_full = equals[63].t == hit.t;
             prop_assert!(equals.contains(&moved) || is_full, "{:?} {:?} {:?}", ray, hit, moved);

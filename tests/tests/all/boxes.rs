@@ -1,4 +1,4 @@
-//! The slab test alone.
+//! The slab test by itself.
 
 use glam::Vec3;
 use proptest::array::uniform3;
@@ -9,7 +9,7 @@ use slimbvh_core::slab::slab;
 use slimbvh_core::{Aabb, Ray};
 use slimbvh_tests::cases;
 
-/// Two boxes' planes in the order of the ray's axes.
+/// The planes of two boxes, in the order of the ray's axes.
 fn planes(ray: &PreparedRay, a: &Aabb, b: &Aabb) -> [PlanePair; 3] {
     ray.axes.map(|axis| {
         let axis = axis as usize;
@@ -30,7 +30,7 @@ fn number() -> impl Strategy<Value = f32> {
 
 fn box_of(p: [f32; 3], q: [f32; 3]) -> Aabb {
     let (p, q) = (Vec3::from(p), Vec3::from(q));
-    // No box of a tree has a negative zero.
+    // Boxes of trees have no negative zeros.
     Aabb {
         min: p.min(q) + Vec3::ZERO,
         max: p.max(q) + Vec3::ZERO,
@@ -90,7 +90,7 @@ proptest! {
         let prepared = PreparedRay::new(&ray, 0);
         prop_assume!(prepared.t_min <= prepared.t_max);
 
-        // The exact ray is the prepared one; f64 is exact enough to leave no doubt but in a band of 2^-40.
+        // The exact ray is the prepared one; in f64 only a band of 2^-40 is in doubt.
         let mut enter = f64::from(prepared.t_min);
         let mut exit = f64::MAX;
         for (place, axis) in prepared.axes.into_iter().enumerate() {

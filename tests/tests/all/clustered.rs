@@ -1,4 +1,4 @@
-//! Clustered trees promise what all trees do.
+//! Clustered trees keep the promises of all trees.
 
 use proptest::prelude::*;
 use slimbvh::generate::{soup, terrain};
@@ -157,7 +157,7 @@ fn a_set_is_the_same_sorted_alone() {
     assert!(shape.is_ok(), "{shape:?}");
 }
 
-/// Triangles that grow along a line: of all pairs, only the first is the cheapest of its neighbours.
+/// Triangles that grow along a line: only the first of all pairs is cheaper than its neighbours.
 fn growing(factor: f32, count: i32) -> Mesh {
     let triangle = |i: i32| {
         let x = factor.powi(i);
@@ -197,7 +197,7 @@ fn points_lines_and_copies_make_sound_trees() {
     }
 }
 
-/// The negative control: the walk that the tests above trust finds what is wrong.
+/// The negative control: the check that the tests above use finds planted faults.
 #[test]
 fn faults_are_found() {
     let mesh = soup(500, 9);
@@ -213,7 +213,7 @@ fn faults_are_found() {
     assert!(validate_shape(bvh.nodes(), &triangles, bvh.depth_bound()).is_err());
 }
 
-/// What it is for: fewer boxes are expected to be met.
+/// The purpose of clustered trees: rays are expected to meet fewer boxes.
 #[test]
 fn rays_are_expected_to_meet_less() {
     for (name, mesh) in crate::meshes::generated() {

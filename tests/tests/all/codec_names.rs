@@ -1,4 +1,4 @@
-//! A codec's names stand in few files: those that a new codec adds or extends. Elsewhere code asks the codec.
+//! Only the files that a new codec adds or extends name a codec. Elsewhere code calls the codec's methods.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -105,7 +105,7 @@ fn a_codec_is_named_in_few_files() {
     }
 }
 
-/// The negative control: code that names a codec is found, whatever stands around it.
+/// The negative control: code that names a codec is found in any context.
 #[test]
 fn a_codec_is_found_where_it_is_named() {
     let words = CODECS[0].words;

@@ -12,7 +12,7 @@ use slimbvh_tests::rays::some_rays;
 use slimbvh_tests::strategies::{any_mesh, large_mesh};
 use slimbvh_tests::{CODE_BITS, build, build_as, cases};
 
-/// All codecs of nodes but that in full.
+/// All codecs of nodes, except full precision.
 pub fn node_codecs() -> Vec<NodeCodec> {
     let lattice = LatticeBits::ALL.into_iter().map(NodeCodec::Lattice);
     [NodeCodec::Paper10].into_iter().chain(lattice).collect()
@@ -26,7 +26,7 @@ fn config(nodes: NodeCodec, mesh: MeshCodec) -> BuildConfig {
     }
 }
 
-/// All that can be asked of a tree in a codec.
+/// The answers of all queries to a tree in a codec.
 fn ask(bvh: &Bvh, ray: &slimbvh::Ray) -> Answers {
     Answers {
         closest: bvh.closest_hit(ray),
@@ -37,8 +37,8 @@ fn ask(bvh: &Bvh, ray: &slimbvh::Ray) -> Answers {
     }
 }
 
-/// The first node that has other children or another run than in the plain tree, or a child whose box does not hold that of
-/// the plain tree, or does not lie in its parent's.
+/// The first faulty node: its children or its run differ from the plain tree's, or a child's box does not hold the plain
+/// tree's box or does not lie in its parent's.
 fn fault(plain: &[Node], decoded: &[Node]) -> Option<usize> {
     let parts = |node: &Node| [(node.left, node.left_box()), (node.right, node.right_box())];
     let is_in_parent = |(child, outer): (NodeRef, Aabb)| {
@@ -76,7 +76,7 @@ fn stray(bvh: &Bvh) -> Option<usize> {
     })
 }
 
-/// The bytes of all nodes, each found and coded by itself.
+/// The bytes of all nodes, each decoded from the root and encoded by itself.
 fn alone<C: BoxCodec>(
     plain: &[C::Node],
     codec: &C,
@@ -105,7 +105,7 @@ fn alone_on_lattice<const BITS: u32, const WORDS: usize>(plain: &[Node]) -> (Vec
 proptest! {
     #![proptest_config(cases(100))]
 
-    /// What one thread a node finds from the root down is what comes out top-down, all at once.
+    /// One thread a node, walking from the root, encodes the same bytes as one pass from the root down.
     #[test]
     fn nodes_that_are_coded_alone_are_those_that_are_coded_together(mesh in any_mesh()) {
         for code_bits in CODE_BITS {
@@ -150,7 +150,7 @@ proptest! {
         }
     }
 
-    /// What is stored on the lattice is the snapped mesh itself: the same answers, from fewer bytes.
+    /// The lattice stores the snapped mesh exactly: the same answers, from fewer bytes.
     #[test]
     fn a_mesh_on_the_lattice_is_stored_exactly(mesh in any_mesh(), recipes in some_rays(24), coarse in 0i32..24) {
         let mut snapped = mesh.clone();
@@ -174,7 +174,7 @@ proptest! {
         }
     }
 
-    /// The paper10 codec moves vertices leaf by leaf. What comes out is a mesh like any other: its tree is that of all of it.
+    /// The paper10 codec moves vertices leaf by leaf. Its tree answers as brute force over the decoded mesh.
     #[test]
     fn paper10_leaves_answer_as_the_decoded_mesh_does(mesh in any_mesh(), recipes in some_rays(24)) {
         let plain = build_as(&mesh, BuildConfig::default());
@@ -189,7 +189,7 @@ proptest! {
         }
     }
 
-    /// A refit keeps the order of the triangles, as a plain one does, and loses nothing.
+    /// A refit keeps the order of the triangles, as a plain refit does, and loses no hit.
     #[test]
     fn refitted_coded_trees_answer_as_plain_ones_do(
         mesh in any_mesh(),
@@ -229,7 +229,7 @@ proptest! {
 proptest! {
     #![proptest_config(cases(8))]
 
-    /// Enough triangles that several threads code them.
+    /// Enough triangles that several threads encode them.
     #[test]
     fn large_trees_are_coded_like_small_ones(mesh in large_mesh()) {
         let mut snapped = mesh.clone();
@@ -245,7 +245,7 @@ proptest! {
     }
 }
 
-/// The controls: the check of boxes finds a plane that is moved inward by one bit, and a child that leaves its parent.
+/// The negative controls: the check of boxes finds a plane moved inward by one bit, and a child that leaves its parent.
 #[test]
 fn a_box_that_is_too_small_is_found() {
     let mesh = slimbvh::generate::soup(500, 3);
@@ -265,7 +265,7 @@ fn a_box_that_is_too_small_is_found() {
     assert_eq!(found, 2 * decoded.node_count() - 1);
 }
 
-/// What was never built has no triangles, in any codec.
+/// A hierarchy that was never built has no triangles, in any codec.
 #[test]
 fn what_was_never_built_can_be_refitted() {
     for nodes in node_codecs() {
@@ -278,7 +278,7 @@ fn what_was_never_built_can_be_refitted() {
     }
 }
 
-/// A builder that codes narrow, middle, wide and mixed triangles in turn does as one that begins anew.
+/// A builder that encodes narrow, middle, wide and mixed triangles in turn gives the bytes of a new builder.
 #[test]
 fn what_was_coded_before_changes_no_byte() {
     let step_exponent = -12;
@@ -311,7 +311,7 @@ fn what_was_coded_before_changes_no_byte() {
         assert!(bvh.stored() == expected.stored() && bvh.validate().is_ok());
         bytes_of_all.push(bvh.triangle_bytes() / mesh.indices.len());
     }
-    // The widths are those that this is about.
+    // The meshes have the intended widths.
     let mixed = bytes_of_all[6];
     assert!(16 < mixed && mixed < 28, "{mixed}");
     assert_eq!(
@@ -320,7 +320,7 @@ fn what_was_coded_before_changes_no_byte() {
     );
 }
 
-/// A mesh that is not on the lattice is refused, with the vertex.
+/// A mesh off the lattice is an error that names the vertex.
 #[test]
 fn what_is_off_the_lattice_is_refused() {
     let mut mesh = slimbvh::generate::icosphere(glam::Vec3::ONE, 2.0, 2);
@@ -341,7 +341,7 @@ fn what_is_off_the_lattice_is_refused() {
     );
 }
 
-/// Vertices that were together stay together, so that nothing cracks; tolerances bound how far they move.
+/// Equal vertices stay equal, so no surface cracks; the tolerance bounds how far vertices move.
 #[test]
 fn corners_that_are_shared_stay_shared() {
     let mesh = slimbvh::generate::icosphere(glam::Vec3::new(3.0, -2.0, 9.0), 2.0, 4);

@@ -1,5 +1,5 @@
-//! What the kernels of stage `decide` say of components, against what the host knows of them by 64-bit arithmetic and solid
-//! angles: they never say more, and say less only where a target touches a component's box.
+//! The kernels of stage `decide` against the host's facts about components (64-bit arithmetic, solid angles): the kernels never
+//! decide more, and decide less only where a target touches a component's box.
 
 use crate::reduced_scenes::scenes::{ball, scenes};
 use glam::Vec3;
@@ -19,12 +19,12 @@ use slimbvh_tests::gpu::done;
 use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::any_mesh;
 
-/// With its seams.
+/// The topology of a mesh, with its seams.
 pub fn surveyed(mesh: &Mesh) -> Topology {
     done(survey(mesh, BuildConfig::default(), Seams::Find)).topology
 }
 
-/// The target as a topology knows it.
+/// The target in the form of [`Topology`].
 pub fn known(target: &Target) -> topology::Target {
     match (target.is_position, target.radius) {
         (0, _) => topology::Target::Direction(target.point),
@@ -63,7 +63,7 @@ pub fn targets(mesh: &Mesh, count: usize, seed: u64) -> Vec<Target> {
         .collect()
 }
 
-/// Checks a target's sides. Returns how many components the kernels are certain of.
+/// Checks a target's sides. Returns the number of components with a certain side.
 pub fn check_sides(
     topology: &Topology,
     decisions: &Decisions,
@@ -89,7 +89,7 @@ pub fn check_sides(
     Ok(sides.iter().filter(|side| **side != 0).count())
 }
 
-/// Checks many targets of a mesh. Returns how often a component's side is certain.
+/// Checks many targets of a mesh. Returns the number of certain sides.
 fn check(mesh: &Mesh, topology: &Topology, count: usize) -> Result<usize, String> {
     let mut decisions = Decisions::new(topology);
     decisions.measure(mesh);
@@ -139,7 +139,7 @@ pub fn dome(sides: u32) -> Mesh {
     }
 }
 
-/// Closed parts of which some lie inside out, some are open, some hold others, and some have several spans.
+/// A mesh of parts: closed, inside out, open, nested, and with several spans.
 pub fn mixed() -> Mesh {
     let mut open = ball([-6.0, 0.0, 0.0], 1.0);
     open.indices.pop();
@@ -189,7 +189,7 @@ proptest! {
     fn no_mesh_has_a_side_that_the_host_does_not_know(mesh in any_mesh(), turn in 0usize..3) {
         let topology = surveyed(&mesh);
         let mut decisions = Decisions::new(&topology);
-        // Elsewhere, too: the vertices may go where they like.
+        // The same with the vertices at other places.
         let mut moved = mesh.clone();
         for vertex in &mut moved.vertices {
             vertex.rotate_left(turn);
@@ -209,7 +209,7 @@ proptest! {
     }
 }
 
-/// The same for a mesh that moves, and the control: who does not measure again is wrong.
+/// The same for a mesh that moves. The negative control: without measuring again the sides are wrong.
 #[test]
 fn what_moves_is_decided_anew() {
     let mesh = mixed();
@@ -221,7 +221,7 @@ fn what_moves_is_decided_anew() {
     assert_eq!(before, [1, 0, -1, 1, 1, 1, 0]);
     assert_eq!(done(check_sides(&topology, &decisions, &far, &before)), 5);
 
-    // The ball is turned inside out, and the dome torn at one corner.
+    // Turn the ball inside out, and tear the dome at one corner.
     let mut moved = mesh.clone();
     let ball_vertices = ball([0.0; 3], 1.0).vertices.len();
     for vertex in &mut moved.vertices[..ball_vertices] {
@@ -241,7 +241,7 @@ fn what_moves_is_decided_anew() {
     assert_eq!(done(check_sides(&topology, &decisions, &far, &after)), 4);
 }
 
-/// How many triangles face a target, and how many face away: certain ones only are left out.
+/// Numbers of triangles that face a target and that face away from it; only certain triangles are left out.
 pub fn counted(mesh: &Mesh, components: &[u32], sides: &[i32], target: &Target) -> [u32; 2] {
     let bounds = mesh.bounds().expect("there are triangles");
     let scale = PowerOfTwo::new(slimbvh_core::bounds::scene_exponent(&bounds));

@@ -1,4 +1,4 @@
-//! Trees as deep as codes allow: the bound holds, and rays still find everything.
+//! Trees as deep as codes allow: the depth bound holds, and rays lose no hit.
 
 use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::Ray;
@@ -9,8 +9,8 @@ use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::{Corners, mesh_of};
 use slimbvh_tests::validate::validate;
 
-/// Triangles whose codes are 0 (`equal_count` times), 1, 2, 4 … and all ones: every bit of the code splits one off. Their
-/// boxes all reach to the origin, so that a ray there meets both children of every node.
+/// Triangles with the codes 0 (`equal_count` times), 1, 2, 4 … and all ones: every bit of the code splits one off. All their
+/// boxes reach to the origin, so a ray there meets both children of every node.
 fn ladder(bits_per_axis: u32, equal_count: usize) -> Mesh {
     let size = (1u32 << bits_per_axis) as f32;
     let around = |centre: [f32; 3]| -> Corners {
@@ -40,7 +40,7 @@ fn the_depth_bound_holds_for_the_deepest_trees_and_is_nearly_reached() {
             let shape = validate(&bvh, &mesh, code_bits);
             let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
 
-            // What a leaf saves at the bottom: a level a triangle of the ladder, or of equal ones their logarithm, rounded.
+            // Levels that a leaf saves at the bottom: one a triangle of the ladder; for equal codes their logarithm, rounded.
             let saved = if equal_count as u32 > LEAF_SIZE {
                 LEAF_SIZE.ilog2() + 1
             } else {

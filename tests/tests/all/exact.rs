@@ -1,4 +1,4 @@
-//! Right, not only consistent: compared with exact answers on a grid, and with `f64` elsewhere.
+//! Hits are right, not only consistent: they equal exact answers on a grid, and agree with `f64` elsewhere.
 
 use proptest::array::uniform3;
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::{grid_triangles, mesh_of};
 use slimbvh_tests::{build, cases};
 
-/// Half a unit in the last place of 1.
+/// Half an ulp of 1.
 const UNIT: f64 = 1.0 / 16_777_216.0;
 
 fn grid_ray() -> impl Strategy<Value = GridRay> {
@@ -50,7 +50,8 @@ proptest! {
             };
             prop_assert!(hit.is_hit() && bvh.any_hit(&ray), "{:?} {:?}", grid_ray, expected);
 
-            // The triangle is hit exactly, at an exact t that is the smallest but for rounding, and given to 4 roundings.
+            // The exact ray hits this triangle, at a t that is the smallest up to rounding; the reported t is off by at most 4
+            // roundings.
             let own = intersect(&grid_ray, &triangles[hit.primitive as usize]);
             let Some(own) = own else {
                 return Err(TestCaseError::fail(format!("{grid_ray:?} misses {hit:?}")));
@@ -76,8 +77,8 @@ proptest! {
     }
 }
 
-/// The largest error of t over random rays at random points of triangles, in units of what the products' roundings may do
-/// ([`slimbvh_tests::oracle::double::PlaneHit::sensitivity`]), and plainly in units of t for faces that are well seen.
+/// The largest error of t over random rays at random points of triangles: in units of the products' rounding error
+/// ([`slimbvh_tests::oracle::double::PlaneHit::sensitivity`]), and in ulps of t for faces that are not seen edge-on.
 #[test]
 fn t_is_accurate() {
     let mesh = soup(400, 9);
@@ -110,7 +111,7 @@ fn t_is_accurate() {
             let Some(exact) = exact else { continue };
             let error = (f64::from(hit.t) - exact.t).abs() / UNIT;
             worst = worst.max(error / exact.sensitivity);
-            // Products cancel little here.
+            // Products hardly cancel here.
             if exact.sensitivity < 20.0 * exact.t {
                 worst_plain = worst_plain.max(error / exact.t);
             }

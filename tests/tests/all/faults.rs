@@ -1,10 +1,10 @@
-//! Load: builds in a row take no more memory, and what is too large is refused before any is taken.
+//! Memory: repeated builds do not grow it, and meshes that are too large are errors before any allocation.
 
 use slimbvh::generate::{icosphere, soup, terrain};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, MeshError, NodeCodec};
 use slimbvh_core::{MAX_TRIANGLES, Ray};
 
-/// Memory of a builder and a hierarchy is the same each time that the same mesh comes round.
+/// A builder and a hierarchy hold the same memory each time that they return to the same mesh.
 #[test]
 fn thousands_of_builds_in_a_row_take_no_more_memory() {
     let step_exponent = -12;
@@ -27,7 +27,7 @@ fn thousands_of_builds_in_a_row_take_no_more_memory() {
             ..BuildConfig::default()
         });
         let mut bvh = Bvh::default();
-        // What a builder works on, and what a hierarchy holds, by mesh.
+        // Bytes of the builder and of the hierarchy, by mesh.
         let mut held = vec![[0; 2]; meshes.len()];
         for build in 0..2000 {
             let which = build % meshes.len();
@@ -42,7 +42,7 @@ fn thousands_of_builds_in_a_row_take_no_more_memory() {
     }
 }
 
-/// By hand: `cargo test --release -p slimbvh-tests --test all -- --ignored fifty_million`.
+/// Run by hand: `cargo test --release -p slimbvh-tests --test all -- --ignored fifty_million`.
 #[test]
 #[ignore = "takes 10 GB and a minute"]
 fn fifty_million_triangles_are_built_and_traced() {
@@ -66,7 +66,7 @@ fn fifty_million_triangles_are_built_and_traced() {
 fn a_mesh_beyond_the_limit_is_refused_before_memory_is_taken() {
     let limit = MAX_TRIANGLES as usize;
     let triangle_count = limit + 1;
-    // Zeros that nobody reads take no memory.
+    // Untouched zero pages take no memory.
     let mesh = Mesh {
         vertices: vec![[0.0; 3]],
         indices: vec![[0; 3]; triangle_count],

@@ -1,5 +1,5 @@
-//! The rooms of a crate stand on floors: a room uses only rooms below it, so there are no circles. A room is a file or a folder beside
-//! `lib.rs`.
+//! The rooms of a crate are ordered: a room uses only rooms below it, so there are no circles. A room is a file or a folder
+//! beside `lib.rs`.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ const CORE: &[&str] = &[
     "launch", "geometry", "build", "trace", "codec", "reduce", "shade",
 ];
 
-/// The crate's sources, by path from its `src`, up to their tests and without comments.
+/// The crate's code by path from its `src`, without tests and comments.
 fn sources(crate_folder: &str) -> BTreeMap<String, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("..")
@@ -64,7 +64,7 @@ fn sources(crate_folder: &str) -> BTreeMap<String, String> {
     sources
 }
 
-/// The room of each name that `lib.rs` hands on: `pub use room::{Name, Other};`.
+/// The room of each name that `lib.rs` re-exports: `pub use room::{Name, Other};`.
 fn handed_on(lib: &str) -> BTreeMap<String, String> {
     let mut rooms = BTreeMap::new();
     for statement in lib.split(';') {
@@ -82,14 +82,14 @@ fn handed_on(lib: &str) -> BTreeMap<String, String> {
     rooms
 }
 
-/// The first names behind a path to the crate's root, which is followed by one name or by a list in braces.
+/// The first names after a path to the crate's root: one name, or a list in braces.
 fn first_names(rest: &str) -> Vec<&str> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let Some(list) = rest.strip_prefix('{') else {
         let end = rest.find(|c| !is_name(c)).unwrap_or(rest.len());
         return vec![&rest[..end]];
     };
-    // Names on the outermost level of the list, each up to what follows it.
+    // Take the first name of each item on the outermost level of the list.
     let (mut names, mut depth, mut begin) = (Vec::new(), 0, Some(0));
     for (at, c) in list.char_indices() {
         match c {
@@ -114,7 +114,7 @@ fn first_names(rest: &str) -> Vec<&str> {
     names
 }
 
-/// The room that a file belongs to, and how many modules deep it lies.
+/// The room of a file, and its depth in modules.
 fn place(path: &str) -> (&str, usize) {
     let room = path.split('/').next().unwrap_or_default();
     let room = room.strip_suffix(".rs").unwrap_or(room);
@@ -142,7 +142,7 @@ fn upward(floors: &[&str], sources: &BTreeMap<String, String>) -> Vec<String> {
                 }
                 for name in first_names(&code[at + to_root.len()..]) {
                     let used = handed_on.get(name).map_or(name, String::as_str);
-                    // What is neither a room nor handed on from one comes from another crate, or is a macro.
+                    // A name that is neither a room nor re-exported from one comes from another crate or is a macro.
                     if used != room && floor(used).is_some_and(|used| used > own) {
                         found.push(format!("{path} uses {used} ({name})"));
                     }
@@ -163,7 +163,7 @@ fn rooms_use_only_rooms_below_them() {
     }
 }
 
-/// The control: uses of a higher room are found, however they are written.
+/// The negative control: uses of a higher room are found in every way to write them.
 #[test]
 fn a_use_of_a_higher_room_is_found() {
     let planted = [

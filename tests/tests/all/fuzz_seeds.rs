@@ -1,4 +1,4 @@
-//! The seeds of the fuzz targets, and what fuzzing has found, go through the same functions as in `fuzz/`.
+//! Replays the seeds of the fuzz targets, and the crashes that fuzzing has found, through the functions of `fuzz/`.
 
 use slimbvh_tests::fuzz::TARGETS;
 use std::collections::BTreeSet;
@@ -26,14 +26,14 @@ fn every_seed_of_every_fuzz_target_passes() {
         let seeds = files(&fuzz.join("corpus").join(target));
         assert!(seeds.len() >= 2, "{target} has {} seeds", seeds.len());
         for seed in seeds {
-            // Tells which, if it fails.
+            // Name the seed, in case it fails.
             println!("{}", seed.display());
             check(&std::fs::read(&seed).expect("a seed"));
         }
     }
 }
 
-/// No target is left out of the list, nor of the folder.
+/// The list of targets and the folder have the same targets.
 #[test]
 fn every_fuzz_target_is_replayed() {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz");
@@ -47,11 +47,11 @@ fn every_fuzz_target_is_replayed() {
     }
 }
 
-/// A seed that is refused leads nowhere.
+/// No seed of a saved file is refused, as such a seed would test nothing.
 #[test]
 fn the_seeds_of_saved_hierarchies_are_read() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus/saved_file");
-    for codec in ["f32", "lattice", "leaf10", "printed", "q10", "q4"] {
+    for codec in ["f32", "lattice", "leaf10", "paper10", "q10", "q4"] {
         let seed = std::fs::read(folder.join(codec)).expect("a seed");
         let read = slimbvh::scene::slim::read(&seed);
         let count = read.map(|saved| saved.bvh.node_count());

@@ -1,4 +1,4 @@
-//! The GPU stores what the CPU does: each kernel and each whole, with the buffers, limits and faults of the GPU's own.
+//! The GPU's results equal the CPU's: single kernels, whole builds and pictures; and the GPU's own buffers, limits and errors.
 
 mod buffers;
 mod builds;

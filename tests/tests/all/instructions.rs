@@ -1,9 +1,9 @@
-//! How many instructions builds and rays take, counted by Valgrind, beside the record: a guard against what is slower without
-//! anybody's noticing. Times tell nothing on a busy machine; counts differ by less than a thousandth from run to run.
+//! Compares the instructions of builds and rays, counted by Valgrind, with the record: a guard against unnoticed slowdowns.
+//! Times vary on a busy machine; counts differ by less than a thousandth from run to run.
 //!
-//! `UPDATE_GOLDEN=1` writes the record anew, from a build that is not incremental (`CARGO_INCREMENTAL=0`): of one that is, code comes
-//! out up to 6 % otherwise. Without Valgrind, or on another kind of processor, nothing is compared, which
-//! `REQUIRE_VALGRIND=1` makes a failure.
+//! `UPDATE_GOLDEN=1` rewrites the record. It needs a build that is not incremental (`CARGO_INCREMENTAL=0`), as counts of an
+//! incremental build differ by up to 6 %. Without Valgrind, or on another kind of processor, the test is skipped;
+//! `REQUIRE_VALGRIND=1` makes that a failure.
 
 use slimbvh::generate::{TorusKnot, terrain, torus_knot};
 use slimbvh::{
@@ -14,10 +14,10 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is counted.
+/// A counted job.
 struct Job {
     name: &'static str,
-    /// Does a number of rounds of it.
+    /// Runs this number of rounds.
     run: fn(usize),
 }
 
@@ -60,13 +60,13 @@ const JOBS: [Job; 9] = [
     },
 ];
 
-/// Counts may be this much above the record, as a share, and as much below, or the record is out of date.
+/// The allowed difference from the record, as a share, upward and downward; below it the record is out of date.
 const SLACK: f64 = 0.05;
 
-/// With another compiler than the record's, they may differ by this.
+/// The allowed difference with another compiler than the record's.
 const SLACK_OF_ANOTHER_COMPILER: f64 = 0.25;
 
-/// The environment variable that tells [`the_process_that_is_counted`] which job, and how many rounds.
+/// The environment variable with the job and the number of rounds for [`the_process_that_is_counted`].
 const COUNTED: &str = "SLIMBVH_COUNTED_JOB";
 
 fn closest(bvh: &Bvh, rays: &[Ray]) -> usize {
@@ -99,7 +99,7 @@ fn on_lattice() -> BuildConfig {
     }
 }
 
-/// Some ten thousand triangles, of coordinates on the lattice above.
+/// Some ten thousand triangles, with coordinates on the lattice above.
 fn knot() -> Mesh {
     snapped(torus_knot(&TorusKnot {
         segments: 512,
@@ -126,7 +126,7 @@ fn build(rounds: usize, config: BuildConfig) {
     }
 }
 
-/// Counts hits of the same rays, side by side, in each round.
+/// In each round, counts the hits of the same neighbouring rays.
 fn trace(rounds: usize, config: BuildConfig, count_hits: impl Fn(&Bvh, &[Ray]) -> usize) {
     let mesh = snapped(terrain(8.0, 64, 7));
     let bvh = Builder::new(config)
@@ -187,7 +187,7 @@ fn count(job: usize) -> u64 {
     (more - some) / 2 / 1000
 }
 
-/// The number in the line `==1== I   refs:      434,917,997`.
+/// Parses the number in the line `==1== I   refs:      434,917,997`.
 fn total(log: &str) -> Option<u64> {
     let mut lines = log.lines();
     let line = lines.find(|line| line.split_whitespace().skip(1).take(2).eq(["I", "refs:"]))?;
@@ -198,7 +198,7 @@ fn total(log: &str) -> Option<u64> {
         .ok()
 }
 
-/// The compiler, as it calls itself.
+/// The compiler's version.
 fn compiler() -> String {
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".into());
     let output = Command::new(rustc).arg("--version").output();

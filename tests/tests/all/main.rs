@@ -1,4 +1,4 @@
-//! The promises about numbers, each a test of its name.
+//! The promises about numbers, each with a test of its name.
 
 mod answers;
 mod boxes;

@@ -1,4 +1,4 @@
-//! The meshes that several tests share.
+//! Meshes for several tests.
 
 use glam::{Quat, Vec3};
 use slimbvh::Mesh;
@@ -8,7 +8,7 @@ use slimbvh::generate::{
 };
 use slimbvh_tests::closed::{dented_sphere, long_prism};
 
-/// One of each kind that the library generates, small enough for brute force.
+/// One mesh of each kind that the library generates, small enough for brute force.
 pub fn generated() -> Vec<(&'static str, Mesh)> {
     let unit_box = cuboid(Vec3::new(-0.5, -1.0, -1.5), Vec3::new(0.5, 1.0, 1.5));
     vec![
@@ -43,7 +43,7 @@ pub fn generated() -> Vec<(&'static str, Mesh)> {
     ]
 }
 
-/// Closed solids, each with some points deep inside.
+/// Closed solids, each with points deep inside.
 pub fn solids() -> Vec<Solid> {
     let knot = TorusKnot {
         p: 2,
@@ -90,13 +90,13 @@ pub fn solids() -> Vec<Solid> {
     ]
 }
 
-/// A closed mesh and points that its surface winds around.
+/// A closed mesh, and points inside of it.
 pub struct Solid {
-    /// For messages.
+    /// The name in messages.
     pub name: String,
     /// The surface.
     pub mesh: Mesh,
-    /// Where rays start.
+    /// The origins of rays.
     pub inside: Vec<Vec3>,
 }
 
@@ -114,7 +114,7 @@ impl Solid {
         }
     }
 
-    /// The same, elsewhere.
+    /// The solid at another place.
     pub fn placed(&self, scale: f32, translation: Vec3) -> Self {
         let mesh = slimbvh_tests::closed::placed(self.mesh.clone(), scale, translation);
         Self {

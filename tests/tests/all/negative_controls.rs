@@ -1,4 +1,4 @@
-//! The checks themselves are checked: a planted fault must be found.
+//! Negative controls: the checks must find planted faults.
 
 use glam::Vec3;
 use slimbvh::generate::icosphere;
@@ -8,7 +8,7 @@ use slimbvh_tests::build;
 use slimbvh_tests::oracle::brute::Parts;
 use slimbvh_tests::validate::{Fault, validate_order, validate_shape};
 
-/// A tree whose parts may be spoilt.
+/// A tree in which faults can be planted.
 struct Tree {
     mesh: Mesh,
     nodes: Vec<Node>,
@@ -41,7 +41,7 @@ impl Tree {
             })
     }
 
-    /// Rays at every corner and every middle of a triangle, along its normal, just about there.
+    /// Rays along each triangle's normal at its corners and its middle, with a short range around the surface.
     fn agrees_with_brute_force(&self) -> bool {
         let rays: Vec<Ray> = self
             .mesh
@@ -193,7 +193,7 @@ fn faults_of_order_are_found() {
 
 #[test]
 fn a_node_divided_elsewhere_is_found() {
-    // Moving the border between two leaves keeps the shape sound and only breaks the split.
+    // Moving the border between two leaves breaks only the split; the shape stays sound.
     let tree = Tree::new();
     let small = tree.nodes.iter().position(|node| {
         node.left.is_leaf()

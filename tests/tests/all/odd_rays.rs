@@ -1,4 +1,4 @@
-//! Rays that are not rays, and rays of extreme magnitude.
+//! Invalid rays, and rays of extreme magnitude.
 
 use proptest::array::uniform3;
 use proptest::prelude::*;
@@ -50,7 +50,7 @@ fn rays_that_are_not_rays_miss() {
     }));
 }
 
-/// "A ray with a NaN in it hits nothing": `t_max` too, and not as if it were infinite.
+/// "A ray with a NaN in it hits nothing": also with a NaN in `t_max`, which does not count as infinite.
 #[test]
 fn a_ray_whose_t_max_is_nan_misses() {
     let t_max = f32::NAN;

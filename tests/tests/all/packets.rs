@@ -1,4 +1,4 @@
-//! Rays that walk together answer as each does alone, bit for bit.
+//! Rays in a packet answer as each does alone, bit for bit.
 
 use bytemuck::Zeroable;
 use glam::Vec3;
@@ -21,15 +21,15 @@ use slimbvh_tests::strategies::any_mesh;
 use slimbvh_tests::{build, build_as, cases};
 use std::cell::Cell;
 
-/// A ray and some beside it, which may be none.
+/// A ray and its neighbours, if any.
 #[derive(Clone, Debug)]
 struct Bundle {
     recipe: RayRecipe,
-    /// How far apart they are, in the scene's size and in the direction's length.
+    /// Distances between the rays, relative to the scene's size and to the direction's length.
     apart: [f32; 2],
-    /// Where each begins, and where it goes.
+    /// Offsets of each ray's origin and direction.
     others: Vec<[[f32; 3]; 2]>,
-    /// Turned to one where two axes are about as long, or all three.
+    /// Directions with two or three components of about the same size.
     is_diagonal: bool,
 }
 
@@ -72,7 +72,7 @@ fn bundle() -> impl Strategy<Value = Bundle> {
     )
 }
 
-/// Both questions.
+/// Closest and any hit.
 fn together(bvh: &Bvh, rays: &[Ray]) -> (Vec<Hit>, Vec<u32>) {
     let mut hits = vec![Hit::MISS; rays.len()];
     let mut found = vec![false; rays.len()];
@@ -146,7 +146,8 @@ proptest! {
     }
 }
 
-/// Those whose axes have another order than the first one's once were asked again along with it, by its order.
+/// A former bug: rays whose axes have another order than the first ray's walked alone and then once more in the packet, with
+/// the first ray's order.
 #[test]
 fn rays_that_went_alone_do_not_walk_along() {
     let mut random = Random::new(7);
@@ -159,7 +160,7 @@ fn rays_that_went_alone_do_not_walk_along() {
         let bvh = build(&mesh, CodeBits::Bits30);
         let bounds = bvh.bounds().expect("there are triangles");
         let (center, size) = ((bounds.min + bounds.max) * 0.5, bounds.max - bounds.min);
-        // A diagonal of axes: which is longest changes from ray to ray.
+        // Along a diagonal of the axes the longest axis changes from ray to ray.
         let eye = center + Vec3::ONE * size.max_element();
         let ray = |_| {
             let to = [0; 3].map(|_| random.unit() - 0.5);
@@ -171,12 +172,13 @@ fn rays_that_went_alone_do_not_walk_along() {
     }
 }
 
-/// Through the middle of a triangle on either side of a sphere, so that codecs that move vertices change nothing.
+/// Rays through the middle of a triangle on either side of a sphere, so that codecs that move vertices lose no hit.
 fn across() -> Ray {
     Ray::new([0.05, 0.13, 3.0], [0.0, 0.0, -1.0])
 }
 
-/// Nothing is locked while a collector of the caller's is asked: what lies behind glass, it may find out by another ray.
+/// The library holds no lock while it calls the caller's collector, so a collector may trace another ray, for example behind
+/// glass.
 #[test]
 fn a_collector_may_ask_the_same_tree() {
     struct Asking<'a>(&'a Bvh, usize);
@@ -199,7 +201,7 @@ fn a_collector_may_ask_the_same_tree() {
             asking.1
         };
         assert!(ask(&across()) >= 2);
-        // Whatever limit a collector tells: a ray that hits nothing offers nothing.
+        // A ray that misses offers no hit, whatever limit the collector returns.
         assert_eq!(
             ask(&Ray {
                 t_max: -1.0,
@@ -217,7 +219,7 @@ fn a_collector_may_ask_the_same_tree() {
     }
 }
 
-/// Nodes that count how often one is opened.
+/// A node source that counts opened nodes.
 struct Opened<'a>(PlainNodes<'a>, Cell<u32>);
 
 impl NodeSource for Opened<'_> {
@@ -242,7 +244,7 @@ impl NodeSource for Opened<'_> {
     }
 }
 
-/// Nodes that lead back to themselves end a walk, of one ray and of several, after as many steps as there could be.
+/// With nodes in a circle, the walk of a ray and of a packet ends after the largest possible number of steps.
 #[test]
 fn a_tree_with_circles_is_left() {
     let node = Node {
@@ -279,7 +281,7 @@ fn a_tree_with_circles_is_left() {
     assert_eq!(counted.1.get(), limit);
 }
 
-/// The check is checked: hits of the neighbour's ray are found out.
+/// The negative control: the comparison notices the hits of a neighbour's ray.
 #[test]
 fn an_answer_of_another_ray_is_found() {
     let mesh = icosphere(Vec3::ZERO, 1.0, 2);

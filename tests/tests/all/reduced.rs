@@ -1,4 +1,4 @@
-//! Reduced trees: what they leave out is what the rule rejects, so that both give the same picture, on both backends.
+//! Reduced trees leave out exactly what the rule rejects, so both give the same picture, on both backends.
 
 use glam::{Quat, Vec3};
 use slimbvh::gpu;
@@ -99,7 +99,7 @@ fn subset(model: &Model, target: Target) -> Subset<'_> {
     })
 }
 
-/// A tree for each target.
+/// The set of each target, as a tree.
 fn sets(model: &Model, code_bits: CodeBits) -> [Bvh; 3] {
     let mut builder = Builder::new(BuildConfig::from(code_bits));
     done(builder.sort(&model.mesh));
@@ -117,7 +117,7 @@ fn picture(scene: &Scene, trees: &Trees) -> Picture {
     picture
 }
 
-/// Trees for each target, of which the first two lights' follow.
+/// The trees of the camera's, the sun's and the lamp's rays.
 fn trees<'a>(primary: Tree<'a>, sun: Tree<'a>, lamp: Tree<'a>) -> Trees<'a> {
     Trees {
         primary,
@@ -156,7 +156,7 @@ fn a_set_holds_what_faces_its_target_in_order() {
     }
 }
 
-/// Sorted alone, a set comes out as it does from among all triangles.
+/// A set that is sorted alone equals the set that is selected from the order of all triangles.
 #[test]
 fn a_set_is_the_same_sorted_alone() {
     for model in models() {
@@ -174,7 +174,7 @@ fn a_set_is_the_same_sorted_alone() {
     }
 }
 
-/// After its triangles moved, a mesh that was sorted before gives sets of the same triangles in the old order.
+/// After the vertices of a sorted mesh moved, its sets hold the same triangles in the old order.
 #[test]
 fn an_order_may_be_kept_for_a_mesh_that_moved() {
     for mut model in models() {
@@ -207,7 +207,7 @@ fn an_order_may_be_kept_for_a_mesh_that_moved() {
     }
 }
 
-/// With the rule, and without: on closed meshes seen from outside it loses nothing. The control: inside out, it does.
+/// On closed meshes seen from outside the rule changes no picture. The negative control: on a mesh turned inside out it does.
 #[test]
 fn reduced_and_whole_trees_give_the_same_picture() {
     for model in models() {
@@ -246,7 +246,7 @@ fn sets_are_the_same_on_both_backends() {
             let mesh = done(gpu::Mesh::upload(gpu, &model.mesh));
             let components = done(gpu::Components::upload(gpu, &model.components));
             let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
-            // All in one frame, in buffers that are used again.
+            // One frame builds all sets in the same buffers.
             let mut bvhs = [(); 3].map(|()| gpu::Bvh::new());
             let mut facing = gpu::TargetSides::new();
             let mut frame = gpu.frame();

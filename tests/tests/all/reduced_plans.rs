@@ -1,4 +1,4 @@
-//! What plans decide, and how they say it.
+//! The decisions of plans, and their explanations.
 
 use glam::Vec3;
 use slimbvh::generate::{append, ground, icosphere};
@@ -72,7 +72,7 @@ fn asked<'a>(
     }
 }
 
-/// The choices for the camera and each light, and whether the whole tree is built.
+/// The plan's choice for the camera and each light, and whether the whole tree is built.
 fn decided(asked: &PlanRequest) -> (Vec<TreeChoice>, bool, String) {
     let survey = done(survey(
         &asked.scene.mesh,
@@ -166,7 +166,7 @@ fn rays_that_do_not_exist_get_no_tree() {
 fn the_whole_tree_is_built_for_what_needs_it() {
     let settings = RenderSettings::default();
     let on = switches(None, Reduce::On);
-    // A lamp inside.
+    // A lamp inside of a component.
     let inside = scene(ball(), &[lamp([0.1, 0.2, 0.0])]);
     let (choices, needs_whole, said) = decided(&asked(&inside, &settings, on, 1));
     assert_eq!(
@@ -175,7 +175,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     );
     assert!(said.contains("possibly inside 1 closed component, which stays whole"));
     assert!(said.contains("whole tree: is built, for light 1"));
-    // A mirror.
+    // With a mirror.
     let mut mirror = scene(ball(), &[]);
     mirror.materials = vec![Material {
         mirror: 0.5,
@@ -184,7 +184,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     let (choices, needs_whole, said) = decided(&asked(&mirror, &settings, on, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], true));
     assert!(said.contains("whole tree: is built, for mirrors and glass"));
-    // Glass, in which paths begin inside of components.
+    // With glass, where paths start inside of components.
     let mut glass = mirror.clone();
     glass.materials = vec![Material {
         transmission: 0.5,
@@ -196,7 +196,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
         ..settings
     };
     assert!(!decided(&asked(&mirror, &settings, on, 1)).1);
-    // Nothing closed at all, and nothing at all.
+    // No closed component, and an empty mesh.
     for mesh in [ground(2.0, 4), Mesh::default()] {
         let open = scene(mesh, &[lamp([0.0, 3.0, 0.0])]);
         let (choices, needs_whole, _) = decided(&asked(&open, &settings, on, 1));
@@ -204,7 +204,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     }
 }
 
-/// One set and no whole tree is always less work; a set besides a whole tree that is needed anyway is only for many rays.
+/// One set without a whole tree is always less work; a set beside a whole tree pays only for many rays.
 #[test]
 fn auto_takes_what_is_cheaper() {
     let auto = switches(Some(Cull::On), Reduce::Auto);
@@ -221,7 +221,7 @@ fn auto_takes_what_is_cheaper() {
     assert!(said.contains("more than it saves"), "{said}");
 }
 
-/// The lights of each aim but the camera's, by number from 0.
+/// The lights of each target except the camera, by number from 0.
 fn groups(plan: &Plan) -> Vec<Vec<usize>> {
     let lights = plan.targets.iter().skip(1);
     lights.map(|aim| aim.lights.clone()).collect()
@@ -273,7 +273,7 @@ fn close_lights_share_a_set_and_lights_on_either_side_do_not() {
     );
 }
 
-/// A ball with nearly all of its triangles on its upper half.
+/// A ball with nearly all of its triangles on the upper half.
 fn fine_above() -> Mesh {
     const EQUATOR: f32 = 2.7;
     let mut mesh = ball();
@@ -290,8 +290,8 @@ fn fine_above() -> Mesh {
     mesh
 }
 
-/// For few rays the smaller set costs less, for many that of what faces away from the light, where rays do not meet what
-/// they leave. But that may only count where the eye is outside as well, and no mirror lets paths go on from elsewhere.
+/// For few rays the smaller set costs less; for many rays L− does, as rays do not meet the surface that they leave. L− is
+/// allowed only if the eye is outside as well, and if no mirror continues paths from other places.
 #[test]
 fn the_cheaper_half_counts_where_all_rays_start_outside() {
     let settings = RenderSettings {
@@ -358,7 +358,7 @@ fn what_is_outside_the_picture_is_left_out_of_the_cameras_set() {
     let savings = Savings::ALL.without(Saving::Frustum);
     let (choices, ..) = decided(&asked(&near, &settings, Switches { savings, ..on }, 1));
     assert_eq!(choices, [TreeChoice::Whole]);
-    // Where all is in the picture, nobody looks.
+    // If the whole scene is in the picture, triangles are not tested against it.
     let mut far = near;
     far.cameras[0].eye = [0.0, 30.0, 30.0];
     assert_eq!(
@@ -384,7 +384,7 @@ fn a_set_that_is_the_only_tree_is_sorted_alone() {
     assert!(!sorts_alone(&alone, Savings::ALL.without(Saving::Alone)));
 }
 
-/// The share is estimated from samples, and figures are for the mesh at hand.
+/// Shares are estimated from samples, and figures are of this mesh.
 #[test]
 fn surfaces_are_summed_up() {
     let mut mesh = ball();

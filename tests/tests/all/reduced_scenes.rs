@@ -1,5 +1,5 @@
 //! Plans for awkward scenes: reduced trees give the picture of the whole tree with the rule, byte for byte, on both
-//! backends, and the rule loses nothing but rays within rounding of a silhouette.
+//! backends, and the rule changes only rays within rounding of a silhouette.
 
 mod awkward;
 pub mod scenes;
@@ -24,7 +24,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     dark_rays: false,
 };
 
-/// Pixels of a thousand that may differ from a picture without the rule.
+/// Pixels in a thousand that may differ from a picture without the rule.
 const PER_MILLE: usize = 3;
 
 fn asked<'a>(scene: &'a Scene, cull: Cull, reduce: Reduce) -> PlanRequest<'a> {
@@ -45,7 +45,7 @@ fn topology(scene: &Scene) -> Topology {
     done(survey(&scene.mesh, BuildConfig::default(), Seams::Find)).topology
 }
 
-/// The plans for a whole tree with the rule, for sets, and for what is cheaper.
+/// The plans: a whole tree with the rule, sets, and the cheaper choice.
 fn plans<'a>(scene: &Scene, topology: &'a Topology) -> [Plan<'a>; 3] {
     [Reduce::Off, Reduce::On, Reduce::Auto]
         .map(|reduce| done(Plan::new(topology, &asked(scene, Cull::On, reduce))))
@@ -56,7 +56,7 @@ fn plain(scene: &Scene) -> Plan<'static> {
     plan.unwrap_or_else(|| panic!("nothing is to be left out"))
 }
 
-/// A frame by a plan, and what made it.
+/// A frame of a plan, with the state that made it.
 fn frame<B: Backend>(
     backend: B,
     scene: &Scene,
@@ -82,7 +82,7 @@ fn on_gpu(gpu: &gpu::Gpu, scene: &Scene, plan: &Plan) -> Picture {
     frame(gpu, scene, plan).2
 }
 
-/// Checks every scene with one backend.
+/// Checks every scene on one backend.
 fn check(backend: &str, picture: impl Fn(&Scene, &Plan) -> Picture) {
     for (name, scene) in scenes() {
         let topology = topology(&scene);
@@ -136,8 +136,8 @@ fn sets_give_the_picture_of_the_rule_on_the_gpu() {
     check("GPU", |scene, plan| on_gpu(gpu, scene, plan));
 }
 
-/// Whatever is saved, and whatever is not, the picture of the rule stays as it is: what is left out of a set for being out
-/// of the picture, which trees are sorted how, and which lights come together for which half.
+/// No saving changes the picture of the rule: neither leaving out what is outside of the picture, nor the way to sort trees,
+/// nor the grouping of lights, nor L−.
 #[test]
 fn each_saving_leaves_the_picture_as_it_is() {
     for (name, scene) in scenes() {
@@ -153,8 +153,8 @@ fn each_saving_leaves_the_picture_as_it_is() {
     }
 }
 
-/// Sets of lights are built in turn, one for lights that share it, and for a light that reaches nothing none, or on a GPU,
-/// which cannot know before, one over nothing.
+/// Sets of lights are built in turn, one for lights that share it. A light that reaches nothing gets no set, or on a GPU,
+/// which cannot know it in advance, an empty one.
 #[test]
 fn sets_in_turn_are_built_once_and_only_where_needed() {
     let mut scene = lights();
@@ -209,7 +209,7 @@ fn sets_in_turn_are_built_once_and_only_where_needed() {
     }
 }
 
-/// The control: with sides turned round, for the camera or for a light, the picture is another.
+/// The negative control: with negated sides, for the camera or for a light, the picture changes.
 #[test]
 fn wrong_sides_give_another_picture() {
     for (name, scene) in scenes() {
@@ -225,7 +225,7 @@ fn wrong_sides_give_another_picture() {
     }
 }
 
-/// A closed room under a sun outside, seen from inside, is as dark as under no sun.
+/// A closed room with a sun outside, seen from inside, is as dark as without a sun.
 #[test]
 fn no_sun_shines_into_a_closed_room() {
     let lit = room(SUN);
@@ -248,7 +248,7 @@ fn no_sun_shines_into_a_closed_room() {
             assert!((0.999..1.001).contains(&brightest));
         }
     }
-    // The walls are what keeps it out.
+    // The walls block the sun.
     let open = Scene {
         mesh: ball([0.0; 3], 0.6),
         ..room(SUN)

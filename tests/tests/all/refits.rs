@@ -1,4 +1,4 @@
-//! A refitted tree is a tree like any other.
+//! A refitted tree keeps all promises of a tree.
 
 use proptest::prelude::*;
 use slimbvh::generate::{icosphere, soup};
@@ -9,7 +9,7 @@ use slimbvh_tests::strategies::{any_mesh, placement};
 use slimbvh_tests::validate::validate_shape;
 use slimbvh_tests::{CODE_BITS, build, cases};
 
-/// The same triangles with their vertices elsewhere.
+/// The same triangles with moved vertices.
 fn moved(mesh: &Mesh, offsets: &[[f32; 3]]) -> Mesh {
     let mut mesh = mesh.clone();
     for (vertex, offset) in mesh.vertices.iter_mut().zip(offsets.iter().cycle()) {

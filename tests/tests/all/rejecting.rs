@@ -1,5 +1,5 @@
-//! That rejecting is right: what the tracer makes of a picture's rays when it passes over what the rule rejects, against all
-//! triangles without culling, exactly. Each ray that differs is listed, and rounding must explain it.
+//! Rejecting triangles is right: the tracer's answers under the rule are compared with exact answers over all triangles without
+//! culling. Each ray that differs is listed, and rounding must explain it.
 
 mod close_ups;
 mod difference;
@@ -24,19 +24,19 @@ const SETTINGS: RenderSettings = RenderSettings {
     dark_rays: false,
 };
 
-/// Pictures for controls.
+/// Sizes of pictures for negative controls.
 const SMALL: RenderSettings = RenderSettings {
     size: [48, 32],
     ..SETTINGS
 };
 
-/// Pictures of what is looked at closely.
+/// Sizes of close-ups.
 const CLOSE: RenderSettings = RenderSettings {
     size: [12, 12],
     ..SETTINGS
 };
 
-/// What came of some rays: a line, and one for each that differs.
+/// The outcome of some rays: a summary line, and a line for each ray that differs.
 fn told(name: &str, rule: Rule, tally: &Tally) -> String {
     let Tally {
         ray_count,
@@ -64,15 +64,15 @@ fn told(name: &str, rule: Rule, tally: &Tally) -> String {
     text
 }
 
-/// Compares all scenes' rays under a rule, of whole pictures and of close-ups; scenes that are not wanted are passed over.
-/// Returns how many scenes and differences there were.
+/// Compares the rays of the selected scenes under a rule, of whole pictures and of close-ups. Returns the numbers of scenes and
+/// of differences.
 fn compare_scenes(rule: Rule, is_wanted: impl Fn(&Subject) -> bool + Sync) -> [usize; 2] {
     let compare = |(name, scene)| {
         let mut subject = Subject::new(scene);
         if !is_wanted(&subject) {
             return None;
         }
-        // The larger a scene, the fewer of them.
+        // A larger scene has fewer close-ups.
         let close_up_count = if subject.scene.mesh.indices.len() > 50_000 {
             3
         } else {
@@ -112,7 +112,7 @@ fn what_faces_a_light_is_never_missed_if_all_is_outside() {
     assert!(scene_count > 10, "{scene_count}");
 }
 
-/// Rays whose answers rounding does not explain under a rule, for the camera and for lights.
+/// The number of rays under a rule whose differences rounding does not explain, for the camera and for lights.
 fn faults(scene: Scene, rule: Rule) -> [usize; 2] {
     let subject = Subject::new(scene);
     let tally = subject.compare(&SMALL, rule);
@@ -128,11 +128,11 @@ fn scene(name: &str) -> Scene {
         .1
 }
 
-/// The control: with sides turned round most rays at closed surfaces are wrong, and no rounding explains it.
+/// The negative control: with negated sides most rays at closed surfaces are wrong, and rounding does not explain it.
 #[test]
 fn turned_sides_are_found_out() {
     for (name, scene) in scenes() {
-        // Its many triangles take long.
+        // Skipped, as its many triangles take long.
         if name == "default scene" {
             continue;
         }
@@ -142,7 +142,7 @@ fn turned_sides_are_found_out() {
     }
 }
 
-/// The control: what would be lost if nobody asked whether the eye and the lights are outside.
+/// The negative control: without the check that the eye and the lights are outside, hits are lost.
 #[test]
 fn an_eye_or_a_lamp_inside_is_found_out() {
     for (name, in_camera, in_lights) in [
@@ -159,8 +159,7 @@ fn an_eye_or_a_lamp_inside_is_found_out() {
     }
 }
 
-/// In a closed room under a sun outside every shadow ray leaves once more than it enters: what faces away from the sun
-/// does not keep it out.
+/// In a closed room with a sun outside every shadow ray leaves once more than it enters: L− does not block the sun.
 #[test]
 fn what_faces_away_from_a_light_does_not_darken_a_room() {
     let room = Subject::new(room(SUN));
@@ -178,7 +177,7 @@ fn what_faces_away_from_a_light_does_not_darken_a_room() {
     assert_eq!(room.compare(&SMALL, Rule::Plan).unexplained().count(), 0);
 }
 
-/// Sets give each ray's hit to the last bit.
+/// With sets each ray has the same hit, to the last bit.
 #[test]
 fn sets_answer_as_the_rule_does() {
     for (_, scene) in scenes() {

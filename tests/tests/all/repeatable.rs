@@ -1,4 +1,4 @@
-//! Same input, same bits: whatever the number of threads, whatever was built before.
+//! Same input, same bits, for any number of threads and after any other build.
 
 use proptest::prelude::*;
 use slimbvh::generate::{soup, sphere_flake, terrain};
@@ -71,7 +71,7 @@ fn builder_buffers_are_reused() {
             assert_eq!(bvh.depth_bound(), fresh.depth_bound());
         }
 
-        // A refused mesh leaves the last tree alone.
+        // After a refused mesh the last tree is unchanged.
         let before = bytes(&bvh);
         let mut broken = soup(10, 1);
         broken.vertices[4][1] = f32::NAN;

@@ -1,4 +1,4 @@
-//! Saved hierarchies: what is read answers as what was written, and every tree that is built is sound.
+//! Saved hierarchies: a tree that was read answers as the one that was written, and every built tree passes validation.
 
 use proptest::prelude::*;
 use slimbvh::scene::slim::{read, write};
@@ -10,7 +10,7 @@ use slimbvh_tests::rays::some_rays;
 use slimbvh_tests::strategies::{any_mesh, large_mesh};
 use slimbvh_tests::{CODE_BITS, build_as, cases};
 
-/// All codecs that go together, with a lattice of this step.
+/// All valid pairs of codecs, with a lattice of this step.
 fn codecs(step_exponent: i32) -> Vec<(NodeCodec, MeshCodec)> {
     let mut all = vec![
         (NodeCodec::F32, MeshCodec::F32),
@@ -67,7 +67,7 @@ proptest! {
                     prop_assert_eq!(back.bvh.nearest_hits::<4>(&ray), bvh.nearest_hits::<4>(&ray));
                 }
 
-                // Both can be moved on.
+                // Both can be refitted.
                 prop_assert!(Builder::new(config).refit(&snapped, &mut bvh).is_ok());
                 prop_assert!(Builder::new(config).refit(&snapped, &mut back.bvh).is_ok());
                 prop_assert_eq!(back.bvh.validate_over(&snapped), Ok(()));
@@ -76,7 +76,7 @@ proptest! {
         }
     }
 
-    /// Refits leave boxes where they are needed, in an order that was once another.
+    /// Refitted trees are sound, although their order is that of the old vertices.
     #[test]
     fn refitted_trees_are_sound(
         mesh in any_mesh(),
@@ -98,7 +98,7 @@ proptest! {
         }
     }
 
-    /// A reduced tree is one as well, over some of the triangles.
+    /// A reduced tree is sound, too, over its part of the triangles.
     #[test]
     fn reduced_trees_are_sound(mesh in any_mesh(), eye in proptest::array::uniform3(-9f32..9.0)) {
         let components = vec![0; mesh.indices.len()];

@@ -1,4 +1,4 @@
-//! What every built tree promises about itself.
+//! The invariants of every built tree.
 
 use proptest::prelude::*;
 use slimbvh::generate::soup;

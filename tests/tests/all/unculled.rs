@@ -1,4 +1,4 @@
-//! The oracle for any numbers agrees with that for whole ones.
+//! The oracle for any numbers agrees with the oracle for whole numbers.
 
 use proptest::prelude::*;
 use slimbvh_core::Ray;

@@ -1,12 +1,12 @@
-//! Each algorithm stands in core, once, and the rest only unpacks and calls it: the table of ARCHITECTURE.md shows where,
-//! in how many lines. This keeps its numbers true; `UPDATE_GOLDEN=1` rewrites it.
+//! Each algorithm is written once, in core; entry points and passes unpack and call it. The table of ARCHITECTURE.md shows
+//! files and lines. These tests keep the table true; `UPDATE_GOLDEN=1` rewrites it.
 
 use slimbvh::gpu::Kernel;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// A stage: what happens, and in which files of core, of the shaders, and of either backend.
+/// A stage: a description, and its files in core, in the shaders, and in both backends.
 struct Stage {
     name: &'static str,
     what: &'static str,
@@ -197,7 +197,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The folder that a file is listed from: the tree's room is named with its files.
+/// The folder of a file: files of the tree's room are listed with their folder.
 fn home<'a>(folder: &'a str, file: &str) -> &'a str {
     if file.starts_with("tree/") {
         "host/src"
@@ -206,7 +206,7 @@ fn home<'a>(folder: &'a str, file: &str) -> &'a str {
     }
 }
 
-/// The code of some files, up to their tests, without comments and blank lines.
+/// The code of some files, without tests, comments and blank lines.
 fn code(folder: &str, files: &[&str]) -> Vec<String> {
     let mut lines = Vec::new();
     for file in files {
@@ -222,7 +222,7 @@ fn code(folder: &str, files: &[&str]) -> Vec<String> {
     lines
 }
 
-/// The entry points of some files, in order. Where a macro makes them, they are named in its call: `pub fn name;`.
+/// The entry points of some files, in order. A macro's entry points are named in its call: `pub fn name;`.
 fn entry_points(files: &[&str]) -> Vec<String> {
     let lines = code("gpu-shaders/src", files);
     let pairs = lines.windows(2);
@@ -304,7 +304,7 @@ fn the_table_of_stages_is_that_of_the_code() {
     );
 }
 
-/// The pass of a stage stands in the file of its name, on the CPU and on the GPU. Trees are clustered on the CPU only.
+/// The pass of a stage is in the file of its name, on the CPU and on the GPU. Stage `cluster` exists on the CPU only.
 #[test]
 fn passes_bear_the_name_of_their_stage() {
     for stage in STAGES {
@@ -320,13 +320,13 @@ fn passes_bear_the_name_of_their_stage() {
     }
 }
 
-/// No entry point is left out of the table, and none of it is gone.
+/// The table lists exactly the entry points that exist.
 #[test]
 fn every_kernel_belongs_to_a_stage() {
     let listed: BTreeSet<String> = STAGES
         .iter()
         .flat_map(|stage| entry_points(stage.shaders))
-        // It is called from WGSL, and is no kernel.
+        // It becomes a WGSL function, and is no kernel.
         .filter(|name| name != "call_trace")
         .collect();
     let kernels = Kernel::ALL.iter().map(|kernel| kernel.name().to_owned());

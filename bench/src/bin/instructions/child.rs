@@ -1,4 +1,4 @@
-//! The process that is counted: loads a scene, and makes frames of it as `slimbvh render` does.
+//! The child process whose instructions are counted: loads a scene and renders frames as `slimbvh render` does.
 
 use super::jobs::{Job, MODES, SCENES, VIEWS};
 use anyhow::{Context, Result};
@@ -11,8 +11,8 @@ use slimbvh::{
 /// The first argument of a child process.
 pub const WORD: &str = "--child";
 
-/// What a child is told after [`WORD`]: scene and view by their places in the lists, the mode or none to load only, and how
-/// many of the frames to make.
+/// A child's arguments after [`WORD`]: the places of scene and view in their lists, the mode (without one the child only
+/// loads), and the number of frames to render.
 pub fn arguments(job: &Job, mode: Option<Reduce>, made: u32) -> Vec<String> {
     let scene = SCENES.iter().position(|scene| scene.name == job.scene.name);
     let view = VIEWS.iter().position(|view| view.name == job.view.name);
@@ -36,7 +36,7 @@ pub fn numbers<const N: usize>(arguments: impl Iterator<Item = String>) -> Resul
     numbers.with_context(|| format!("{N} numbers are expected, not {count}"))
 }
 
-/// Does what it is told. Prints what was decided.
+/// Runs the child's job. Prints the plan's decisions.
 pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     let [scene, view, mode, made] = numbers(arguments)?;
     let job = Job {

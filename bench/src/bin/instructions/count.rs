@@ -1,18 +1,18 @@
-//! Instructions of a child process, counted by Valgrind.
+//! Counts the instructions of a child process with Valgrind.
 
 use anyhow::{Context, Result, bail, ensure};
 use std::io::ErrorKind;
 use std::process::Command;
 
-/// What a child process took and said.
+/// A child process' count and output.
 pub struct Counted {
-    /// All that it executed, from the first to the last.
+    /// All instructions that it executed.
     pub instructions: u64,
-    /// Its output.
+    /// Its standard output.
     pub said: String,
 }
 
-/// Whether Valgrind is there.
+/// Checks that Valgrind is installed.
 pub fn check() -> Result<()> {
     match Command::new("valgrind").arg("--version").output() {
         Ok(_) => Ok(()),
@@ -23,7 +23,7 @@ pub fn check() -> Result<()> {
     }
 }
 
-/// Counts what this program executes as a child process with these arguments. `what` is its name in errors.
+/// Runs this program as a child process with these arguments and counts its instructions. Errors name it `what`.
 pub fn instructions(arguments: &[String], what: &str) -> Result<Counted> {
     let program = std::env::current_exe().context("cannot find this program")?;
     let output = Command::new("valgrind")
@@ -31,7 +31,7 @@ pub fn instructions(arguments: &[String], what: &str) -> Result<Counted> {
         .arg("--cachegrind-out-file=/dev/null")
         .arg(program)
         .args(arguments)
-        // Reading files would start as many threads as there are cores.
+        // One thread: reading files would else start a thread for each core.
         .env("RAYON_NUM_THREADS", "1")
         .output()
         .context("cannot start valgrind")?;
@@ -44,7 +44,7 @@ pub fn instructions(arguments: &[String], what: &str) -> Result<Counted> {
     })
 }
 
-/// The number in the line `==1== I   refs:      434,917,997`.
+/// Parses the number in the line `==1== I   refs:      434,917,997`.
 fn total(log: &str) -> Option<u64> {
     let mut lines = log.lines();
     let line = lines.find(|line| line.split_whitespace().skip(1).take(2).eq(["I", "refs:"]))?;

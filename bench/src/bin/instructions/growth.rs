@@ -1,4 +1,4 @@
-//! How the instructions of a build grow with the mesh.
+//! Growth of a build's instructions with the mesh.
 
 use super::child;
 use super::count;
@@ -13,21 +13,21 @@ use std::fmt::Write;
 /// The first argument of a child process that generates a terrain and builds over it.
 pub const WORD: &str = "--child-terrain";
 
-/// What the exponents may be.
+/// The largest allowed exponent.
 pub const LIMIT: f64 = 1.02;
 
-/// In the order of the table.
+/// Lengths of codes, in the order of the table.
 const CODES: [CodeBits; 2] = [CodeBits::Bits30, CodeBits::Bits63];
 
-/// What builds over a terrain took.
+/// Counts of builds over one terrain.
 struct Row {
     triangles: u64,
     /// Instructions of a build with each of [`CODES`].
     counts: [u64; 2],
 }
 
-/// The child: generates a terrain of so many cells a side, and builds over it with the codes of this place in [`CODES`], or
-/// not at all.
+/// The child: generates a terrain with the given cells a side and, if asked to, builds over it with the codes at the given
+/// place in [`CODES`].
 pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     let [cells, code] = child::numbers(arguments)?;
     let triangles = slimbvh_bench::pool(1)?.install(|| -> Result<usize> {
@@ -43,7 +43,7 @@ pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     Ok(())
 }
 
-/// Counts all builds. The record, and whether all exponents are within the limit.
+/// Counts all builds. Returns the record, and whether all exponents are within the limit.
 pub fn record(options: &Options) -> Result<(String, bool)> {
     let rows: Vec<Row> = CELLS.par_iter().map(measure).collect::<Result<_>>()?;
     report(&rows, options)
@@ -100,7 +100,7 @@ fn report(rows: &[Row], options: &Options) -> Result<(String, bool)> {
     Ok((out, fitted.iter().all(|it| *it <= LIMIT)))
 }
 
-/// With each of [`CODES`].
+/// The exponent for each of [`CODES`].
 fn exponents(rows: &[Row]) -> Result<[f64; 2]> {
     let of = |code: usize| {
         let pairs = rows

@@ -1,4 +1,4 @@
-//! Which scenes are seen how.
+//! Jobs: scenes and the views in which their frames are counted.
 
 use super::options::Options;
 use anyhow::{Context, Result};
@@ -7,18 +7,18 @@ use slimbvh::reduce::{Cull, Reduce, Seams};
 use slimbvh::{Camera, Light, Mesh, Projection, Scene, generate};
 use slimbvh_bench::meshes::SUBJECTS;
 
-/// In the order of the tables.
+/// The values of `--reduce`, in the order of the tables.
 pub const MODES: [Reduce; 3] = [Reduce::Off, Reduce::Auto, Reduce::On];
 
-/// A scene to look at.
+/// A scene by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// How tables call it.
+    /// The name in tables.
     pub name: &'static str,
     make: fn(&str) -> Result<Option<Scene>>,
 }
 
-/// All of them. Those with files are read from the folder of real meshes.
+/// All scenes. Files are read from the folder of real meshes.
 pub const SCENES: [Source; 13] = [
     scene("default scene", |_| Ok(Some(generate::default_scene()))),
     scene("armadillo", subject),
@@ -42,35 +42,35 @@ pub const SCENES: [Source; 13] = [
     }),
 ];
 
-/// Where the camera is.
+/// The viewpoint of the camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Viewpoint {
-    /// Where it sees everything.
+    /// Outside, with the whole scene in view.
     Outside,
-    /// At four tenths of that distance.
+    /// At 0.4 of that distance.
     Close,
-    /// In the middle.
+    /// In the scene's middle.
     Inside,
-    /// Outside, with parallel rays.
+    /// As [`Self::Outside`], with parallel rays.
     Parallel,
 }
 
-/// What is asked for.
+/// A view: camera, lights and options of a frame.
 #[derive(Clone, Copy, Debug)]
 pub struct View {
-    /// How tables call it.
+    /// The name in tables.
     pub name: &'static str,
-    /// Where the camera is.
+    /// The viewpoint of the camera.
     pub place: Viewpoint,
-    /// The first is a sun, the others are lamps.
+    /// The number of lights: a sun, then lamps.
     pub light_count: usize,
-    /// In pixels.
+    /// Width and height in pixels.
     pub size: [u32; 2],
-    /// `--cull`.
+    /// The value of `--cull`.
     pub cull: Option<Cull>,
-    /// `--solid`.
+    /// [`Seams::None`] is `--solid`.
     pub seams: Seams,
-    /// How many frames share a survey.
+    /// The number of frames that share a survey.
     pub frame_count: u32,
 }
 
@@ -84,7 +84,7 @@ const PLAIN: View = View {
     frame_count: 1,
 };
 
-/// All of them.
+/// All views.
 pub const VIEWS: [View; 12] = [
     PLAIN,
     View {
@@ -161,7 +161,7 @@ pub struct Job {
     pub view: View,
 }
 
-/// All that are asked for and whose files are there.
+/// All jobs that the options select and whose files exist.
 pub fn jobs(options: &Options) -> Result<Vec<Job>> {
     let mut jobs = Vec::new();
     for scene in SCENES.iter().filter(|scene| options.wants(scene.name)) {
@@ -210,7 +210,7 @@ impl Job {
                 ..outside
             },
         };
-        // Around the scene, and around an eye inside.
+        // Lamps stand around the scene, or around an eye inside of it.
         let reach = match self.view.place {
             Viewpoint::Inside => 0.05,
             _ => 1.0,
@@ -239,7 +239,7 @@ fn of_mesh(mesh: Mesh) -> Option<Scene> {
     })
 }
 
-/// The mesh of this name that the other records have.
+/// The mesh of this name among the meshes of all records.
 fn subject(name: &str) -> Result<Option<Scene>> {
     let subject = SUBJECTS.iter().find(|subject| subject.name == name);
     let subject = subject.with_context(|| format!("there is no mesh {name:?}"))?;

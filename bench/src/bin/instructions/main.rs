@@ -1,5 +1,5 @@
-//! Counts the instructions of frames with `--reduce auto`, `off` and `on`: whether the plan is ever slower than no plan. With
-//! `--growth` those of builds: whether they grow as the mesh does.
+//! Counts the instructions of frames with `--reduce auto`, `off` and `on`, to show that `auto` is never slower than `off`.
+//! With `--growth` it counts builds, to show that their instructions grow linearly with the mesh.
 //! Exit codes: 0 done, 1 the median of auto against off, or an exponent, is above the limit, 2 usage or input.
 
 mod child;
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use report::Row;
 use std::process::ExitCode;
 
-/// What the median of all ratios of auto to off may be.
+/// The largest allowed median of the ratios of auto to off.
 const LIMIT: f64 = 1.03;
 
 fn main() -> ExitCode {
@@ -39,7 +39,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Returns what is above its limit.
+/// Returns the figure that is above its limit, as a sentence, if any.
 fn run(arguments: impl Iterator<Item = String>) -> Result<Option<String>> {
     let options = Options::parse(arguments)?;
     if options.help {
@@ -66,7 +66,7 @@ fn run(arguments: impl Iterator<Item = String>) -> Result<Option<String>> {
     Ok(fault)
 }
 
-/// Frames of all jobs, and the median ratio.
+/// Counts the frames of all jobs. Returns the record and the median ratio.
 fn frames(options: &Options) -> Result<(String, f64)> {
     let jobs = jobs::jobs(options)?;
     ensure!(!jobs.is_empty(), "no scene to measure with");
@@ -74,7 +74,7 @@ fn frames(options: &Options) -> Result<(String, f64)> {
     report::report(&rows, options)
 }
 
-/// All modes of a job.
+/// Counts a job in all modes.
 fn measure(job: &Job) -> Result<Row> {
     let what = format!("{}, {}", job.scene.name, job.view.name);
     let counted = |mode, made| count::instructions(&child::arguments(job, mode, made), &what);
@@ -87,7 +87,7 @@ fn measure(job: &Job) -> Result<Row> {
     for (mode, count) in MODES.iter().zip(&mut row.counts) {
         let first = counted(Some(*mode), 1)?;
         *count = first.instructions - loading;
-        // Each further frame takes the same: one tells.
+        // All further frames take the same, so one is enough.
         if job.view.frame_count > 1 {
             let both = counted(Some(*mode), 2)?;
             let further = both.instructions - first.instructions;

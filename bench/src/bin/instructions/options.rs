@@ -4,7 +4,7 @@ use super::jobs::SCENES;
 use anyhow::{Context, Result, bail};
 use slimbvh_bench::meshes::SCENES_VARIABLE;
 
-/// What `--help` prints.
+/// The text of `--help`.
 pub const USAGE: &str = "\
 instructions [--out FILE] [--growth | SCENE...]
   --out FILE  also write the tables to FILE
@@ -15,16 +15,16 @@ instructions [--out FILE] [--growth | SCENE...]
 pub struct Options {
     /// Print the usage only.
     pub help: bool,
-    /// Where to write the record.
+    /// The file to write the record to.
     pub out: Option<String>,
-    /// Count builds as the mesh grows, not frames.
+    /// Count builds over growing meshes, not frames.
     pub growth: bool,
-    /// Names of the scenes, or empty for all.
+    /// Names of the scenes; empty selects all.
     scenes: Vec<String>,
 }
 
 impl Options {
-    /// Reads the arguments.
+    /// Parses the arguments.
     pub fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self> {
         let mut options = Self {
             help: false,
@@ -49,12 +49,12 @@ impl Options {
         Ok(options)
     }
 
-    /// Whether a scene is asked for.
+    /// Whether the options select a scene.
     pub fn wants(&self, name: &str) -> bool {
         self.scenes.is_empty() || self.scenes.iter().any(|scene| scene == name)
     }
 
-    /// The command that makes this record again, without paths of this machine.
+    /// The command that repeats this record, without paths of this machine.
     pub fn command(&self) -> String {
         let mut words = Vec::new();
         if !self.growth && std::env::var_os(SCENES_VARIABLE).is_some() {

@@ -1,4 +1,4 @@
-//! The record.
+//! The record in Markdown.
 
 use super::LIMIT;
 use super::jobs::Job;
@@ -7,29 +7,29 @@ use anyhow::Result;
 use slimbvh_bench::machine;
 use std::fmt::Write;
 
-/// What a job took.
+/// The counts of a job.
 pub struct Row {
     /// The job.
     pub job: Job,
-    /// Instructions with `off`, `auto` and `on`, without loading.
+    /// Instructions with `off`, `auto` and `on`, loading not included.
     pub counts: [u64; 3],
-    /// What `auto` decided.
+    /// The decisions of `auto`.
     pub said: String,
 }
 
 impl Row {
-    /// Auto against off.
+    /// The ratio of auto to off.
     pub fn ratio(&self) -> f64 {
         self.counts[1] as f64 / self.counts[0] as f64
     }
 
-    /// On against off.
+    /// The ratio of on to off.
     fn ratio_on(&self) -> f64 {
         self.counts[2] as f64 / self.counts[0] as f64
     }
 }
 
-/// Tables, and the median ratio of auto to off.
+/// Returns the tables and the median ratio of auto to off.
 pub fn report(rows: &[Row], options: &Options) -> Result<(String, f64)> {
     let mut out = String::new();
     let mut ratios: Vec<f64> = rows.iter().map(Row::ratio).collect();
@@ -82,14 +82,14 @@ pub fn report(rows: &[Row], options: &Options) -> Result<(String, f64)> {
     Ok((out, median))
 }
 
-/// The ratios of some rows, in order.
+/// The ratios of the selected rows, sorted.
 fn of(rows: &[Row], is_wanted: impl Fn(&&Row) -> bool) -> Vec<f64> {
     let mut ratios: Vec<f64> = rows.iter().filter(is_wanted).map(Row::ratio).collect();
     ratios.sort_by(f64::total_cmp);
     ratios
 }
 
-/// Median, least and largest of numbers in order.
+/// Median, least and largest of sorted numbers.
 fn spread(ratios: &[f64]) -> (f64, f64, f64) {
     let middle = ratios.len() / 2;
     let median = if ratios.len() % 2 == 1 {

@@ -1,4 +1,4 @@
-//! The process that asks one peer about one case, so that what breaks breaks alone.
+//! The child process that traces one case with one peer, so that a crash ends only this process.
 
 use crate::peers::asked;
 use anyhow::{Context, Result, ensure};
@@ -15,44 +15,44 @@ use std::time::Instant;
 /// The first argument of a child process.
 pub const WORD: &str = "--child";
 
-/// Rays that are asked about at once: as many as Embree's packets hold.
+/// Rays in one call: as many as Embree's packets hold.
 pub const AT_ONCE: usize = 16;
 
-/// Bytes of a thread's stack: as much as Linux gives a process' first one.
+/// Bytes of a thread's stack: Linux' default for a process' first thread.
 const STACK: usize = 8 << 20;
 
-/// What a child is to do.
+/// The job of a child process.
 pub struct Task<'a> {
     /// The peer's name among the tracers.
     pub peer: &'a str,
-    /// The case's place among all.
+    /// The case's place in the list of all cases.
     pub case: usize,
     pub effort: Effort,
-    /// The first ray to ask about.
+    /// The first ray to trace.
     pub first: usize,
-    /// Rays before this one are asked about one by one.
+    /// Rays before this one are traced one by one.
     pub careful_until: usize,
 }
 
-/// A line that a child prints, as JSON: one after the build, then one for each ray, in order.
+/// A line of a child's output, as JSON: one after the build, then one for each ray, in order.
 #[derive(Deserialize, Serialize)]
 pub enum Line {
-    /// It has built.
+    /// The build is done.
     Built,
-    /// It does not build, or panics while it does.
+    /// The build was refused or panicked.
     Failed { word: String, reason: String },
-    /// The bits of t, the triangle or `u32::MAX`, and whether there is any hit.
+    /// An answer: the bits of t, the triangle or `u32::MAX`, and whether there is any hit.
     Answer(u32, u32, bool),
-    /// It panics.
+    /// The peer panicked on this ray.
     Panicked(String),
-    /// It does not take the ray.
+    /// The peer does not accept this ray.
     Refused,
-    /// All rays are answered. Milliseconds to build and to trace.
+    /// All rays are answered. The time to build and to trace together, in milliseconds.
     Done(f64),
 }
 
 impl Line {
-    /// For what is no ray, which is for no tracer to answer.
+    /// The answer to an invalid ray, which no tracer is given.
     const MISS: Self = Self::Answer(0, u32::MAX, false);
 
     fn print(&self) -> Result<()> {
@@ -64,7 +64,7 @@ impl Line {
 }
 
 impl Task<'_> {
-    /// What the child is told.
+    /// The child's arguments.
     pub fn arguments(&self) -> [String; 6] {
         let effort = match self.effort {
             Effort::Quick => "quick",
@@ -76,7 +76,7 @@ impl Task<'_> {
     }
 }
 
-/// Does what it is told.
+/// Runs the child's job.
 pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     let arguments: Vec<String> = arguments.collect();
     let [peer, effort, numbers @ ..] = &arguments[..] else {
@@ -99,7 +99,7 @@ pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     let rays: Vec<Ray> = shots.iter().map(|shot| shot.ray).collect();
     ensure!(first <= rays.len(), "there are not so many rays");
 
-    // Panics are told by what is printed.
+    // Panics are reported in the output.
     std::panic::set_hook(Box::new(|_| {}));
     let pool = rayon::ThreadPoolBuilder::new().stack_size(STACK).build()?;
     pool.install(|| {
@@ -112,7 +112,7 @@ pub fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     })
 }
 
-/// Builds, and asks about all rays, the first `careful` of them one by one.
+/// Builds and traces all rays, the first `careful` of them one by one.
 fn ask(tracer: &mut dyn Tracer, rays: &[Ray], careful: usize) -> Result<()> {
     let start = Instant::now();
     let failed = match catch_unwind(AssertUnwindSafe(|| tracer.build())) {
@@ -133,7 +133,7 @@ fn ask(tracer: &mut dyn Tracer, rays: &[Ray], careful: usize) -> Result<()> {
     Line::Done(start.elapsed().as_secs_f64() * 1e3).print()
 }
 
-/// A line for each ray.
+/// Prints a line for each ray.
 fn answer(tracer: &dyn Tracer, rays: &[Ray]) -> Vec<Line> {
     let taken: Vec<Ray> = rays
         .iter()
@@ -142,7 +142,7 @@ fn answer(tracer: &dyn Tracer, rays: &[Ray]) -> Vec<Line> {
         .collect();
     let mut answers = match all(tracer, &taken) {
         Ok(answers) => answers,
-        // Which of them is it?
+        // Trace them one by one to find the ray that panics.
         Err(_) if taken.len() > 1 => {
             return rays.chunks(1).flat_map(|ray| answer(tracer, ray)).collect();
         }
@@ -157,13 +157,13 @@ fn answer(tracer: &dyn Tracer, rays: &[Ray]) -> Vec<Line> {
     rays.iter().map(line).collect()
 }
 
-/// What slimbvh takes for a ray.
+/// Whether slimbvh accepts this as a ray.
 fn is_sane(ray: &Ray) -> bool {
     let mut numbers = ray.origin.iter().chain(&ray.direction).chain([&ray.t_min]);
     numbers.all(|x| x.is_finite()) && ray.direction != [0.0; 3] && ray.t_min <= ray.t_max
 }
 
-/// Answers to all rays at once, or why it has panicked.
+/// The answers to these rays in one call, or the message of its panic.
 fn all(tracer: &dyn Tracer, rays: &[Ray]) -> Result<Vec<Line>, String> {
     let ask = || {
         let mut closest = vec![Answer::MISS; rays.len()];
@@ -177,7 +177,7 @@ fn all(tracer: &dyn Tracer, rays: &[Ray]) -> Result<Vec<Line>, String> {
     catch_unwind(AssertUnwindSafe(ask)).map_err(|panic| message(&*panic))
 }
 
-/// What a panic says.
+/// The message of a panic.
 fn message(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().copied();
     let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str));

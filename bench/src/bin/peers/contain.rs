@@ -1,4 +1,4 @@
-//! Runs children until all rays of a case are answered or given up, and says what has become of them.
+//! Runs child processes until all rays of a case are answered or given up, and reports how they ended.
 
 use crate::child::{AT_ONCE, Line, Task};
 use anyhow::{Context, Result};
@@ -10,37 +10,37 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// After so many processes that have died of a ray, the rays that are left are given up.
+/// After this number of processes that died of a ray, the remaining rays are given up.
 const MOST_DEATHS: usize = 50;
 
-/// What a peer says about a case.
+/// A peer's answers to a case.
 #[derive(Default)]
 pub struct Answered {
-    /// One a ray, of which the last may lack.
+    /// One answer a ray; the last ones may be missing.
     pub answers: Vec<Answer>,
-    /// To build and to trace.
+    /// The time to build and to trace together, in milliseconds.
     pub time_ms: f64,
-    /// What went wrong: in a word, and in a sentence. What is not answered counts as a miss.
+    /// The failure, as a word and as a sentence. A ray without an answer counts as a miss.
     pub failure: Option<(String, String)>,
-    /// Rays that it does not take.
+    /// Rays that the peer does not accept.
     pub refused: usize,
-    /// Rays that it panics with, and a message.
+    /// Rays on which the peer panics, and a message.
     panicked: (usize, String),
-    /// Rays that a process has died of, and how.
+    /// Rays of which a process died, and how.
     died: (usize, String),
 }
 
-/// Why a child has ended.
+/// How a child process ended.
 enum End {
-    /// It was to.
+    /// As expected, after its last line.
     Done,
-    /// The limit is passed.
+    /// Ended at the time limit.
     Hung,
-    /// By itself, with this status and these last words.
+    /// By itself, with this status and this last line on standard error.
     Died(String),
 }
 
-/// Asks a peer about all rays of a case, in processes that are ended at the limit.
+/// Traces all rays of a case with a peer, in processes that are ended at the time limit.
 pub fn contained(mut task: Task<'_>, ray_count: usize, limit: Duration) -> Result<Answered> {
     let mut answered = Answered::default();
     loop {
@@ -59,7 +59,7 @@ pub fn contained(mut task: Task<'_>, ray_count: usize, limit: Duration) -> Resul
                 answered.failure = Some(("died".into(), reason));
                 break;
             }
-            // It is one of the rays that were asked about at once.
+            // One of the rays of the last call killed the process.
             End::Died(_) if count >= task.careful_until => {
                 task.first = count;
                 task.careful_until = count + AT_ONCE;
@@ -78,7 +78,7 @@ pub fn contained(mut task: Task<'_>, ray_count: usize, limit: Duration) -> Resul
     Ok(answered)
 }
 
-/// Nothing is hit, or nothing is answered.
+/// A miss, also used for a ray without an answer.
 pub const MISS: Answer = Answer {
     closest: Hit::MISS,
     any: false,
@@ -123,7 +123,7 @@ impl Answered {
         self.answers.push(answer);
     }
 
-    /// Of what went wrong with single rays the gravest.
+    /// The gravest failure among single rays.
     fn sum_up(&mut self, ray_count: usize) {
         if self.failure.is_some() {
             return;
@@ -146,7 +146,7 @@ impl Answered {
     }
 }
 
-/// Runs a child and takes its lines.
+/// Runs a child process and reads its lines.
 fn child(task: &Task<'_>, limit: Duration, mut take: impl FnMut(Line)) -> Result<End> {
     let mut child = Command::new(std::env::current_exe()?)
         .args(task.arguments())
@@ -165,7 +165,7 @@ fn child(task: &Task<'_>, limit: Duration, mut take: impl FnMut(Line)) -> Result
                 let is_last = matches!(line, Line::Done(_) | Line::Failed { .. });
                 take(line);
                 if is_last {
-                    // What it does after counts no more; tearing down may fail, too.
+                    // After the last line the exit status does not count: freeing a peer may fail, too.
                     child.kill()?;
                     child.wait()?;
                     return Ok(End::Done);
@@ -186,12 +186,12 @@ fn child(task: &Task<'_>, limit: Duration, mut take: impl FnMut(Line)) -> Result
     }
 }
 
-/// The lines of a child, as they come.
+/// Sends a child's lines as they arrive.
 fn lines(pipe: Option<impl Read + Send + 'static>) -> Receiver<Line> {
     let (sender, receiver) = channel();
     let lines = lines_of(pipe);
     thread::spawn(move || {
-        // A line that was cut short ends it. No one listens any more where the limit has passed.
+        // A truncated line ends the output. After the time limit the receiver is gone.
         let mut lines = lines.iter().map(|line| serde_json::from_str(&line));
         while let Some(Ok(line)) = lines.next() {
             if sender.send(line).is_err() {
@@ -202,7 +202,7 @@ fn lines(pipe: Option<impl Read + Send + 'static>) -> Receiver<Line> {
     receiver
 }
 
-/// The lines that come out of a pipe, but for empty ones.
+/// The lines of a pipe without empty ones.
 fn lines_of(pipe: Option<impl Read + Send + 'static>) -> Receiver<String> {
     let (sender, receiver) = channel();
     thread::spawn(move || {

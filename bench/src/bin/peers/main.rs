@@ -13,7 +13,7 @@ use serde::Serialize;
 use slimbvh_lab::stress::{Row, cases, run as ask};
 use std::process::ExitCode;
 
-/// What `slimbvh-lab stress --with FILE` reads, and how to make it again.
+/// The file for `slimbvh-lab stress --with FILE`: rows, and the command that made them.
 #[derive(Serialize)]
 struct Report {
     command: String,
@@ -62,7 +62,7 @@ fn run(arguments: impl Iterator<Item = String>) -> Result<()> {
     Ok(())
 }
 
-/// Every peer on every case.
+/// Traces every case with every peer.
 fn measure(options: &Options) -> Result<Vec<Row>> {
     let mut peers = Peers::new(options)?;
     let mut rows = Vec::new();

@@ -5,7 +5,7 @@ use anyhow::{Context, Result, bail, ensure};
 use slimbvh_lab::stress::{Effort, cases};
 use std::time::Duration;
 
-/// What `--help` prints.
+/// The text of `--help`.
 pub const USAGE: &str = "\
 peers [--quick] [--only PEER,...] [--family NAME] [--limit SECONDS] [--json FILE]
   --quick            smaller scenes and fewer rays
@@ -20,20 +20,20 @@ const DEFAULT_LIMIT: u64 = 60;
 pub struct Options {
     /// Print the usage only.
     pub help: bool,
-    /// How much is asked.
+    /// The number of scenes and rays.
     pub effort: Effort,
-    /// How long a peer may take for a scene.
+    /// The time limit of a peer for a scene.
     pub limit: Duration,
-    /// Where rows go.
+    /// The file to write rows to.
     pub json: Option<String>,
-    /// Parts of names of peers, or empty for all.
+    /// Parts of the names of peers; empty selects all.
     only: Vec<String>,
-    /// Part of the names of families.
+    /// A part of the names of families.
     family: String,
 }
 
 impl Options {
-    /// Reads the arguments.
+    /// Parses the arguments.
     pub fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self> {
         let mut options = Self {
             help: false,
@@ -88,17 +88,17 @@ impl Options {
         Ok(options)
     }
 
-    /// Whether a peer is asked for.
+    /// Whether the options select a peer.
     pub fn wants(&self, name: &str) -> bool {
         self.only.is_empty() || self.only.iter().any(|part| name.contains(part.as_str()))
     }
 
-    /// Whether a family is asked for.
+    /// Whether the options select a family.
     pub fn wants_family(&self, name: &str) -> bool {
         name.contains(&self.family)
     }
 
-    /// The command that makes these rows again, without names of files.
+    /// The command that repeats these rows, without names of files.
     pub fn command(&self) -> String {
         let mut words = vec!["peers".to_owned()];
         if self.effort == Effort::Quick {

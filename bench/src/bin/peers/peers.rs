@@ -1,4 +1,4 @@
-//! All peers as one tracer, each of whose trees is a peer: so exact answers are found once for all.
+//! All peers as one tracer with a tree for each peer, so that exact answers are computed once for all.
 
 use crate::child::Task;
 use crate::contain::{MISS, contained};
@@ -11,18 +11,18 @@ use slimbvh_lab::stress::{BOUND_ULPS, Case, Effort, Failure, Outcome, Row, Trace
 use std::collections::HashMap;
 use std::time::Duration;
 
-/// A tracer that is asked, and what its rows are called.
+/// A peer's tracer, and the names in its rows.
 #[derive(Clone, Copy, Debug)]
 pub struct Peer {
     /// Its name among the tracers.
     pub tracer: &'static str,
-    /// Who.
+    /// The peer's name.
     row: &'static str,
-    /// Which tree.
+    /// The tree's name.
     tree: &'static str,
 }
 
-/// Of each library and each of its ways to test boxes and triangles one. Other presets answer by the same arithmetic.
+/// One tree for each library and each of its ways to test boxes and triangles. Other presets use the same arithmetic.
 const ASKED: [Peer; 7] = [
     Peer::new("obvhs fastest", "obvhs", "fastest"),
     Peer::new("obvhs cwbvh8 fastest", "obvhs cwbvh8", "fastest"),
@@ -39,7 +39,7 @@ impl Peer {
     }
 }
 
-/// Those that this build has.
+/// The peers in this build.
 pub fn asked() -> impl Iterator<Item = Peer> {
     let mesh = slimbvh::Mesh::default();
     let input = Input::new(&mesh);
@@ -51,12 +51,12 @@ pub fn asked() -> impl Iterator<Item = Peer> {
 
 /// All peers.
 pub struct Peers {
-    /// Of the case that is asked about.
+    /// The place of the current case.
     pub number: usize,
     peers: Vec<Peer>,
     effort: Effort,
     limit: Duration,
-    /// Of the case that was asked about last, by the tracer's name: what went wrong, in a word and in a sentence.
+    /// Failures of the last case by tracer: a word and a sentence.
     failures: HashMap<String, (String, String)>,
 }
 
@@ -73,7 +73,7 @@ impl Peers {
         })
     }
 
-    /// A row under its peer's name, with the word for what went wrong in place of its tree.
+    /// Renames a row after its peer; the word for a failure takes the place of its tree.
     pub fn named(&self, mut row: Row) -> Row {
         let Some(peer) = self.peers.iter().find(|peer| peer.tracer == row.codec) else {
             return row;

@@ -1,4 +1,4 @@
-//! The table: every peer in every family, all magnitudes together.
+//! The table: one row for each peer and family, with all magnitudes added up.
 
 use slimbvh_lab::stress::{BOUND_ULPS, Row};
 use std::fmt::Write;
@@ -7,20 +7,20 @@ const HEAD: [&str; 9] = [
     "family", "peer", "scenes", "rays", "missed", "false", "wrong", "adrift", "failures",
 ];
 
-/// Words first, then figures.
+/// Columns of words come first, then figures.
 const WORD_COLUMNS: usize = 2;
 
-/// Rows of a family and a peer, added up.
+/// The sum of a family's rows of one peer.
 struct Line<'a> {
     family: &'a str,
     peer: &'a str,
     scenes: usize,
     sum: Row,
-    /// By the word that stands for a tree's name: at which magnitudes.
+    /// Failures by word, each with the magnitudes where it occurred.
     failures: Vec<(&'a str, Vec<&'a str>)>,
 }
 
-/// As it is printed.
+/// The table as text.
 pub fn text(rows: &[Row]) -> String {
     let mut text = format!(
         "Peers on rays that break tracers, against exact answers\n\
@@ -95,7 +95,7 @@ fn lines(rows: &[Row]) -> Vec<Line<'_>> {
     lines
 }
 
-/// What stands for a tree's name where a peer has failed.
+/// The word in place of a tree's name, if the peer failed.
 const FAILURES: [&str; 4] = ["refused", "panicked", "hung", "died"];
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Returns what is wrong with the answers.
+/// Returns the faults of the answers, as sentences.
 fn run() -> Result<Vec<String>> {
     let options = Options::parse(std::env::args().skip(1))?;
     if options.help {

@@ -1,4 +1,4 @@
-//! One mesh, all tracers in turn, job by job: all build, all trace primary rays, all trace shadow rays, and again.
+//! Measures one mesh with all tracers in turn: all build, all trace primary rays, all trace shadow rays, round after round.
 
 use crate::options::Options;
 use anyhow::Result;
@@ -8,51 +8,51 @@ use slimbvh_bench::{Agreement, Answer, Input, Reference, Tracer, pool, thread_co
 use slimbvh_lab::measure::rounds::median;
 use std::time::Instant;
 
-/// What was measured on one mesh.
+/// The measurements of one mesh.
 pub struct MeshRecord {
     pub name: &'static str,
     pub triangle_count: usize,
     pub primary_count: usize,
     pub shadow_count: usize,
-    /// Time to make obvhs' list of triangles, which no other time includes.
+    /// Time to make obvhs' list of triangles; no other time includes it.
     pub input_ms: f64,
     pub tracers: Vec<TracerRecord>,
     /// Wrong answers, as sentences.
     pub complaints: Vec<String>,
 }
 
-/// What was measured of one tracer.
+/// The measurements of one tracer.
 pub struct TracerRecord {
     pub name: &'static str,
     pub bytes: Bytes,
     pub primary_visits: Option<Visits>,
     pub shadow_visits: Option<Visits>,
-    /// Against slimbvh with 30-bit codes on one thread.
+    /// Compared with slimbvh with 30-bit codes on one thread.
     pub primary: Agreement,
-    /// Against slimbvh with 30-bit codes on one thread.
+    /// Compared with slimbvh with 30-bit codes on one thread.
     pub shadow: Agreement,
-    /// One for each number of threads.
+    /// Times for each number of threads.
     pub runs: Vec<Run>,
 }
 
 impl TracerRecord {
-    /// The library's name, and what it was asked to build.
+    /// The library's name, and the kind of its tree.
     pub fn library_and_tree(&self) -> (&str, &str) {
         self.name.split_once(' ').unwrap_or((self.name, ""))
     }
 }
 
-/// Times on some number of threads.
+/// Times with one number of threads.
 #[derive(Default)]
 pub struct Run {
     pub threads: usize,
-    /// A build that begins without buffers.
+    /// A build into new buffers.
     pub first_build: Samples,
-    /// A build that uses the buffers of the one before.
+    /// A build into the buffers of the build before.
     pub build: Samples,
     pub primary: Samples,
     pub shadow: Samples,
-    /// Of all builds together.
+    /// Sums over all builds.
     pub stages: Stages,
 }
 
@@ -62,7 +62,7 @@ impl Run {
         self.primary.median() + self.shadow.median()
     }
 
-    /// A build that keeps its buffers, primary and shadow rays.
+    /// A frame: a build that keeps its buffers, primary and shadow rays.
     pub fn frame_ms(&self) -> f64 {
         self.build.median() + self.trace_ms()
     }
@@ -80,13 +80,13 @@ impl Samples {
         result
     }
 
-    /// The middle one, or the mean of the two in the middle; NaN if there are none.
+    /// The median: the middle time, or the mean of the two in the middle; NaN if there are none.
     pub fn median(&self) -> f64 {
         median(&mut self.0.clone())
     }
 
-    /// The median over rounds of these times as multiples of others, which were taken in the same rounds: what slows
-    /// the machine for a while slows both.
+    /// The median over rounds of the ratios of these times to others of the same rounds. A machine that is slow for a while
+    /// slows both.
     pub fn ratio(&self, others: &Self) -> f64 {
         let ratios = self.0.iter().zip(&others.0).map(|(a, b)| a / b);
         median(&mut ratios.collect::<Vec<_>>())
@@ -101,7 +101,7 @@ impl Samples {
     }
 }
 
-/// Measures all tracers on a mesh, with one thread and with all.
+/// Measures all tracers on a mesh, with one thread and with all threads.
 pub fn measure(name: &'static str, mesh: &Mesh, options: &Options) -> Result<MeshRecord> {
     let reference = Reference::new(mesh)?;
     let mut input_times = Samples::default();
@@ -180,7 +180,7 @@ fn time_all(
     Ok(runs)
 }
 
-/// Everything but times.
+/// Sizes, answers and counts of a tracer.
 fn describe(tracer: &dyn Tracer, reference: &Reference) -> TracerRecord {
     let rays = &reference.rays;
     let mut closest = vec![Answer::MISS; rays.primary.len()];

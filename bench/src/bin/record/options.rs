@@ -6,7 +6,7 @@ use slimbvh_bench::meshes::{SCENES_VARIABLE, SUBJECTS};
 use slimbvh_bench::tracers::{OURS, tracers};
 use std::path::Path;
 
-/// What `--help` prints.
+/// The text of `--help`.
 pub const USAGE: &str = "\
 record [--out FILE] [--rounds N] [--only TRACER,...] [MESH...]
   --out FILE         also write the tables to FILE
@@ -20,18 +20,18 @@ const DEFAULT_ROUNDS: usize = 9;
 pub struct Options {
     /// Print the usage only.
     pub help: bool,
-    /// Where to write the record.
+    /// The file to write the record to.
     pub out: Option<String>,
-    /// How often everything is measured.
+    /// The number of rounds.
     pub rounds: usize,
-    /// Parts of names of tracers, or empty for all.
+    /// Parts of the names of tracers; empty selects all.
     only: Vec<String>,
-    /// Names of the meshes, or empty for all.
+    /// Names of the meshes; empty selects all.
     meshes: Vec<String>,
 }
 
 impl Options {
-    /// Reads the arguments.
+    /// Parses the arguments.
     pub fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self> {
         let mut options = Self {
             help: false,
@@ -75,18 +75,18 @@ impl Options {
         Ok(options)
     }
 
-    /// Whether a mesh is asked for.
+    /// Whether the options select a mesh.
     pub fn wants(&self, name: &str) -> bool {
         self.meshes.is_empty() || self.meshes.iter().any(|mesh| mesh == name)
     }
 
-    /// Whether a tracer is asked for.
+    /// Whether the options select a tracer.
     pub fn wants_tracer(&self, name: &str) -> bool {
         let is_named = |part: &String| name.contains(part.as_str());
         self.only.is_empty() || name == OURS || self.only.iter().any(is_named)
     }
 
-    /// The command that makes this record again, without paths of this machine.
+    /// The command that repeats this record, without paths of this machine.
     pub fn command(&self) -> String {
         let mut words = Vec::new();
         if std::env::var_os(SCENES_VARIABLE).is_some() {
@@ -126,7 +126,7 @@ impl Options {
     }
 }
 
-/// Features that are on, but for the default one.
+/// Features that are on, without the default one.
 fn features() -> Vec<&'static str> {
     let all = [
         ("small-nodes", cfg!(feature = "small-nodes")),

@@ -9,16 +9,16 @@ use slimbvh_bench::machine;
 use slimbvh_bench::tracers::{OURS, PEER, Visits};
 use std::fmt::Write;
 
-/// Where the ratios should be.
+/// Targets of the ratios.
 const BUILD_AIM: Aim = Aim::at_most(1.0, 2.0);
 const TRACE_AIM: Aim = Aim::at_least(1.0, 0.8);
 const NODE_BYTES_AIM: Aim = Aim::at_most(32.0, 56.0);
 
-/// A bound to reach and a bound to keep.
+/// An aim: a bound to reach, and a bound that must hold.
 struct Aim {
     aimed: f64,
     required: f64,
-    /// 1 where less is better, -1 where more is.
+    /// 1 if less is better, -1 if more is.
     sign: f64,
 }
 
@@ -41,7 +41,7 @@ impl Aim {
         }
     }
 
-    /// The value and which of its bounds it keeps.
+    /// The value, and the stricter of the bounds that it keeps.
     fn judge(&self, value: f64) -> String {
         let keeps = |bound: f64| value * self.sign <= bound * self.sign;
         let word = if keeps(self.aimed) {
@@ -125,7 +125,7 @@ fn head(out: &mut String, records: &[MeshRecord], options: &Options) -> Result<(
     Ok(())
 }
 
-/// Ratios, and which aims they keep.
+/// The table of ratios, with the bounds that they keep.
 fn aims(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Aims\n")?;
     writeln!(
@@ -212,7 +212,7 @@ fn builds(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     Ok(())
 }
 
-/// Shares of slimbvh's build.
+/// The table of stages, as shares of slimbvh's build.
 fn stages(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Stages of slimbvh's build\n")?;
     let names: Vec<&str> = records[0].tracers[0].runs[0]
@@ -311,7 +311,7 @@ fn answers(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     Ok(())
 }
 
-/// Every run of every tracer, tracers of one number of threads together.
+/// The table of all runs, by number of threads.
 fn runs(record: &MeshRecord) -> impl Iterator<Item = (&TracerRecord, &Run)> {
     let run_count = record.tracers.first().map_or(0, |first| first.runs.len());
     (0..run_count).flat_map(|run| {

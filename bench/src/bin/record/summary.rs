@@ -1,10 +1,10 @@
-//! slimbvh beside each library's best tree.
+//! The tables that compare slimbvh with each library's best tree.
 
 use crate::measure::{MeshRecord, Run, TracerRecord};
 use anyhow::Result;
 use std::fmt::Write;
 
-/// Whole frames.
+/// The table of whole frames.
 pub fn frames(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Frames beside each peer's best\n")?;
     writeln!(
@@ -16,7 +16,7 @@ pub fn frames(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     table(out, records, Run::frame_ms)
 }
 
-/// Tracing alone.
+/// The table of tracing alone.
 pub fn traces(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Tracing alone beside each peer's best tree\n")?;
     writeln!(
@@ -72,7 +72,7 @@ fn libraries(records: &[MeshRecord]) -> Vec<&str> {
     libraries
 }
 
-/// A library's tree with the least time, and that time.
+/// The fastest tree of a library, and its time.
 fn best<'a>(
     record: &'a MeshRecord,
     library: &str,
@@ -87,7 +87,7 @@ fn best<'a>(
     trees.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Pixels that differ from slimbvh's.
+/// The table of pixels that differ from slimbvh's.
 pub fn missed(out: &mut String, records: &[MeshRecord]) -> Result<()> {
     writeln!(out, "## Missed pixels\n")?;
     writeln!(

@@ -1,4 +1,4 @@
-//! Stage `decide`, round after round.
+//! Measures stage `decide`.
 
 use crate::measure::median;
 use slimbvh::gpu::{
@@ -10,11 +10,11 @@ use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use std::time::Duration;
 
-/// What was measured.
+/// The measurements.
 pub struct Deciding {
-    /// How many triangles belong to components that may be reduced.
+    /// Triangles of reducible components.
     pub reducible_count: usize,
-    /// Each step.
+    /// The steps of the stage.
     pub steps: Vec<Step>,
     /// Bytes of all buffers.
     pub bytes: u64,
@@ -22,15 +22,15 @@ pub struct Deciding {
 
 /// A step of the stage.
 pub struct Step {
-    /// How tables call it.
+    /// The name in tables.
     pub name: &'static str,
-    /// What it asks for.
+    /// Its dispatches and bytes.
     pub work: Work,
-    /// Its median time; zero without timestamps.
+    /// The median time; zero without timestamps.
     pub time: Duration,
 }
 
-/// Measures components, decides for an eye, and takes the smaller set of a sun.
+/// Measures components, decides the sides for an eye, and chooses the smaller of a sun's sets.
 pub fn decide(
     gpu: &Gpu,
     mesh: &Mesh,

@@ -1,5 +1,5 @@
-//! Measures the GPU backend and writes a record: what each stage asks of the GPU, and how long it takes. Exit codes: 0
-//! done, 1 the answers are not the CPU's, 2 usage or input.
+//! Measures the GPU backend and writes a record: the work and the time of each stage. Exit codes: 0 done, 1 an answer
+//! differs from the CPU's, 2 usage or input.
 
 mod decide;
 mod measure;
@@ -33,7 +33,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Returns how many answers are wrong.
+/// Returns the number of wrong answers.
 fn run() -> Result<usize> {
     let (mut out, mut rounds, mut choice) = (None, 9, AdapterChoice::Any);
     let mut names = Vec::new();
@@ -75,7 +75,7 @@ fn run() -> Result<usize> {
     Ok(records.iter().map(|record| record.wrong_answers).sum())
 }
 
-/// A mesh by name, `None` where its file is missing.
+/// A mesh by name; `None` if its file is missing.
 fn mesh(name: &str) -> Result<Option<Mesh>> {
     if name == "large" {
         return Ok(Some(generate::terrain(10.0, 2237, 7)));

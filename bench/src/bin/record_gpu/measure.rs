@@ -1,4 +1,4 @@
-//! Builds and traces on the GPU, round after round.
+//! Measures builds and traces on the GPU.
 
 use crate::decide::{Deciding, decide};
 use anyhow::Result;
@@ -9,29 +9,29 @@ use slimbvh_bench::RayLists;
 use slimbvh_lab::measure::rounds;
 use std::time::{Duration, Instant};
 
-/// What was measured with one mesh.
+/// The measurements of one mesh.
 pub struct MeshRecord {
-    /// How tables call it.
+    /// The name in tables.
     pub name: String,
-    /// Its size.
+    /// The number of its triangles.
     pub triangle_count: usize,
-    /// What was measured, or why the GPU refused.
+    /// Times and counts, or the reason of a refusal by the GPU.
     pub outcome: Result<Measured, GpuError>,
-    /// Answers that are not the CPU's.
+    /// The number of answers that differ from the CPU's.
     pub wrong_answers: usize,
 }
 
 /// Times and counts.
 pub struct Measured {
-    /// Each length of codes.
+    /// Builds with each length of codes.
     pub builds: Vec<Build>,
-    /// What moved vertices cost.
+    /// Stage `decide`, which runs after vertices moved.
     pub deciding: Deciding,
-    /// Each list of rays.
+    /// Traces of each list of rays.
     pub traces: Vec<Trace>,
     /// Bytes of the hierarchy's buffers.
     pub bvh_bytes: u64,
-    /// How many nodes there are.
+    /// The number of nodes.
     pub node_count: u64,
     /// Bytes of the buffers between the stages.
     pub scratch_bytes: u64,
@@ -41,11 +41,11 @@ pub struct Measured {
 pub struct Build {
     /// 30 or 63.
     pub code_bits: u32,
-    /// What each stage asks for.
+    /// The dispatches and bytes of each stage.
     pub work: Vec<Work>,
     /// The median time of each stage, in the order of `work`; zero without timestamps.
     pub times: Vec<Duration>,
-    /// The median time from submission to the end, as the host sees it.
+    /// The median wall-clock time on the host, from submission to the end.
     pub wall: Duration,
 }
 
@@ -53,15 +53,15 @@ pub struct Build {
 pub struct Trace {
     /// Primary or shadow.
     pub name: &'static str,
-    /// How many.
+    /// The number of rays.
     pub ray_count: usize,
-    /// Median time.
+    /// The median time.
     pub time: Duration,
-    /// Bytes of all nodes and triangles that the rays touch, where they are counted.
+    /// Bytes of all nodes and triangles that the rays touch, if they are counted.
     pub touched_bytes: Option<u64>,
 }
 
-/// Measures with one mesh.
+/// Measures one mesh.
 pub fn measure(gpu: &Gpu, name: &str, mesh: &Mesh, rounds: usize) -> Result<MeshRecord> {
     let mut record = MeshRecord {
         name: name.into(),
@@ -227,7 +227,7 @@ fn trace(
     })
 }
 
-/// The median of times, of which there is one at least.
+/// The median of at least one time.
 pub fn median(times: &[Duration]) -> Duration {
     let mut seconds: Vec<f64> = times.iter().map(Duration::as_secs_f64).collect();
     Duration::from_secs_f64(rounds::median(&mut seconds))

@@ -7,7 +7,7 @@ use slimbvh::gpu::{Gpu, adapters};
 use slimbvh_bench::machine;
 use std::fmt::Write;
 
-/// All tables.
+/// The whole record.
 pub fn report(
     gpu: &Gpu,
     records: &[MeshRecord],
@@ -35,7 +35,7 @@ pub fn report(
             writeln!(out, "| host | {} |", machine::processor())?;
             writeln!(
                 out,
-                "| times | of a CPU that plays a GPU: they say nothing about one |"
+                "| times | of a software adapter: they say nothing about a GPU |"
             )?;
         }
     }

@@ -1,4 +1,4 @@
-//! The few functions of Embree 3 that are needed, with safe covers.
+//! The functions of Embree 3 that the tracer needs, with safe wrappers.
 //!
 //! Declared after the headers of version 3.13 as Debian builds it (one level of instances, no minimal widths).
 
@@ -11,7 +11,7 @@ use std::marker::PhantomData;
 use std::ptr::null_mut;
 use std::sync::atomic::{AtomicIsize, Ordering};
 
-/// How a tree is built.
+/// The way to build a tree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(C)]
 pub enum Quality {
@@ -29,7 +29,7 @@ pub struct Ray1 {
     pub near: f32,
     pub direction: [f32; 3],
     pub time: f32,
-    /// After a query for any hit: below 0 where there is one.
+    /// After a query for any hit: below 0 if there is one.
     pub far: f32,
     pub mask: u32,
     pub id: u32,
@@ -77,7 +77,7 @@ pub struct RayHit16 {
 
 const _: () = assert!(size_of::<RayHit1>() == 80 && size_of::<RayHit16>() == 1280);
 
-/// Which of sixteen rays are there: -1, else 0.
+/// -1 for each of sixteen rays that is valid, else 0.
 #[repr(C, align(64))]
 pub struct Valid(pub [i32; 16]);
 
@@ -154,7 +154,7 @@ unsafe extern "C" {
 /// Embree, with threads of its own for building.
 pub struct Device {
     device: Pointer,
-    /// What it has allocated, as it tells.
+    /// Bytes that Embree has allocated, by its own count.
     bytes: Box<AtomicIsize>,
 }
 
@@ -178,7 +178,7 @@ impl Device {
         Ok(Self { device, bytes })
     }
 
-    /// What it has allocated.
+    /// Bytes that Embree has allocated.
     pub fn bytes(&self) -> usize {
         self.bytes
             .load(Ordering::Relaxed)
@@ -203,7 +203,7 @@ impl Drop for Device {
 
 // SAFETY: Embree's devices may be used from any thread.
 unsafe impl Send for Device {}
-// SAFETY: what is done through a shared reference Embree allows from many threads at once.
+// SAFETY: Embree allows all calls through a shared reference from many threads at once.
 unsafe impl Sync for Device {}
 
 /// One mesh, and a tree over it.
@@ -218,7 +218,7 @@ impl<'a> Scene<'a> {
     /// A scene without a tree. The last vertex is not used: Embree reads four numbers of each.
     ///
     /// # Errors
-    /// What Embree refuses, and triangles of vertices that are not there.
+    /// If Embree refuses the mesh, or if an index is out of range.
     pub fn new(
         device: &Device,
         quality: Quality,
@@ -266,10 +266,10 @@ impl<'a> Scene<'a> {
     /// Builds the tree, in place of the one before.
     ///
     /// # Errors
-    /// What Embree refuses.
+    /// If Embree refuses the build.
     pub fn build(&mut self, device: &Device) -> Result<()> {
-        // SAFETY: both objects live, and no one traces meanwhile, as this is borrowed for change. To say that vertices have
-        // moved makes it build again.
+        // SAFETY: both objects live, and no thread traces meanwhile, as this is borrowed mutably. Marking the vertices as
+        // changed makes Embree build again.
         unsafe {
             rtcUpdateGeometryBuffer(self.geometry, VERTEX_BUFFER, 0);
             rtcCommitGeometry(self.geometry);
@@ -327,5 +327,5 @@ impl Drop for Scene<'_> {
 
 // SAFETY: Embree's scenes may be used from any thread.
 unsafe impl Send for Scene<'_> {}
-// SAFETY: through a shared reference rays are traced only, which Embree allows from many threads at once.
+// SAFETY: a shared reference only traces rays, which Embree allows from many threads at once.
 unsafe impl Sync for Scene<'_> {}

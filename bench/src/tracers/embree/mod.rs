@@ -1,4 +1,4 @@
-//! Embree 3, robust, ray by ray or in packets of sixteen.
+//! Embree 3 in robust mode, with single rays or packets of sixteen.
 
 mod ffi;
 
@@ -13,23 +13,23 @@ use slimbvh_core::Ray;
 /// Embree's bound on the coordinates of rays (`FLT_LARGE`).
 const LARGEST: f32 = 1.844e18;
 
-/// How rays are handed over.
+/// The number of rays in a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
-    /// One a call.
+    /// One ray a call.
     Single,
-    /// Sixteen a call, said to be coherent.
+    /// Sixteen rays a call, marked as coherent.
     Packets,
 }
 
 /// Embree's tree for a mesh.
 ///
-/// A device is started with the first build, with as many threads as the pool that builds, and kept.
+/// The first build starts a device with as many threads as the pool that builds; later builds keep it.
 pub struct Embree<'a> {
     name: &'static str,
     quality: Quality,
     packing: Packing,
-    /// Before the device, which must go last.
+    /// Dropped before the device, which must be dropped last.
     scene: Option<Scene<'a>>,
     device: Option<Device>,
     vertices: &'a [[f32; 3]],
@@ -37,7 +37,7 @@ pub struct Embree<'a> {
 }
 
 impl<'a> Embree<'a> {
-    /// Nothing is built yet. `vertices` are the mesh's with one more that is not used.
+    /// A tracer without a tree yet. `vertices` are the mesh's and one more, unused.
     #[must_use]
     pub fn new(
         name: &'static str,
@@ -57,7 +57,7 @@ impl<'a> Embree<'a> {
     }
 }
 
-/// A ray, and how much is to be added to its t. Embree's rays must not reach behind their origin.
+/// A ray, and the shift to add to its t. Embree's rays must not reach behind their origin.
 fn peer_ray(ray: &Ray) -> (Ray1, f32) {
     let (ray, shift) = not_behind(ray);
     let ray = Ray1 {
@@ -101,7 +101,7 @@ fn answer(geometry: u32, primitive: u32, t: f32) -> Answer {
     }
 }
 
-/// Up to sixteen rays, which of them are there, and how much is to be added to their t.
+/// Up to sixteen rays, which of them are valid, and the shifts to add to their t.
 fn packet(rays: &[Ray]) -> (Valid, Ray16, [f32; 16]) {
     let mut valid = Valid([0; 16]);
     let mut shifts = [0.0; 16];
@@ -182,7 +182,7 @@ impl Tracer for Embree<'_> {
         self.scene = None;
     }
 
-    /// What Embree calls a valid ray, which Debian's build insists on.
+    /// Whether Embree calls this a valid ray; Debian's build requires that.
     fn takes(&self, ray: &Ray) -> bool {
         let mut numbers = ray.origin.iter().chain(&ray.direction);
         numbers.all(|x| x.abs() < LARGEST)
@@ -216,7 +216,7 @@ impl Tracer for Embree<'_> {
         }
     }
 
-    /// Triangles lie in the leaves: only both together are known.
+    /// Triangles lie in the leaves, so only the sum of both is known.
     fn bytes(&self) -> Bytes {
         Bytes {
             nodes: None,

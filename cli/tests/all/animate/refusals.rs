@@ -70,7 +70,7 @@ fn options_that_make_no_sense() {
 fn frames_without_a_place() {
     let folder = scenes();
     for (out, expected) in [
-        ("gone", "\"gone\" is neither a folder"),
+        ("gone", "\"gone\" is neither an existing folder"),
         ("wave.png", "\"wave.png\" is neither"),
         ("box.obj", "\"box.obj\" is neither"),
         (".gif", "\".gif\" is neither"),

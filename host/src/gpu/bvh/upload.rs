@@ -4,7 +4,7 @@ use super::{Built, Bvh, Coded, Coding, PLACEHOLDER_BYTES, STATE_BYTES};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
 use crate::gpu::program::counted;
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Misfit};
 use bytemuck::{bytes_of, cast_slice};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
@@ -24,10 +24,7 @@ impl Bvh {
         let coding = coding_of(bvh)?;
         let [nodes, triangles] = bvh.stored();
         if nodes.is_empty() {
-            return Err(GpuError::Unfit {
-                what: "the hierarchy",
-                fault: "is empty; build it first".into(),
-            });
+            return Err(Misfit::NotBuilt.of("the hierarchy"));
         }
         let sizes = [
             ("the nodes of the hierarchy", nodes.len() as u64),

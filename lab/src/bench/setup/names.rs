@@ -1,4 +1,4 @@
-//! How setups are called.
+//! Names of setups.
 
 use super::{Lights, Setup, Triangles, Update};
 use crate::measure::step::Step;
@@ -7,7 +7,7 @@ use slimbvh::{CodeBits, TreeKind};
 use slimbvh_cli::output::things;
 
 impl Setup {
-    /// In tables: what is not as usual.
+    /// The name in tables: the settings that differ from the usual setup.
     pub fn name(&self, usual: &Self) -> String {
         let mut parts = Vec::new();
         if self.reduce != usual.reduce && self.mesh != Triangles::Leaf10 {

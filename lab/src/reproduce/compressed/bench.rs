@@ -22,7 +22,7 @@ use slimbvh_cli::backend::Chosen;
 )]
 pub enum TimedOn {
     Cores,
-    /// A software GPU.
+    /// A software adapter.
     Software,
     Gpu,
 }

@@ -1,4 +1,4 @@
-//! Scenes in which savings matter: one model, with other cameras and lights.
+//! Scenes in which savings matter: one model with different cameras and lights.
 
 use super::Saved;
 use crate::reproduce::lights::{Rig, extent};
@@ -8,26 +8,26 @@ use glam::Vec3;
 use slimbvh::reduce::Saving;
 use slimbvh::{Light, Scene};
 
-/// A scene, and what it is in a few words.
+/// A scene with a short description.
 pub struct Stage {
     pub words: &'static str,
     pub scene: Scene,
 }
 
-/// How much nearer a close camera is than one that sees all of the model.
+/// The distance of a close camera, as a share of that of one that sees the whole model.
 const CLOSE: f32 = 0.4;
 
-/// Lights around the model.
+/// The number of lights around the model.
 const AROUND: u32 = 64;
 
-/// From the model's middle to each of these, in diagonals of its box. No part of the model is farther than half of one.
+/// Distance from the model's middle to each of these lights, in diagonals of its box. The model reaches at most half a diagonal.
 const DISTANCE: f32 = 0.75;
 
-/// The part of a circle that they take up, so that the last is not next to the first.
+/// The part of the circle with lights: the last is not next to the first.
 const ARC: f32 = 0.75;
 
 impl Stage {
-    /// Where a saving matters.
+    /// The scene in which this saving matters.
     pub fn new(saved: Saved, subject: &Subject) -> Self {
         let whole = &subject.scene;
         let with = |words: &'static str, lights: Vec<Light>| Self {

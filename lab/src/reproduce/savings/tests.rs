@@ -2,7 +2,7 @@ use super::*;
 use slimbvh::generate::{TorusKnot, torus_knot};
 use slimbvh::topology::Topology;
 
-/// A small model that throws shadows on itself.
+/// A small model that casts shadows on itself.
 fn subject() -> Subject {
     let mesh = torus_knot(&TorusKnot {
         segments: 128,
@@ -32,7 +32,7 @@ fn protocol() -> Protocol {
     }
 }
 
-/// What is saved is there without the saving, and nothing else is.
+/// Without a saving exactly the work that it saves appears.
 #[test]
 fn each_saving_saves_what_it_is_for() {
     let records = measure(&subject(), &protocol()).unwrap();
@@ -51,14 +51,14 @@ fn each_saving_saves_what_it_is_for() {
         ];
         let expected = match saved {
             Saved::Plan(Saving::Frustum) => [true, true, false],
-            // Either half may be the larger one.
+            // Either set may be the larger one.
             Saved::Plan(Saving::Away) => {
                 assert_ne!(with.triangles, without.triangles, "{context}");
                 continue;
             }
             Saved::Plan(Saving::Groups) => [true, fewer_bytes, false],
             Saved::Plan(Saving::Turns) => [false, true, false],
-            // The light that is seen has a set of its own either way, and both sets have their turn.
+            // The visible light has a set of its own either way, and both sets are deferred.
             Saved::Plan(Saving::Unseen) => [true, fewer_bytes, false],
             Saved::Plan(Saving::Alone) => [false; 3],
             Saved::DarkRays => [false, false, true],
@@ -71,7 +71,7 @@ fn each_saving_saves_what_it_is_for() {
     }
 }
 
-/// A set is sorted alone with the saving only, which nothing but time tells.
+/// A plan sorts a set alone only with the saving [`Saving::Alone`]. Apart from this field only times show it.
 #[test]
 fn the_camera_alone_has_one_set() {
     let subject = subject();

@@ -114,7 +114,7 @@ fn faults(rows: &[&Row]) -> Table {
     let is_cut_short = |row: &&Row| row.backend == "gpu" && row.family == "equal centroids";
     if rows.iter().any(is_cut_short) {
         notes.push(
-            "Mesa's llvmpipe, a software GPU, ends a thread's loops after 65,535 iterations, which are too few for so many triangles in one place."
+            "Mesa's llvmpipe, a software adapter, ends a thread's loops after 65,535 iterations, which are too few for so many triangles in one place."
                 .into(),
         );
     }

@@ -1,4 +1,4 @@
-//! Meshes in buffers of the caller.
+//! Meshes in the caller's buffers.
 
 use super::builds::same_tree;
 use super::pictures::{hall_of_mirrors, of_gpu, settings};
@@ -10,7 +10,7 @@ use slimbvh_tests::build;
 use slimbvh_tests::gpu::{contents, done, gpu, storage};
 use slimbvh_tests::parity::same_bits;
 
-/// Bytes of rubbish, then these.
+/// A buffer with garbage in front of these bytes.
 fn behind(offset: usize, bytes: &[u8]) -> Vec<u8> {
     let mut all = vec![0xa5; offset];
     all.extend(bytes);

@@ -1,4 +1,4 @@
-//! Whole builds and refits: every bit is that of the CPU's, whatever was built before.
+//! Whole builds and refits equal the CPU's to the bit, after any other build.
 
 use super::SIZES;
 use proptest::prelude::*;
@@ -10,7 +10,7 @@ use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::strategies::{any_mesh, large_mesh, mesh_of};
 use slimbvh_tests::{CODE_BITS, build, cases};
 
-/// Records builds of all meshes into one frame, waits for it, and copies the hierarchies.
+/// Records builds of all meshes into one frame, waits for it, and downloads the hierarchies.
 pub fn build_all(gpu: &gpu::Gpu, meshes: &[Mesh], code_bits: CodeBits) -> Vec<slimbvh::Bvh> {
     let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
     let mut frame = gpu.frame();
@@ -26,7 +26,7 @@ pub fn build_all(gpu: &gpu::Gpu, meshes: &[Mesh], code_bits: CodeBits) -> Vec<sl
     hierarchies.iter().map(download).collect()
 }
 
-/// Compares all that a hierarchy holds.
+/// Compares all lists of a hierarchy.
 pub fn same_tree(gpu: &slimbvh::Bvh, cpu: &slimbvh::Bvh) -> Result<(), String> {
     same_bits(gpu.nodes(), cpu.nodes())?;
     same_bits(gpu.leaf_triangles(), cpu.leaf_triangles())?;
@@ -103,7 +103,7 @@ fn generated_meshes_have_the_hierarchies_of_the_cpu() {
 #[test]
 fn a_hundred_thousand_equal_codes_are_told_apart_by_their_places() {
     let Some(gpu) = gpu() else { return };
-    // All boxes around one centre, in different sizes.
+    // Boxes of different sizes around one centre.
     let triangles: Vec<_> = (1..=100_000)
         .map(|i| i as f32 / 100_000.0)
         .map(|s| [[-s, -s, -s], [s, s, s], [0.0, s / 2.0, s / 4.0]])
@@ -134,7 +134,7 @@ fn what_was_built_before_changes_no_bit() {
         let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
         let mut bvh = gpu::Bvh::new();
         for mesh in &meshes {
-            // Each is built, built again, and refitted in one frame.
+            // One frame builds each mesh, builds it again, and refits it.
             let uploaded = done(gpu::Mesh::upload(gpu, mesh));
             let expected = build(mesh, code_bits);
             let mut frame = gpu.frame();
@@ -193,7 +193,7 @@ fn only_the_mesh_that_was_built_over_is_refitted() {
     };
     assert_eq!(refused, Err(GpuError::Refit(fault)));
 
-    // The frame goes on as if nothing had been asked.
+    // The frame continues as if the refused call had not been made.
     done(frame.submit());
     let expected = build(&mesh, CodeBits::Bits30);
     done(same_tree(&done(bvh.download(gpu)), &expected));

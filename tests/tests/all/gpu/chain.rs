@@ -1,5 +1,5 @@
-//! All that passes from stage to stage of a build, by core's functions and the plainest of loops: what each kernel should
-//! read and store.
+//! The data between the stages of a build, computed with core's functions in plain loops: the expected inputs and outputs of
+//! each kernel.
 
 use slimbvh::{CodeBits, Mesh};
 use slimbvh_core::bounds::{run_bounds, scene_exponent};
@@ -19,26 +19,26 @@ pub struct Chain {
     pub scene: [f32; 6],
     pub exponent: i32,
     pub grid: MortonGrid,
-    /// As the sort takes them, in the order of the mesh and sorted: words of a key, then the primitive.
+    /// The sort's input and output: the words of a key, then the primitive.
     pub items: Vec<u32>,
     pub sorted: Vec<u32>,
     /// Sorted keys.
     pub codes: Vec<u32>,
     pub triangles: Vec<LeafTriangle>,
-    /// A bit for each node that is kept, how many are in each word, and in all words before.
+    /// A bit for each kept node, the number of bits in each word, and in all words before.
     pub kept: Vec<u32>,
     pub counts: Vec<u32>,
     pub before: Vec<u32>,
-    /// Without boxes, and the last triangle of each one's left child.
+    /// Nodes without boxes, and the last triangle of each left child.
     pub bare_nodes: Vec<Node>,
     pub splits: Vec<u32>,
-    /// From the largest level to the root's.
+    /// Levels of the pyramid, from the largest to the root's.
     pub levels: Vec<Vec<PyramidBox>>,
     pub nodes: Vec<Node>,
 }
 
 impl Chain {
-    /// `None` for a mesh that is a single leaf.
+    /// `None` if the mesh is a single leaf.
     pub fn new(mesh: &Mesh, code_bits: CodeBits) -> Option<Self> {
         let triangles = mesh.triangles();
         let count = mesh.indices.len() as u32;
@@ -51,7 +51,7 @@ impl Chain {
         let exponent = scene_exponent(&bounds);
         let grid = MortonGrid::new(&bounds, if is_short(code_bits) { 10 } else { 21 });
 
-        // A stable sort by the key, and nothing else.
+        // A stable sort by the key alone.
         let key = |i: u32| {
             let bounds = triangles.triangle(i).bounds();
             match code_bits {
@@ -130,17 +130,17 @@ impl Chain {
             .collect();
     }
 
-    /// All levels, one after the other.
+    /// All levels in one list.
     pub fn pyramid(&self) -> Vec<PyramidBox> {
         self.levels.concat()
     }
 
-    /// Uniforms as kernels want them.
+    /// The uniforms of the kernels.
     pub fn exponent_uniform(&self) -> [u32; 4] {
         [self.exponent as u32, 0, 0, 0]
     }
 
-    /// The number of nodes, and what `scan_blocks` stores beside it.
+    /// The number of nodes with the dispatch that `scan_blocks` stores beside it.
     pub fn total_uniform(&self) -> [u32; 4] {
         let count = self.nodes.len() as u32;
         let [x, y, z] = slimbvh_core::launch::dispatch(count.div_ceil(64));
@@ -154,7 +154,7 @@ pub fn numbers(bounds: &Aabb) -> [f32; 6] {
     [a, b, c, d, e, f]
 }
 
-/// Whether keys are of one word.
+/// Whether a key has one word.
 pub fn is_short(code_bits: CodeBits) -> bool {
     code_bits == CodeBits::Bits30
 }

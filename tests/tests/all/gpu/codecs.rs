@@ -1,4 +1,4 @@
-//! Hierarchies in codecs: the same bytes as the CPU's, the same answers, the same pictures.
+//! Hierarchies in codecs: bytes, answers and pictures equal the CPU's.
 
 use super::pictures::{VIEWS, check_as, hall_of_mirrors, settings};
 use super::trace::{Answers, rays_at};
@@ -19,7 +19,7 @@ use slimbvh_tests::{CODE_BITS, build_as, cases};
 const Q10: NodeCodec = NodeCodec::Lattice(LatticeBits::Q10);
 const Q21: NodeCodec = NodeCodec::Lattice(LatticeBits::Q21);
 
-/// All that the GPU has; a lattice of this step.
+/// All codecs of the GPU, with a lattice of this step.
 pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
     let lattice = MeshCodec::Lattice { step_exponent };
     [
@@ -45,7 +45,7 @@ pub fn snapped(mesh: &Mesh, coarser: i32) -> (Mesh, i32) {
     (snapped, step_exponent)
 }
 
-/// Compares all that a hierarchy in a codec holds.
+/// Compares all lists of a hierarchy in a codec.
 pub fn same_stored(gpu: &slimbvh::Bvh, cpu: &slimbvh::Bvh) -> Result<(), String> {
     let what = |fault| format!("{:?}: {fault}", cpu.codecs());
     same_bits(gpu.root_words().as_slice(), cpu.root_words().as_slice()).map_err(what)?;
@@ -149,7 +149,7 @@ proptest! {
     }
 }
 
-/// Some large, some of nothing or next to it, one after the other in the same memory.
+/// Large, small and empty meshes, built in turn in the same memory.
 #[test]
 fn what_was_coded_before_changes_no_byte() {
     let Some(gpu) = gpu() else { return };
@@ -174,7 +174,7 @@ fn what_was_coded_before_changes_no_byte() {
     }
 }
 
-/// Compacted hierarchies take what they hold, answer as before, and can be built again.
+/// Compacted hierarchies take only the memory of their contents, answer as before, and can be built again.
 #[test]
 fn compacted_hierarchies_are_the_same_in_fewer_bytes() {
     let Some(gpu) = gpu() else { return };
@@ -197,7 +197,7 @@ fn compacted_hierarchies_are_the_same_in_fewer_bytes() {
             let compacted = done(bvh.download(gpu));
             done(same_stored(&compacted, &expected));
             let [nodes, triangles] = done(bvh.read_bytes(gpu));
-            // Less is not bound, and a few numbers are stored beside.
+            // Bindings have a least size, and a few numbers are stored beside the lists.
             assert!(bvh.bytes() <= nodes.max(64) + triangles.max(40) + 200);
             assert!(bvh.bytes() <= before);
             assert!(
@@ -221,7 +221,7 @@ fn compacted_hierarchies_are_the_same_in_fewer_bytes() {
     }
 }
 
-/// Subsets of a mesh, whose sizes only the GPU knows.
+/// Subsets of a mesh with sizes that only the GPU knows.
 #[test]
 fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
@@ -250,7 +250,7 @@ fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
                 done(builder.build_sorted(&mut frame, &uploaded, subset, &mut bvh));
                 sets.push(bvh);
             }
-            // The whole tree again, after its parts.
+            // After its parts, the whole tree again.
             let mut whole = gpu::Bvh::new();
             done(builder.build_sorted(&mut frame, &uploaded, Subset::All, &mut whole));
             done(frame.submit());
@@ -316,7 +316,7 @@ fn pictures_through_coded_hierarchies_are_those_of_the_cpu() {
     }
 }
 
-/// The control: one bit of a node's planes, or of a triangle, in a hierarchy over another mesh.
+/// The negative control: one flipped bit of a node's planes or of a triangle, in a hierarchy over another mesh.
 #[test]
 fn one_moved_step_of_a_vertex_is_found() {
     let Some(gpu) = gpu() else { return };
@@ -328,13 +328,13 @@ fn one_moved_step_of_a_vertex_is_found() {
     for config in configs(CodeBits::Bits30, step_exponent) {
         let built = done(build_on(gpu, &moved, config).download(gpu));
         done(same_stored(&built, &build_as(&moved, config)));
-        // By boxes of 10 bits and less a step may go unseen; by triangles in full and on the lattice it does not.
+        // Boxes of 10 bits or less may hide a step; triangles in full precision and on the lattice do not.
         let is_seen = same_stored(&built, &build_as(&sound, config)).is_err();
         assert!(is_seen || config.mesh == MeshCodec::Leaf10, "{config:?}");
     }
 }
 
-/// One flipped bit of what is stored is seen by the comparison, wherever it is.
+/// The comparison notices one flipped bit in each of the lists.
 #[test]
 fn one_flipped_bit_of_a_node_is_found() {
     let mesh = soup(60, 5);
@@ -401,7 +401,7 @@ fn codecs_that_only_the_cpu_has_are_refused() {
     }
 }
 
-/// What was plain of a hierarchy is the builder's, until it builds another.
+/// The builder keeps the plain tree of a coded hierarchy until it builds another one.
 #[test]
 fn only_the_coded_hierarchy_that_was_built_last_is_refitted() {
     let Some(gpu) = gpu() else { return };
@@ -417,7 +417,7 @@ fn only_the_coded_hierarchy_that_was_built_last_is_refitted() {
     assert!(is_refused(builder.refit(&mut frame, &uploaded, &mut first)));
     assert!(is_refused(other.refit(&mut frame, &uploaded, &mut second)));
     done(builder.refit(&mut frame, &uploaded, &mut second));
-    // Built by another in between: what the first one has is of an older tree.
+    // After a build by another builder, the first builder's plain tree is out of date.
     done(other.build(&mut frame, &uploaded, &mut second));
     assert!(is_refused(builder.refit(
         &mut frame,

@@ -1,4 +1,4 @@
-//! The compiled modules are what the host binds and dispatches, on any device, and are made from the code as it is.
+//! The compiled modules match the host's bindings and dispatches, are valid on any device, and are up to date with the code.
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, back, front};
@@ -8,11 +8,11 @@ use slimbvh_core::launch::LANES;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// The builder's own; it is not a library.
+/// The builder's source file, included here as the builder is not a library.
 #[path = "../../../../gpu-shaders/builder/src/source_hash.rs"]
 mod source_hash;
 
-/// Kernels that find one thing for all.
+/// Kernels with one result for all items.
 const SINGLE_THREADS: [Kernel; 2] = [Kernel::view_depth_range, Kernel::view_heat_range];
 
 /// The workspace.
@@ -29,7 +29,7 @@ fn manifest() -> Value {
     }
 }
 
-/// What a module tells of itself: its entry points with their workgroups' sizes, and its bindings in order.
+/// The interface of a module: entry points with workgroup sizes, and bindings in order.
 #[derive(Debug, PartialEq)]
 struct Interface {
     entry_points: Vec<(String, [u32; 3])>,
@@ -95,7 +95,7 @@ fn wgsl(kernel: Kernel) -> String {
     }
 }
 
-/// What the manifest says.
+/// The manifest's content.
 fn of_manifest(module: &Value) -> Interface {
     let number = |value: &Value| value.as_u64().unwrap_or(u64::MAX) as u32;
     let kinds = ["uniform", "read", "read_write"];
@@ -136,7 +136,7 @@ fn every_module_is_one_kernel_as_the_manifest_describes_it() {
         for (binding, place) in found.bindings.iter().zip(0..) {
             assert_eq!((binding.0, binding.1), (0, place), "{name} leaves a gap");
         }
-        // Uniforms first, what is written last.
+        // Uniforms come first, written buffers last.
         let order = |kind: &str| {
             ["uniform", "read", "read_write"]
                 .iter()
@@ -175,7 +175,7 @@ fn translations_have_the_interface_of_the_module() {
             Ok(module) => interface(name, &module),
             Err(error) => panic!("{name}: {}", error.emit_to_string(&text)),
         };
-        // naga ends names that end in a digit by an underscore.
+        // naga appends an underscore to names that end in a digit.
         for (name, _) in &mut translated.entry_points {
             if let Some(short) = name.strip_suffix('_') {
                 assert!(short.ends_with(|last: char| last.is_ascii_digit()));
@@ -186,10 +186,10 @@ fn translations_have_the_interface_of_the_module() {
     }
 }
 
-/// Instructions that hold a text of the compiler's.
+/// Opcodes of instructions with a text from the compiler.
 const TEXT_INSTRUCTIONS: [u32; 8] = [2, 3, 4, 5, 6, 7, 8, 330];
 
-/// The text instructions of a module that tell where it was made.
+/// The text instructions of a module that name paths of the build machine.
 fn paths_in(spirv: &[u8]) -> Vec<String> {
     let words: Vec<u32> = bytemuck::pod_collect_to_vec(spirv);
     let mut paths = Vec::new();
@@ -241,7 +241,7 @@ fn modules_are_made_from_the_code_as_it_is() {
             "{package}"
         );
     }
-    // The hash is that of these crates, in this order.
+    // The hash covers these crates in this order.
     let others = source_hash::source_hash(root(), &crates[..1]);
     assert!(others.is_ok_and(|hash| manifest["source_hash"] != *hash));
 }

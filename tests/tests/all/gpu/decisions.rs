@@ -1,5 +1,5 @@
-//! What the GPU decides is what the CPU decides by the same kernels, in the frame in which the vertices move; and pictures by
-//! its sides are those of the rule.
+//! The GPU's decisions equal the CPU's, in the frame in which the vertices move; pictures with the GPU's sides equal those of
+//! the rule.
 
 use crate::decisions::{check_sides, counted, dome, known, mixed, surveyed, targets, unwelded};
 use crate::reduced_scenes::scenes::{SUN, ball, scenes};
@@ -31,7 +31,7 @@ const SETTINGS: RenderSettings = RenderSettings {
     dark_rays: false,
 };
 
-/// Decides all targets in one frame, the first being the eye of the others, which take the smaller sets.
+/// Decides all targets in one frame. The first target is the eye; the others take the smaller sets.
 fn decide(
     gpu: &Gpu,
     topology: &Topology,
@@ -74,7 +74,7 @@ fn decide(
     (done(measures.read(gpu)), decided)
 }
 
-/// Compares all that is decided for a mesh with the CPU.
+/// Compares all decisions for a mesh with the CPU's.
 fn check(gpu: &Gpu, topology: &Topology, mesh: &Mesh, targets: &[Target]) -> Result<(), String> {
     let mut decisions = Decisions::new(topology);
     decisions.measure(mesh);
@@ -142,7 +142,7 @@ fn scenes_are_decided_as_by_the_cpu_and_no_more_than_the_host_knows() {
 fn generated_meshes_are_decided_as_by_the_cpu() {
     let Some(gpu) = gpu() else { return };
     let mut meshes = crate::meshes::generated();
-    // Several spans with links, and many components.
+    // A mesh with several spans with links, and with many components.
     meshes.push(("apart", unwelded(&ball([1.0, 2.0, 3.0], 2.0))));
     meshes.push(("mixed", mixed()));
     for (name, mesh) in meshes {
@@ -160,7 +160,7 @@ fn nothing_is_decided_of_nothing() {
     let (measured, decided) = decide(gpu, &topology, &Mesh::default(), &[place, place]);
     assert!(measured.is_empty() && decided.iter().all(|decided| decided.sides == [0]));
 
-    // Not before it is measured, and not another mesh.
+    // Deciding fails before the measurement, and for another mesh.
     let mesh = ball([0.0; 3], 1.0);
     let topology = Topology::new(&mesh);
     let mut decisions = done(gpu::Decisions::new(gpu, &topology));
@@ -183,7 +183,7 @@ fn nothing_is_decided_of_nothing() {
     assert!(wrong.is_err_and(|error| error.to_string().contains("triangles")));
     done(builder.sort(&mut frame, &uploaded));
     done(decisions.measure(&mut frame, &builder, &uploaded));
-    // An eye of other components.
+    // An eye that was decided for other components is an error.
     let mut eye = TargetSides::new();
     done(eye.set(&mut frame, &place, &Frustum::EVERYWHERE, &[1, 1, 1, 0]));
     let answer = Answer::Smaller { eye: &eye };
@@ -196,7 +196,7 @@ fn nothing_is_decided_of_nothing() {
     assert!(wrong.is_err_and(|error| error.to_string().contains("components")));
 }
 
-/// Copies other positions into a mesh's buffer, as a kernel that moves them would.
+/// Copies other positions into a mesh's buffer, as a kernel that moves vertices would.
 fn move_to(gpu: &Gpu, frame: &mut Frame, mesh: &gpu::Mesh, vertices: &[[f32; 3]]) {
     let from = storage(gpu, vertices);
     let encoder = frame.encoder();
@@ -221,7 +221,7 @@ fn what_moves_in_a_frame_is_decided_in_it() {
     let mut builder = Builder::new(BuildConfig::default());
     let mut decisions = done(gpu::Decisions::new(gpu, &topology));
     let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
-    // The same target in the same buffers, pose after pose, in one frame.
+    // One frame decides the same target in the same buffers, pose after pose.
     let mut facing = TargetSides::new();
     let mut frame = gpu.frame();
     let downloads = poses.map(|vertices| {
@@ -255,7 +255,7 @@ fn what_moves_in_a_frame_is_decided_in_it() {
         decisions.measure(&moved);
         done(check_sides(&topology, &decisions, &eye, found));
     }
-    // The control: the sides of one pose are wrong for the next.
+    // The negative control: the sides of one pose are wrong for the next.
     let mut decisions = Decisions::new(&topology);
     decisions.measure(&mesh);
     assert!(check_sides(&topology, &decisions, &eye, &found[1]).is_err());
@@ -271,7 +271,7 @@ fn plan<'a>(scene: &Scene, topology: &'a Topology, reduce: Reduce) -> Plan<'a> {
                 cull: Some(Cull::On),
                 reduce,
                 seams: Seams::Find,
-                // Which half counts is the GPU's to say.
+                // The GPU chooses the set.
                 savings: Savings::ALL.without(Saving::Away).without(Saving::Turns),
             },
             frame_count: 1,
@@ -279,14 +279,14 @@ fn plan<'a>(scene: &Scene, topology: &'a Topology, reduce: Reduce) -> Plan<'a> {
     ))
 }
 
-/// A picture by a plan's trees, with the sides that the GPU decides, and these.
+/// A picture with a plan's trees and the sides that the GPU decides; returns both.
 fn deciding(
     gpu: &Gpu,
     scene: &Scene,
     plan: &Plan,
     lights: LightSets,
 ) -> (Picture, DecisionsReport) {
-    // Only the GPU knows where the vertices are.
+    // Only the GPU knows the vertices.
     let mut plan = plan.clone();
     plan.may_turn_away = lights == LightSets::Smaller;
     let (picture, decisions) = frame(gpu, scene, &plan, Change::Vertices);
@@ -314,7 +314,7 @@ fn frame(
     (picture, report.decisions)
 }
 
-/// What is beyond the picture is left out of the camera's set where the GPU decides sides, too, and of no other.
+/// Also with sides from the GPU the camera's set leaves out what is outside of the picture, and no other set does.
 #[test]
 fn the_frustum_bounds_sets_whose_sides_the_gpu_decides() {
     let Some(gpu) = gpu() else { return };
@@ -341,7 +341,7 @@ fn the_frustum_bounds_sets_whose_sides_the_gpu_decides() {
     assert!(2 * bounded < *whole, "{bounded} {whole}");
 }
 
-/// How many triangles are in the camera's set, with the sides that the GPU decides.
+/// The number of triangles in the camera's set, with the sides that the GPU decides.
 fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usize {
     let mut decisions = done(gpu::Decisions::new(gpu, topology));
     let uploaded = done(gpu::Mesh::upload(gpu, &scene.mesh));
@@ -367,12 +367,12 @@ fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usiz
     done(bvh.download(gpu)).triangle_count()
 }
 
-/// A picture with the host's sides.
+/// A picture with the sides that the host decides.
 fn planned(gpu: &Gpu, scene: &Scene, plan: &Plan) -> Picture {
     frame(gpu, scene, plan, Change::Scene).0
 }
 
-/// Scenes of the plans, and one where the smaller set is that of what faces away.
+/// The scenes of the plans, and one in which the smaller set is L−.
 fn all_scenes() -> Vec<(&'static str, Scene)> {
     let mut all = scenes();
     let mut mesh = dome(40);
@@ -419,7 +419,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
             pictures.push((picture, report));
         }
 
-        // Where the host decides the same, it gets the same.
+        // With equal decisions of the host the pictures are equal.
         let used = reduced
             .targets
             .iter()
@@ -436,7 +436,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
             assert!(pictures[0].0 == by_host, "{name}");
         }
 
-        // L− is another set, but gives the same shadows, but for rays within rounding of a silhouette.
+        // L− gives the same shadows, except for rays within rounding of a silhouette.
         let (smaller, report) = &pictures[1];
         let counts = report
             .targets
@@ -457,7 +457,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
     );
 }
 
-/// The control: L− of an eye that is not outside would be seen.
+/// The negative control: with an eye that is not outside, L− changes the picture.
 #[test]
 fn sides_that_are_wrong_give_another_picture() {
     let Some(gpu) = gpu() else { return };
@@ -465,13 +465,13 @@ fn sides_that_are_wrong_give_another_picture() {
     let topology = surveyed(&scene.mesh);
     let reduced = plan(&scene, &topology, Reduce::On);
     let (expected, _) = deciding(gpu, &scene, &reduced, LightSets::Facing);
-    // A plan of the host's with the camera's sides turned round.
+    // A plan of the host with the camera's sides negated.
     let mut wrong = reduced.clone();
     for side in &mut wrong.targets[0].sides {
         *side = -*side;
     }
     assert!(planned(gpu, &scene, &wrong) != expected);
-    // Those of a plan do not matter where the GPU decides.
+    // If the GPU decides, a plan's sides do not matter.
     let (picture, _) = deciding(gpu, &scene, &wrong, LightSets::Facing);
     assert!(picture == expected);
 }

@@ -1,5 +1,5 @@
-//! Whatever the scene, both backends see the same: camera, trace, shade, view and resolve over generated meshes, thousands of
-//! samples a dispatch. And whatever the words, both sort, sum and compact the same.
+//! Both backends give the same pictures of generated meshes (camera, trace, shade, view and resolve, with thousands of samples a
+//! dispatch), and sort, sum and compact random words to the same results.
 
 use super::pictures::{VIEWS, of_cpu, of_gpu};
 use proptest::prelude::*;
@@ -10,7 +10,7 @@ use slimbvh_tests::gpu::{done, gpu};
 use slimbvh_tests::parity::{alike, same_bits};
 use slimbvh_tests::strategies::any_mesh;
 
-/// One sample in a hundred may graze an edge that the other backend's last bits miss.
+/// One sample in a hundred may graze an edge that the other backend misses by its last bits.
 const SHARE: f64 = 1e-2;
 
 proptest! {
@@ -35,7 +35,7 @@ proptest! {
     #[test]
     fn any_words_are_sorted_summed_and_compacted_as_by_the_cpu(words in proptest::collection::vec(prop_oneof![any::<u32>(), 0u32..3], 1..6000)) {
         let Some(gpu) = gpu() else { return Ok(()) };
-        // Numbered, so that a sort that is not stable shows.
+        // Numbered, so that an unstable sort is noticed.
         let items: Vec<[u32; 2]> = words.iter().copied().zip(0..).map(|(key, i)| [key, i]).collect();
         let mut sorted = items.clone();
         sorted.sort_by_key(|item| item[0]);
@@ -60,14 +60,14 @@ proptest! {
         prop_assert_eq!(total[0], sum);
         prop_assert_eq!(count[0] as usize, set.len());
         prop_assert_eq!(same_bits(&indices[..set.len()], &set), Ok(()));
-        // The control: one bit elsewhere is found.
+        // The negative control: one flipped bit is found.
         let mut other = sums.clone();
         other[0] ^= 1;
         prop_assert!(same_bits(&values, &other).is_err());
     }
 }
 
-/// A buffer with this in it.
+/// A buffer with this content.
 fn filled(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
     let buffer = gpu.device().create_buffer(&wgpu::BufferDescriptor {
         label: Some("words"),

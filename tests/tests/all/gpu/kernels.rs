@@ -1,4 +1,4 @@
-//! Kernels of the build from `topology` on, each alone: what it stores is what core's function returns, to the bit.
+//! Kernels of the build from `topology` on, each alone: its outputs equal the results of core's function, to the bit.
 
 use super::chain::{Chain, is_short};
 use bytemuck::{Zeroable, bytes_of, cast_slice};
@@ -14,7 +14,7 @@ use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::strategies::large_mesh;
 use slimbvh_tests::{CODE_BITS, cases};
 
-/// The workgroups that give each item a thread.
+/// The workgroups for a thread for each item.
 pub fn groups(count: usize) -> u32 {
     count.div_ceil(64) as u32
 }
@@ -39,7 +39,7 @@ fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), S
     same_bits(&answers::<u32>(&stored[0]), &chain.kept)?;
     same_bits(&answers::<u32>(&stored[1]), &chain.counts)?;
 
-    // What lies beyond the last node stays as it was.
+    // The buffer beyond the last node is unchanged.
     let count = chain.triangles.len();
     let mut expected = vec![
         Node {
@@ -146,7 +146,7 @@ fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
     }
     let mut spoilt = chain(CodeBits::Bits30);
     done(check_pyramid(gpu, &spoilt));
-    // The highest bit of an exponent, so that it is beyond all others of its group.
+    // Set the highest bit of an exponent: this box then exceeds all others of its group.
     let x = &mut spoilt.triangles[77].vertices[0];
     *x = f32::from_bits(x.to_bits() ^ 1 << 30);
     assert!(check_pyramid(gpu, &spoilt).is_err());
@@ -156,7 +156,7 @@ fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
     assert!(check_refit(gpu, &spoilt).is_err());
 }
 
-/// So few triangles that they are a leaf, and none: a root all the same.
+/// A mesh of one leaf and an empty mesh have a root, too.
 #[test]
 fn single_nodes_are_those_of_core() {
     let Some(gpu) = gpu() else { return };

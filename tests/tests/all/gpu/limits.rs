@@ -1,4 +1,4 @@
-//! What is larger than a device takes is refused before anything is allocated, and what fits still works.
+//! Sizes beyond a device's limits are errors before anything is allocated, and later calls that fit still work.
 
 use super::builds::same_tree;
 use super::trace::{Answers, rays_at};
@@ -11,12 +11,12 @@ use slimbvh_tests::{CODE_BITS, build};
 
 const MIB: u64 = 1 << 20;
 
-/// A device whose kernels see no more than a mebibyte of a buffer.
+/// A device that binds at most a mebibyte of a buffer.
 pub fn short_sighted() -> Option<Gpu> {
     gpu_with_limits(|limits| limits.max_storage_buffer_binding_size = MIB)
 }
 
-/// What is too large, its size, and the limit by name.
+/// The fields of an error: the object, its size, and the limit by name.
 fn too_large<T>(result: Result<T, GpuError>) -> (&'static str, u64, &'static str, u64) {
     match result {
         Err(GpuError::TooLarge {
@@ -38,7 +38,7 @@ fn meshes_too_large_for_the_device_are_refused_and_smaller_ones_are_built() {
     let Some(gpu) = short_sighted() else { return };
     let refused = too_large(gpu::Mesh::upload(&gpu, &soup(30_000, 1)));
     assert_eq!(refused, ("the vertices", 30_000 * 36, BINDING, MIB));
-    // As many nodes as there could be: one for each triangle beyond a leaf's.
+    // The largest possible number of nodes: one for each triangle beyond a leaf's.
     let most_nodes = (MIB / 64) as u32;
     let most_triangles = most_nodes + LEAF_SIZE;
     for code_bits in CODE_BITS {
@@ -50,7 +50,7 @@ fn meshes_too_large_for_the_device_are_refused_and_smaller_ones_are_built() {
         assert_eq!(refused, ("the nodes", MIB + 64, BINDING, MIB));
         assert_eq!((builder.scratch_bytes(), bvh.bytes()), (0, 0));
 
-        // The largest that fits.
+        // The largest mesh that fits.
         let small = soup(most_triangles, 1);
         let uploaded = done(gpu::Mesh::upload(&gpu, &small));
         done(builder.build(&mut frame, &uploaded, &mut bvh));
@@ -180,7 +180,7 @@ fn an_adapter_that_is_not_there_is_answered_with_those_that_are() {
     }
 }
 
-/// Bits that a `u32` cannot number, frames whose reads cannot be, and what comes after: everything works again.
+/// Reads that cannot be made are errors, and the frame works on.
 #[test]
 fn reads_that_cannot_be_are_refused_before_the_frame_is_spoilt() {
     let Some(gpu) = gpu() else { return };
@@ -209,11 +209,11 @@ fn reads_that_cannot_be_are_refused_before_the_frame_is_spoilt() {
     assert_eq!(done(read.read::<u32>(gpu)), [0; 16]);
 }
 
-/// A kernel's error, and an error of the caller's own, spoil nothing of ours for good.
+/// An error of the caller's own is reported by the next call, once; later calls work.
 #[test]
 fn an_error_of_the_caller_is_told_once_and_is_no_loss() {
     let Some(gpu) = own_gpu() else { return };
-    // Not within our calls: a shader that does not compile.
+    // An error outside of the library's calls: a shader that does not compile.
     let _ = gpu
         .device()
         .create_shader_module(wgpu::ShaderModuleDescriptor {

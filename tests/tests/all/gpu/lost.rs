@@ -1,4 +1,4 @@
-//! A device that is gone is an error: no panic, no wait without end.
+//! A lost device is an error: no panic, and no endless wait.
 
 use slimbvh::generate::{default_scene, soup};
 use slimbvh::gpu::{self, Gpu, GpuError, Query};
@@ -8,7 +8,7 @@ use slimbvh_tests::gpu::{done, gpu_with_limits, own_gpu, storage, whole_tree};
 use std::sync::mpsc;
 use std::time::Duration;
 
-/// Runs something that might never end.
+/// Runs an operation with a time limit.
 fn in_time<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
     let (sender, result) = mpsc::channel();
     std::thread::spawn(move || sender.send(work()));
@@ -18,7 +18,7 @@ fn in_time<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
     }
 }
 
-/// What each operation says after the device was destroyed between frames.
+/// The result of each operation after the device was destroyed between frames.
 fn errors_after_destruction(gpu: &Gpu) -> Vec<(&'static str, Result<(), GpuError>)> {
     let scene = slimbvh::Scene {
         mesh: soup(100, 1),
@@ -43,7 +43,7 @@ fn errors_after_destruction(gpu: &Gpu) -> Vec<(&'static str, Result<(), GpuError
     done(whole(&mut frame));
     done(done(frame.submit()).wait());
 
-    // One frame is recorded before, the other after.
+    // One frame is recorded before the loss, the other after it.
     let mut frame = gpu.frame();
     done(whole(&mut frame));
     gpu.device().destroy();
@@ -92,7 +92,7 @@ fn a_picture_cut_short_by_the_loss_of_the_device_is_an_error() {
         };
         let mut picture = slimbvh::Picture::default();
         let mut frames = whole_tree(&gpu, BuildConfig::default());
-        // Several waves; the first one's end destroys the device.
+        // Several waves; the device is destroyed at the end of the first.
         let settings = RenderSettings {
             size: [64, 64],
             sample_count: 512,

@@ -1,4 +1,4 @@
-//! Kernels from `bounds` to `snap`, each alone: what it stores is what core's function returns, to the bit.
+//! Kernels from `bounds` to `snap`, each alone: its outputs equal the results of core's function, to the bit.
 
 use super::chain::{Chain, is_short};
 use super::kernels::groups;
@@ -70,7 +70,7 @@ fn check_codes(gpu: &Gpu, mesh: &Mesh, chain: &Chain, code_bits: CodeBits) -> Re
     same_bits(&answers::<u32>(&stored[1]), &chain.codes)
 }
 
-/// Snaps triangles that are in some order already, and have other corners.
+/// Snaps triangles that are already in leaf order and have new corners.
 fn check_again(gpu: &Gpu, mesh: &Mesh, chain: &Chain, seed: u64) -> Result<(), String> {
     let mut expected = chain.triangles.clone();
     Random::new(seed).shuffle(&mut expected);
@@ -117,7 +117,7 @@ fn one_moved_corner_is_found() {
         done(check_codes(gpu, &sound, &chain, code_bits));
         done(check_again(gpu, &sound, &chain, 1));
 
-        // A box grows, a triangle changes by one bit.
+        // The negative control: a box grows, a triangle changes by one bit.
         let mut moved = sound.clone();
         moved.vertices[500][1] += 10.0;
         assert!(check_bounds(gpu, &moved, &chain, code_bits).is_err());

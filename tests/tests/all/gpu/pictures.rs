@@ -1,4 +1,4 @@
-//! Pictures of the GPU are those of the CPU.
+//! The GPU's pictures equal the CPU's.
 
 use glam::Vec3;
 use slimbvh::generate::{append, cuboid, default_scene, icosphere, soup, terrain};
@@ -12,7 +12,7 @@ use slimbvh_tests::gpu::{done, gpu, whole_tree};
 use slimbvh_tests::parity::alike;
 use slimbvh_tests::scenes::real_meshes;
 
-/// This share of the bytes may differ, by no more than [`MOST`]: some come to lie between two bytes.
+/// This share of the bytes may differ, by at most [`MOST`], as some values lie at the border between two bytes.
 pub const SHARE: f64 = 1e-3;
 pub const MOST: u8 = 1;
 
@@ -24,7 +24,7 @@ pub const VIEWS: [View; 5] = [
     View::Heatmap,
 ];
 
-/// A small one.
+/// Settings of a small picture.
 pub fn settings(view: View) -> RenderSettings {
     RenderSettings {
         size: [160, 90],
@@ -33,7 +33,7 @@ pub fn settings(view: View) -> RenderSettings {
     }
 }
 
-/// By the GPU, with what it counted.
+/// Renders on the GPU. Returns the picture and its counts.
 pub fn of_gpu(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
     of_gpu_as(gpu, scene, settings, BuildConfig::default())
 }
@@ -54,7 +54,7 @@ pub fn of_gpu_as(
     (picture, done(rendered).render)
 }
 
-/// By the CPU.
+/// Renders on the CPU.
 pub fn of_cpu(scene: &Scene, settings: &RenderSettings) -> (Picture, RenderReport) {
     of_cpu_as(scene, settings, BuildConfig::default())
 }
@@ -95,7 +95,7 @@ pub fn check_as(
 ) {
     let (a, a_report) = of_gpu_as(gpu, scene, settings, config);
     let (b, b_report) = of_cpu_as(scene, settings, config);
-    // On a real GPU a last bit decides about some rays: which of two triangles at one t comes first, or whether a node is opened.
+    // On a hardware GPU last bits decide some rays: which of two triangles at one t is hit, or whether a node is opened.
     let most = if slimbvh_tests::gpu::is_software(gpu) {
         MOST
     } else {
@@ -107,14 +107,15 @@ pub fn check_as(
     if slimbvh_tests::gpu::is_software(gpu) {
         assert_eq!(a, b, "{what}, {:?}", settings.view);
     } else {
-        // A last bit decides about some rays.
+        // Last bits decide some rays.
         let near = |a: u64, b: u64| a.abs_diff(b) <= 2 + a / 1000;
         let all = a.iter().zip(&b).all(|(&a, &b)| near(a, b));
         assert!(all, "{what}, {:?}: {a:?} instead of {b:?}", settings.view);
     }
 }
 
-/// Without them there are fewer, and none to a black light or one that reaches nothing; the picture is the same.
+/// Without dark rays fewer shadow rays are traced, and none to a black light or to one that reaches nothing; the picture is
+/// the same.
 #[test]
 fn rays_to_where_no_light_comes_from_change_nothing() {
     let mut scene = hall_of_mirrors();
@@ -152,7 +153,7 @@ fn look_at(eye: [f32; 3], target: [f32; 3], projection: Projection) -> Camera {
     }
 }
 
-/// Mirrors that see each other, three lights of both kinds, one of them near, smooth and flat parts.
+/// Mirrors that reflect each other, three lights of both kinds, one of them near, and smooth and flat parts.
 pub fn hall_of_mirrors() -> Scene {
     let material = |base_color, mirror| Material {
         base_color,
@@ -239,7 +240,7 @@ pub fn soft_hall() -> Scene {
     scene
 }
 
-/// Glass of three indices, in front of each other and of a mirror, smooth and flat, one with a share that is not clear.
+/// Glass with three indices of refraction, before each other and before a mirror, smooth and flat, one of it partly opaque.
 pub fn glasses() -> Scene {
     let glass = |base_color, transmission, ior| Material {
         base_color,
@@ -256,7 +257,7 @@ pub fn glasses() -> Scene {
     scene
 }
 
-/// An open surface without normals, seen by parallel rays, with indices of materials that are not all there.
+/// An open surface without normals, seen by parallel rays, with some indices of missing materials.
 pub fn open_and_flat() -> Scene {
     let mut mesh = terrain(4.0, 40, 3);
     mesh.normals.clear();
@@ -283,7 +284,7 @@ pub fn open_and_flat() -> Scene {
     }
 }
 
-/// A mesh as it comes: no materials, camera and light as they are chosen for it.
+/// A bare mesh: no materials, with the default camera and light.
 fn completed(mesh: slimbvh::Mesh) -> Scene {
     let mut scene = Scene {
         mesh,
@@ -318,7 +319,7 @@ fn mirrors_lights_and_parallel_views_are_those_of_the_cpu() {
     }
 }
 
-/// Where a ray is as likely to pass as to be mirrored, a last bit decides: of such rays there are few.
+/// On few rays a last bit decides whether glass refracts or reflects.
 #[test]
 fn glass_is_that_of_the_cpu() {
     let Some(gpu) = gpu() else { return };

@@ -7,13 +7,13 @@ use slimbvh_tests::gpu::{contents, done, gpu, storage};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
 
-/// All bits of random words, so that sums wrap.
+/// Random words of 32 bits, so that sums wrap.
 fn words(count: u32, seed: u64) -> Vec<u32> {
     let mut random = Random::new(seed);
     (0..count).map(|_| random.bits() as u32).collect()
 }
 
-/// The sum, and the dispatch of so many threads.
+/// The sum, and the dispatch of this number of threads.
 fn total(sum: u32) -> [u32; 4] {
     let [x, y, z] = dispatch(sum.div_ceil(LANES as u32));
     [sum, x, y, z]
@@ -38,7 +38,7 @@ fn check_compact(gpu: &Gpu, compact: &mut Compact, bits: &[u32]) -> Result<(), S
     let set: Vec<u32> = (0..32 * bits.len() as u32)
         .filter(|i| bits[*i as usize / 32] >> (i % 32) & 1 == 1)
         .collect();
-    // One place more than needed stays as it was.
+    // The place after the last result is unchanged.
     let room = vec![7u32; set.len() + 1];
     let (bits, indices) = (storage(gpu, bits), storage(gpu, &room));
     let sum = storage(gpu, &[0u32; 4]);
@@ -85,12 +85,12 @@ fn compactions_of_any_size_list_the_set_bits() {
 #[test]
 fn dispatches_of_several_rows_reach_every_item() {
     let Some(gpu) = gpu() else { return };
-    // More items than a row of workgroups has threads, for the kernels of one thread an item.
+    // More items than threads in a row of workgroups, for kernels with one thread an item.
     let row = GROUPS_PER_ROW * LANES as u32;
     let bits = words(row / 32 + 70, 4);
     assert_eq!(check_compact(gpu, &mut Compact::new(), &bits), Ok(()));
 
-    // More blocks than a row has workgroups: as much as a binding holds, if that is enough.
+    // More blocks than workgroups in a row, if a binding is large enough for that.
     let count = GROUPS_PER_ROW * BLOCK + 5 * BLOCK + 3;
     if 4 * u64::from(count) <= gpu.limits().max_storage_buffer_binding_size {
         let result = check_scan(gpu, &mut Scan::new(), &words(count, 6));

@@ -1,5 +1,5 @@
-//! Kernels of light, each alone, on what the CPU's stages before it made: its numbers are those of core's function within
-//! a millionth.
+//! Kernels of shading, each alone, on inputs from the CPU's earlier stages: its numbers equal those of core's function within a
+//! millionth.
 
 use super::kernels::groups;
 use super::pictures::{hall_of_mirrors, open_and_flat, settings, soft_hall};
@@ -21,10 +21,10 @@ use slimbvh_tests::build;
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
 use slimbvh_tests::parity::{close, same_bits};
 
-/// Of a number, or of 1 where that is larger: the scene's magnitude.
+/// The tolerance, relative to a number, or to 1 (the scene's magnitude) if that is larger.
 pub const SHARE: f32 = 1e-6;
 
-/// A scene with its first rays and hits.
+/// A scene with its primary rays and their hits.
 pub struct Lit {
     pub scene: Scene,
     pub bvh: Bvh,
@@ -71,7 +71,7 @@ impl Lit {
         [self.bvh.scene_exponent() as u32, 0, 0, 0]
     }
 
-    /// The mesh's buffers, in the order of kernels; none may be empty.
+    /// The mesh's buffers, in the order of the kernels' bindings; none may be empty.
     pub fn mesh(&self) -> [&[u8]; 3] {
         let mesh = &self.scene.mesh;
         let normals: &[u8] = cast_slice(&mesh.normals);
@@ -87,7 +87,7 @@ impl Lit {
         ]
     }
 
-    /// Where a path hit, and what is there.
+    /// The surface and the material at a path's hit.
     pub fn surface(&self, path: &Path, hit: &Hit) -> (Surface, Material) {
         let mesh = &self.scene.mesh;
         let scale = PowerOfTwo::new(self.bvh.scene_exponent());
@@ -105,7 +105,7 @@ impl Lit {
         (Surface::new(triangle, hit, direction, normals), *material)
     }
 
-    /// What each hit may get from a light, after so many mirrors.
+    /// The shadow ray of each hit to a light, after this number of mirrors.
     fn shadows(&self, light: &Light, bounce: u32) -> Vec<Shadow> {
         let light = light.scaled(&PowerOfTwo::new(self.bvh.scene_exponent()));
         let shadow = |(path, hit): (&Path, &Hit)| {
@@ -124,7 +124,7 @@ impl Lit {
     }
 }
 
-/// Compares structures of numbers; the words among them come out equal or not.
+/// Compares structures of numbers; whole numbers among them must be equal.
 pub fn close_words<T: bytemuck::NoUninit>(gpu: &[u8], cpu: &[T]) -> Result<(), String> {
     let (gpu, cpu) = (answers::<f32>(gpu), answers::<f32>(cast_slice(cpu)));
     close(&gpu, &cpu, SHARE, 1.0)
@@ -191,12 +191,12 @@ fn light_on_hits_is_that_of_core() {
             );
             let stored = shade_light(gpu, &lit, light, 0);
             done(close_words(&stored, &expected));
-            // After a mirror, other points of a light with an extent are seen.
+            // After a mirror other points of an area light are sampled.
             let mirrored = shade_light(gpu, &lit, light, 1);
             done(close_words(&mirrored, &lit.shadows(light, 1)));
             assert_eq!(mirrored == stored, light.shape == NO_EXTENT);
 
-            // A light a little stronger.
+            // The negative control: a slightly stronger light.
             let mut stronger = *light;
             stronger.color = light.color.map(|x| x * 1.001);
             assert!(close_words(&stored, &lit.shadows(&stronger, 0)).is_err());

@@ -1,4 +1,4 @@
-//! The sort, of any size and by keys of both lengths.
+//! The sort, for any size and keys of both lengths.
 
 use super::SIZES;
 use slimbvh::gpu::{Gpu, Keys, Sort};
@@ -6,16 +6,16 @@ use slimbvh_tests::gpu::{contents, done, gpu, storage};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
 
-/// How keys are spread.
+/// Distributions of keys.
 #[derive(Clone, Copy, Debug)]
 enum Spread {
-    /// All bits random.
+    /// Random keys.
     Even,
-    /// Few different keys, in the high and the low bits.
+    /// Few different keys, which differ in high and low bits.
     Few,
-    /// One key.
+    /// All keys are equal.
     Equal,
-    /// From the largest to the smallest.
+    /// Descending keys.
     Falling,
 }
 
@@ -33,7 +33,7 @@ fn keys(spread: Spread, count: u32) -> Vec<u64> {
         .collect()
 }
 
-/// Sorts keys, each with its place, and compares with a stable sort of the standard library.
+/// Sorts keys with their places, and compares with the standard library's stable sort.
 fn check(gpu: &Gpu, sort: &mut Sort, width: Keys, keys: &[u64]) -> Result<(), String> {
     let short = |key: u64| (key >> 32) as u32 ^ key as u32;
     let items = |numbered: &[(u64, u32)]| -> Vec<u32> {
@@ -84,7 +84,7 @@ fn equal_keys_of_a_hundred_thousand_items_stay_in_order() {
 #[test]
 fn an_unstable_order_is_found() {
     let Some(gpu) = gpu() else { return };
-    // Sorted by key alone, with values in falling order: what a stable sort leaves as it is.
+    // Sorted keys with descending values: a stable sort leaves them unchanged.
     let items: Vec<[u32; 2]> = (0..2000).map(|i| [i / 100, 2000 - i]).collect();
     let buffer = storage(gpu, &items);
     let mut frame = gpu.frame();

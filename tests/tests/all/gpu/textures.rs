@@ -1,4 +1,4 @@
-//! Pictures in textures are the pictures.
+//! Pictures in textures equal the pictures in memory.
 
 use super::pictures::settings;
 use slimbvh::generate::{default_scene, icosphere};
@@ -58,7 +58,7 @@ fn texels(gpu: &Gpu, texture: &wgpu::Texture, [width, height]: [u32; 2]) -> Vec<
     bytes.chunks(row_bytes as usize).flat_map(row).collect()
 }
 
-/// A renderer that has made a picture, and the picture.
+/// A renderer after a picture, and the picture.
 fn rendered(gpu: &Gpu, settings: &RenderSettings) -> (gpu::Renderer, Picture) {
     let scene = Scene {
         mesh: icosphere(glam::Vec3::new(0.0, 1.0, 0.0), 1.5, 3),
@@ -81,7 +81,7 @@ fn rendered(gpu: &Gpu, settings: &RenderSettings) -> (gpu::Renderer, Picture) {
 #[test]
 fn textures_hold_the_picture() {
     let Some(gpu) = gpu() else { return };
-    // Rows that fill their step in memory, and rows that do not; a texture that is larger.
+    // Rows with and without padding in memory, and a texture larger than the picture.
     for (size, room) in [([160, 90], [160, 90]), ([64, 5], [70, 9]), ([1, 1], [1, 1])] {
         let settings = RenderSettings {
             size,
@@ -103,7 +103,7 @@ fn textures_hold_the_picture() {
         spoilt[2] = f32::from_bits(spoilt[2].to_bits() ^ 1);
         assert!(same_bits(&spoilt, &expected).is_err());
 
-        // The power function of a GPU may round to the other side.
+        // A GPU's power function may round to the neighbouring byte.
         let bytes = picture.to_srgb();
         let formats = [
             (TextureFormat::Rgba8UnormSrgb, [0, 1, 2]),

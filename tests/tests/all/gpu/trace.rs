@@ -1,4 +1,4 @@
-//! Rays get the CPU's answers: to the bit in software, almost on a real GPU.
+//! Answers to rays equal the CPU's: to the bit on a software adapter, almost on a hardware GPU.
 
 use proptest::prelude::*;
 use slimbvh::generate::soup;
@@ -16,12 +16,12 @@ use slimbvh_tests::rays::some_rays;
 use slimbvh_tests::strategies::{any_mesh, large_mesh};
 use slimbvh_tests::{build, cases};
 
-/// All that can be asked, about every ray.
+/// The answers of all queries to all rays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answers {
     closest: Vec<Hit>,
     any: Vec<u32>,
-    /// The CPU's, about rays whose ranges are a little shorter, or longer: for a real GPU.
+    /// The CPU's answers to rays with slightly shorter or longer ranges, for comparison with a hardware GPU.
     nearly: Vec<Nearly>,
     nearest: Vec<[Hit; NEAREST_COUNT]>,
     counted: Vec<[u32; 2]>,
@@ -38,7 +38,7 @@ impl Answers {
         Self::in_frame(frame, &bvh, rays)
     }
 
-    /// Traces through a hierarchy that is there, or is built in this frame.
+    /// Traces through a hierarchy that exists already or is built in this frame.
     pub fn in_frame(mut frame: Frame, bvh: &gpu::Bvh, rays: &[Ray]) -> Self {
         let gpu = frame.gpu();
         let ray_buffer = storage(gpu, rays);
@@ -75,7 +75,7 @@ impl Answers {
         }
     }
 
-    /// To the bit in software. On a real GPU hits may be a little off, and the searches for them a little longer.
+    /// Compares answers: to the bit on a software adapter; on a hardware GPU hits may be slightly off and walks slightly longer.
     pub fn compare(&self, cpu: &Self, is_software: bool) -> Result<(), String> {
         let lists = [self, cpu].map(|answers| answers.nearest.concat());
         if is_software {
@@ -89,7 +89,7 @@ impl Answers {
         }
         let differs = |&i: &usize| {
             let nearly = &cpu.nearly[i];
-            // Whatever meets something meets something nearest.
+            // A ray with any hit has a closest hit.
             let [least, most] = nearly.nearest.map(|hits| u32::from(hits[0].is_hit()));
             !(least..=most).contains(&self.any[i])
                 || !nearly.is_near(&[self.closest[i]], &[cpu.closest[i]])
@@ -117,10 +117,10 @@ impl Answers {
     }
 }
 
-/// What a real GPU may answer about a ray: its t may be a little off, and so on the other side of an end of the range.
+/// The allowed answers of a hardware GPU to a ray: t may be slightly off, and so beyond an end of the range.
 #[derive(Clone, Debug, PartialEq)]
 struct Nearly {
-    /// As far as t may be off, beside a share of it.
+    /// The allowed absolute error of t, in addition to a relative one.
     still: f32,
     nearest: [[Hit; NEAREST_COUNT]; 2],
 }
@@ -146,8 +146,8 @@ impl Nearly {
         }
     }
 
-    /// Whether hits are almost those of the CPU, or those in a range that is a little shorter or longer, some of whose hits are at
-    /// the ends.
+    /// Whether hits almost equal the CPU's, or the CPU's in a slightly shorter or longer range, in which some hits lie at the
+    /// ends.
     fn is_near(&self, gpu: &[Hit], cpu: &[Hit]) -> bool {
         let is_close = |(a, b): (&Hit, &Hit)| {
             let off = (f64::from(a.t) - f64::from(b.t)).abs();
@@ -159,7 +159,7 @@ impl Nearly {
     }
 }
 
-/// A GPU may answer either way only where a hit lies at an end of the range.
+/// A hardware GPU may answer either way only if a hit lies at an end of the range.
 #[test]
 fn ends_of_ranges_are_all_that_a_real_gpu_may_see_otherwise() {
     let mesh = soup(50, 1);
@@ -222,7 +222,7 @@ proptest! {
     }
 }
 
-/// Rays from around a mesh at points near it.
+/// Rays from around a mesh to points near it.
 pub fn rays_at(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     let bounds = mesh.bounds().unwrap_or(slimbvh::Aabb::EMPTY);
     let (middle, size) = ((bounds.min + bounds.max) / 2.0, bounds.max - bounds.min);
@@ -259,13 +259,13 @@ fn numbers_of_rays_around_workgroups_are_all_answered() {
             &rays_at(&mesh, count, 7),
         ));
     }
-    // Nothing is met where there is nothing.
+    // An empty mesh has no hits.
     let rays = rays_at(&mesh, 100, 8);
     let hit_count = check(gpu, &Mesh::default(), CodeBits::Bits30, &rays);
     assert_eq!(hit_count, Ok(0));
 }
 
-/// Asks the functions for shaders of the caller's: four words a ray, the bits of a hit.
+/// Calls the functions for the caller's shaders: four words a ray, the bits of a hit.
 const OWN_SHADER: &str = "
 struct Ray { origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32 }
 @group(0) @binding(0) var<storage> rays: array<Ray>;

@@ -1,4 +1,4 @@
-//! Hierarchies that were built on the CPU, or read from a file, and copied to the GPU as they are.
+//! Hierarchies that were built on the CPU or read from a file, and uploaded to the GPU.
 
 use super::builds::same_tree;
 use super::codecs::{configs, same_stored, snapped};
@@ -18,19 +18,19 @@ use slimbvh_tests::parity::alike;
 use slimbvh_tests::strategies::{any_mesh, large_mesh};
 use slimbvh_tests::{build_as, cases};
 
-/// All ways to store a hierarchy that the GPU has, in full first.
+/// All codecs of the GPU, full precision first.
 fn all(code_bits: CodeBits, step_exponent: i32) -> impl Iterator<Item = BuildConfig> {
     let coded = configs(code_bits, step_exponent);
     [BuildConfig::from(code_bits)].into_iter().chain(coded)
 }
 
-/// Compares all that both hold.
+/// Compares all lists of two hierarchies.
 fn same(a: &slimbvh::Bvh, b: &slimbvh::Bvh) -> Result<(), String> {
     same_stored(a, b)?;
     same_tree(a, b)
 }
 
-/// To the GPU and back, and the same with the numbers that are read from there.
+/// Uploads and downloads a hierarchy, and compares.
 fn check(gpu: &Gpu, bvh: &slimbvh::Bvh) -> Result<(), String> {
     let uploaded = done(gpu::Bvh::upload(gpu, bvh));
     same(&done(uploaded.download(gpu)), bvh)?;
@@ -62,7 +62,7 @@ proptest! {
 proptest! {
     #![proptest_config(cases(4))]
 
-    /// In full, as what is plain of others is the builder's.
+    /// Only for full precision: the plain tree of a coded hierarchy belongs to its builder.
     #[test]
     fn uploaded_hierarchies_are_refitted_like_those_of_the_cpu(mesh in large_mesh(), factors in proptest::array::uniform3(-3f32..3.0)) {
         let Some(gpu) = gpu() else { return Ok(()) };
@@ -99,7 +99,7 @@ fn uploaded_hierarchies_answer_as_on_the_cpu() {
     }
 }
 
-/// Also those that were built there: these are the same bytes.
+/// Hierarchies that the GPU built have the same bytes.
 #[test]
 fn pictures_through_uploaded_hierarchies_are_those_of_the_cpu() {
     let Some(gpu) = gpu() else { return };
@@ -123,7 +123,7 @@ fn pictures_through_uploaded_hierarchies_are_those_of_the_cpu() {
         assert!(picture == built_there, "{config:?}");
         let (expected, _) = of_cpu_as(&scene, &settings, config);
         done(alike(&picture, &expected, SHARE, MOST));
-        // The control: a hierarchy over triangles that lie a little elsewhere makes another picture.
+        // The negative control: a hierarchy over slightly moved triangles makes another picture.
         let mut moved = scene.mesh.clone();
         for vertex in &mut moved.vertices {
             vertex[1] += 64.0 * 2f32.powi(step_exponent.max(-10));
@@ -133,7 +133,7 @@ fn pictures_through_uploaded_hierarchies_are_those_of_the_cpu() {
     }
 }
 
-/// The control: one vertex lies one step elsewhere.
+/// The negative control: one vertex is moved by one step.
 #[test]
 fn one_moved_vertex_is_found_in_what_comes_back() {
     let Some(gpu) = gpu() else { return };
@@ -153,7 +153,7 @@ fn one_moved_vertex_is_found_in_what_comes_back() {
     }
 }
 
-/// What was uploaded is a place like any other to a builder, and what was built to an upload.
+/// A builder can build into an uploaded hierarchy, and an upload can replace a built one.
 #[test]
 fn uploads_and_builds_follow_each_other() {
     let Some(gpu) = gpu() else { return };
@@ -177,7 +177,7 @@ fn uploads_and_builds_follow_each_other() {
         let back = done(bvh.download(gpu));
         done(check(gpu, &back));
 
-        // In a codec, it is moved by nobody: what is plain of it is not there.
+        // No builder can refit a coded upload, as its plain tree is missing.
         let mut again = done(gpu::Bvh::upload(gpu, &back));
         let place = done(gpu::Mesh::upload(gpu, &small));
         let refitted = builder.refit(&mut gpu.frame(), &place, &mut again);
@@ -190,7 +190,7 @@ fn uploads_and_builds_follow_each_other() {
     }
 }
 
-/// A reduced one stays what it is.
+/// A reduced hierarchy is uploaded as it is.
 #[test]
 fn reduced_hierarchies_come_back_reduced() {
     let Some(gpu) = gpu() else { return };

@@ -1,4 +1,4 @@
-//! Kernels from samples to pixels, each alone: words are those of core's function to the bit, colors within a millionth.
+//! Kernels from samples to pixels, each alone: words equal those of core's function to the bit, colors within a millionth.
 
 use super::kernels::groups;
 use super::shading::{Lit, close_words};
@@ -15,7 +15,7 @@ use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
 
-/// Runs a kernel of one thread for each of `count`, with one output.
+/// Runs a kernel with one thread for each of `count` items and one output.
 fn run(gpu: &Gpu, kernel: Kernel, uniforms: &[&[u32]], reads: &[&[u8]], output: &[u8]) -> Vec<u8> {
     let count = match kernel {
         Kernel::view_depth_range | Kernel::view_heat_range => 1,
@@ -31,12 +31,12 @@ fn run(gpu: &Gpu, kernel: Kernel, uniforms: &[&[u32]], reads: &[&[u8]], output: 
     dispatch.run(gpu).concat()
 }
 
-/// Pictures in memory: 21 samples wide rows of 64 texels, of which the first three pixels belong to an earlier wave.
+/// The layout of pictures in memory: rows of 21 samples in 64 texels; the first three pixels belong to an earlier wave.
 const WIDTH: u32 = 21;
 const ROW: u32 = 64;
 const FIRST: u32 = 3;
 
-/// The picture that these pixels make, over what was there.
+/// The picture with these pixels written over its earlier content.
 fn picture(pixel_count: u32, color: impl Fn(u32) -> Vec3) -> (Vec<[f32; 4]>, Vec<[f32; 4]>) {
     let rows = (FIRST + pixel_count).div_ceil(WIDTH);
     let before = vec![[9.0; 4]; (rows * ROW) as usize];
@@ -149,7 +149,7 @@ fn counts_and_their_scale_are_those_of_core() {
     }
 }
 
-/// Paints values for several numbers of samples a pixel, given the number and the pixel.
+/// Paints values for several numbers of samples a pixel; the value depends on the number and the pixel.
 fn check_means(
     gpu: &Gpu,
     kernel: Kernel,
@@ -230,7 +230,7 @@ fn bytes_of_colors_are_those_of_core_or_next_to_them() {
             different += usize::from(texel != expected);
         }
         assert!(different < colors.len() / 100, "{different} texels differ");
-        // In the other order red and blue change places.
+        // The other order swaps red and blue.
         let swapped = &stored[4 * 5000..];
         let [r, _, b] = srgb_bytes(Vec3::from_slice(&colors[5000]));
         let first = if order == 0 { r } else { b };

@@ -1,4 +1,4 @@
-//! However few samples are in flight, the picture is the same.
+//! The picture is the same for any number of samples in flight.
 
 use super::limits::short_sighted;
 use super::pictures::{VIEWS, of_gpu, settings};
@@ -25,7 +25,7 @@ fn waves_change_no_bit() {
         return;
     };
     let scene = scene();
-    // 1, 4 and 8 waves of 16384 samples, and waves that are not whole rows or workgroups.
+    // 1, 4 and 8 waves of 16384 samples, and waves that do not end with a row or a workgroup.
     for (size, sample_count) in [
         ([128, 64], 1),
         ([160, 90], 4),

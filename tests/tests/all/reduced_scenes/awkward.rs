@@ -1,5 +1,5 @@
-//! Scenes where rounding could matter: surfaces that cut themselves, touch, are seen from their edge, or have an eye or a
-//! lamp on them but for a step.
+//! Scenes where rounding could matter: surfaces that cut themselves, touch, are seen edge-on, or have an eye or a lamp one
+//! step off them.
 
 use super::scenes::{EYE, PERSPECTIVE, SUN, ball, camera, floor, inside_out, lamp, scene};
 use glam::{Quat, Vec3};
@@ -8,7 +8,7 @@ use slimbvh::{Light, Mesh, Projection, Scene};
 use slimbvh_tests::closed::{long_prism, placed};
 use std::f64::consts::TAU;
 
-/// All of them, by name.
+/// All scenes, by name.
 pub fn scenes() -> Vec<(&'static str, Scene)> {
     let front = || camera(EYE, [0.0; 3], PERSPECTIVE);
     let both = [SUN, lamp([2.5, 2.0, 1.5])];
@@ -124,8 +124,8 @@ pub fn scenes() -> Vec<(&'static str, Scene)> {
     ]
 }
 
-/// A lemniscate in the x–y plane revolved around the y axis, closed and consistently wound; one of its lobes lies inside
-/// out. With `offset` 0 both lobes share the corners where they meet, else the tube cuts itself there.
+/// A lemniscate in the x–y plane revolved around the y axis, closed and consistently wound; one of its lobes is inside out.
+/// With `offset` 0 the lobes share corners where they meet, else the tube cuts itself there.
 fn figure_eight(offset: f64) -> Mesh {
     const RINGS: u32 = 32;
     const SIDES: u32 = 16;
@@ -150,7 +150,7 @@ fn figure_eight(offset: f64) -> Mesh {
     mesh
 }
 
-/// A trefoil so thick that its tube cuts itself.
+/// A trefoil with a tube so thick that it cuts itself.
 fn thick_knot() -> Mesh {
     torus_knot(&TorusKnot {
         p: 2,
@@ -163,7 +163,7 @@ fn thick_knot() -> Mesh {
     })
 }
 
-/// Blocks on each other, a ball that stands on them with one corner, and the ground on which they rest: everything touches.
+/// Stacked blocks on the ground, and a ball that stands on them with one corner: all parts touch.
 fn stack() -> Vec<Mesh> {
     let block = |min: [f32; 3], max: [f32; 3]| cuboid(min.into(), max.into());
     vec![
@@ -175,7 +175,7 @@ fn stack() -> Vec<Mesh> {
     ]
 }
 
-/// A ball whose lowest corner is at a point.
+/// A ball with its lowest corner at this point.
 fn standing(at: [f32; 3], radius: f32) -> Mesh {
     let mesh = ball([0.0; 3], radius);
     let vertices = mesh.vertices.iter();
@@ -189,7 +189,7 @@ fn plate(thickness: f32) -> Mesh {
     cuboid(-half, half)
 }
 
-/// Moved so far that steps of the float grid are 2^-14.
+/// The scene moved so far that steps of the float grid are 2^-14.
 fn far_away(mut scene: Scene) -> Scene {
     const BY: [f32; 3] = [700.0, -900.0, 1000.0];
     let moved = |p: [f32; 3]| [0, 1, 2].map(|axis| p[axis] + BY[axis]);

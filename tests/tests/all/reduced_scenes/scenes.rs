@@ -1,4 +1,4 @@
-//! Scenes where something stands where it makes a difference.
+//! Scenes in which the place of an object, a camera or a light decides about sets.
 
 use super::awkward;
 use glam::{Quat, Vec3};
@@ -21,7 +21,7 @@ pub fn lamp(position: [f32; 3]) -> Light {
     }
 }
 
-/// A rectangle around a place, which shines at the scene's middle.
+/// A rectangular light around a place, toward the scene's middle.
 fn panel(center: [f32; 3], half_width: f32) -> Light {
     let toward = -Vec3::from(center).normalize();
     let (right, up) = toward.any_orthonormal_pair();
@@ -34,7 +34,7 @@ fn panel(center: [f32; 3], half_width: f32) -> Light {
     }
 }
 
-/// The eye, through a lens that is sharp at the scene's middle.
+/// A camera with a lens that is focused on the scene's middle.
 fn lens(radius: f32) -> Camera {
     let projection = Projection::ThinLens {
         vertical_fov: 50.0,
@@ -79,13 +79,13 @@ pub fn floor() -> Mesh {
     )
 }
 
-/// A box, turned off the axes.
+/// A box, rotated off the axes.
 fn turned_box(min: [f32; 3], max: [f32; 3]) -> Mesh {
     let turn = Quat::from_rotation_y(0.3) * Quat::from_rotation_x(0.2);
     transformed(cuboid(min.into(), max.into()), 1.0, turn, Vec3::ZERO)
 }
 
-/// With its back sides out.
+/// The mesh turned inside out.
 pub fn inside_out(mut mesh: Mesh) -> Mesh {
     for triangle in &mut mesh.indices {
         triangle.swap(1, 2);
@@ -94,14 +94,14 @@ pub fn inside_out(mut mesh: Mesh) -> Mesh {
     mesh
 }
 
-/// All of them, by name.
+/// All scenes, by name.
 pub fn scenes() -> Vec<(&'static str, Scene)> {
     let mut scenes = plain();
     scenes.extend(awkward::scenes());
     scenes
 }
 
-/// A ball and a box of glass, one in the other's shadow, and a lamp inside of a third: shadow rays begin inside.
+/// A ball and a box of glass, one in the other's shadow, and a lamp inside of a third object: shadow rays start inside.
 fn glass(camera: Camera, lights: &[Light]) -> Scene {
     let parts = [
         ball([-0.5, 0.0, 0.0], 0.7),
@@ -262,7 +262,7 @@ fn plain() -> Vec<(&'static str, Scene)> {
             ),
         ),
         (
-            // The middle is outside of the small ball, a part is not.
+            // The light's middle is outside of the small ball, but a part of the light is inside.
             "rectangle light partly inside",
             scene(
                 vec![ball([0.0; 3], 1.0), ball([2.6, 1.9, 1.3], 0.3), floor()],
@@ -318,7 +318,7 @@ pub fn lights() -> Scene {
     scene(meshes, camera(EYE, [0.0; 3], PERSPECTIVE), &lights)
 }
 
-/// A camera close to some of many things, with more behind it.
+/// A camera close to some of many objects, with more of them behind it.
 fn close() -> Scene {
     let mut meshes = vec![floor()];
     for i in 0..12 {
@@ -329,7 +329,7 @@ fn close() -> Scene {
     scene(meshes, eye, &[SUN, lamp([0.5, 2.0, 0.5])])
 }
 
-/// A closed room with something in it, and no light but that from outside.
+/// A closed room with an object in it, and a light only outside.
 pub fn room(light: Light) -> Scene {
     let walls = cuboid(Vec3::new(-3.0, -1.0, -2.0), Vec3::new(2.0, 2.0, 5.0));
     let eye = camera(EYE, [0.0; 3], PERSPECTIVE);

@@ -1,4 +1,4 @@
-//! Cameras that look so closely that all their rays, or the shadow rays from what they see, pass where rounding decides.
+//! Cameras so close that all their rays, or the shadow rays from the surfaces that they see, pass where rounding decides.
 
 use super::surroundings::Surroundings;
 use glam::DVec3;
@@ -8,7 +8,7 @@ use slimbvh_core::{NO_PRIMITIVE, Ray};
 use slimbvh_lab::oracle::Unculled;
 use slimbvh_tests::random::Random;
 
-/// A scene to look at, in its magnitude: two to the power of `exponent` times the caller's.
+/// A scene at its magnitude: the caller's coordinates times two to the power of `exponent`.
 pub struct Sight<'a> {
     pub unculled: &'a Unculled,
     pub surroundings: &'a Surroundings,
@@ -18,8 +18,8 @@ pub struct Sight<'a> {
 }
 
 impl Sight<'_> {
-    /// Close-ups of up to `count` silhouettes of the camera's, of borders of each target's shadow, and of any edges, in the
-    /// caller's unit.
+    /// Close-ups of up to `count` silhouettes as the camera sees them, of borders of each target's shadow, and of any edges, in
+    /// the caller's unit.
     pub fn close_ups(&self, camera: &Camera, targets: &[Target], count: usize) -> Vec<Camera> {
         let mut random = Random::new(11);
         let (eye, lights) = (&targets[0], &targets[1..]);
@@ -43,7 +43,7 @@ impl Sight<'_> {
         cameras
     }
 
-    /// Adds cameras that look at points which can be seen.
+    /// Adds cameras for the visible ones of these points.
     fn look(
         &self,
         cameras: &mut Vec<Camera>,
@@ -65,7 +65,7 @@ impl Sight<'_> {
         }
     }
 
-    /// A camera that sees this far around a point, if nothing is in between.
+    /// A camera that sees this far around a point, if the point is not hidden.
     fn toward(&self, point: DVec3, camera: &Camera, reach: f64) -> Option<Camera> {
         let (to_scene, to_caller) = (2f64.powi(self.exponent), 2f64.powi(-self.exponent));
         let old_eye = DVec3::from_array(camera.eye.map(f64::from)) * to_scene;
@@ -103,7 +103,7 @@ impl Sight<'_> {
         })
     }
 
-    /// Where the shadow of a point falls on something.
+    /// The point on a surface where the shadow of a point falls.
     fn shadow_of(&self, point: DVec3, light: &Target) -> Option<DVec3> {
         let source = DVec3::from_array(light.point.map(f64::from));
         let direction = if light.is_position == 1 {

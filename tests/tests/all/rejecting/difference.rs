@@ -1,4 +1,4 @@
-//! A ray on which the tracer and the exact oracle differ, and what it passes so closely.
+//! A ray on which the tracer and the exact oracle differ, with its distances to silhouettes, creases and contacts.
 //!
 //! # How far the tracer may be off
 //!
@@ -31,17 +31,17 @@ use std::fmt;
 /// d for M = 1.
 pub const ERROR_BOUND: f64 = 32.0 / 16_777_216.0;
 
-/// What both say of a ray.
+/// The comparison of both answers to a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// The same.
+    /// Equal answers.
     Same,
     /// Two primitives at exactly the same t.
     Tie,
-    /// Two primitives that share a corner, one of them within d of where the ray meets the other: at their common edge. Of a
-    /// triangle that is seen from its edge, t says little.
+    /// Two primitives that share a corner, one of them within d of the ray's hit on the other: at their common edge. On a
+    /// triangle seen edge-on t is hardly known.
     Neighbor,
-    /// Something else.
+    /// Any other difference.
     Different,
 }
 
@@ -50,17 +50,17 @@ pub enum Verdict {
 pub struct Difference {
     cast: Cast,
     exact: Option<Crossing>,
-    /// In units of d: from the ray, up to the farther of both answers or all of it, to a silhouette as its target sees it.
+    /// In units of d: the distance of the ray, up to the farther answer or on its whole length, to a silhouette for its target.
     silhouette: f64,
-    /// In units of d: from where a shadow ray starts to an edge between planes.
+    /// In units of d: the distance of a shadow ray's start to an edge between two planes.
     crease: f64,
-    /// In units of d: from the nearer answer to another component, or from the ends of a shadow ray to one.
+    /// In units of d: the distance of the nearer answer, or of a shadow ray's ends, to another component.
     contact: f64,
-    /// In units of d: between both answers.
+    /// In units of d: the distance between both answers.
     other: f64,
 }
 
-/// d for a ray in a scene of this largest coordinate.
+/// d for a ray in a scene with this largest coordinate.
 pub fn error_bound(cast: &Cast, largest: f32) -> f64 {
     let ray = &cast.ray;
     let end = |axis: usize| {
@@ -74,7 +74,7 @@ pub fn error_bound(cast: &Cast, largest: f32) -> f64 {
     ERROR_BOUND * f64::from(ends.fold(largest, f32::max))
 }
 
-/// Compares the tracer's answer with the exact one, all crossings in order.
+/// Compares the tracer's answer with the exact crossings, which are in order of t.
 pub fn judge(cast: &Cast, crossings: &[Crossing], d: f64, near: &Surroundings) -> Verdict {
     let found = cast.hit;
     let Some(exact) = crossings.first() else {
@@ -107,7 +107,7 @@ pub fn judge(cast: &Cast, crossings: &[Crossing], d: f64, near: &Surroundings) -
 }
 
 impl Difference {
-    /// Measures what is near.
+    /// Measures the distances.
     pub fn new(
         cast: &Cast,
         exact: Option<Crossing>,
@@ -123,7 +123,7 @@ impl Difference {
         let both = [found, exact.map(|exact| (exact.t, exact.primitive))];
         let answers = || both.iter().flatten().copied();
         let first = answers().fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a });
-        // Where nothing is said to be hit, the silhouette may lie beyond the hit.
+        // If one answer is a miss, the silhouette may lie beyond the hit.
         let length = wide(cast.ray.direction).length();
         let end = f64::from(cast.ray.t_max).min(8.0 * d / (ERROR_BOUND * length));
         let last = match both {
@@ -153,12 +153,12 @@ impl Difference {
         }
     }
 
-    /// Whose ray it is.
+    /// The source of the ray: the camera or a light.
     pub fn kind(&self) -> RayKind {
         self.cast.kind
     }
 
-    /// Whether the tracer finds nothing where something is.
+    /// Whether the tracer misses a hit.
     pub fn is_lit_wrongly(&self) -> bool {
         !self.cast.hit.is_hit() && self.exact.is_some()
     }
@@ -174,7 +174,7 @@ impl Difference {
     }
 }
 
-/// One line.
+/// The difference on one line.
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Cast {

@@ -1,4 +1,4 @@
-//! Distances in space: those of the oracle.
+//! Distances in space, from the oracle's functions.
 
 use glam::DVec3;
 use slimbvh_lab::oracle::distance;

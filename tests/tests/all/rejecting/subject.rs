@@ -1,4 +1,4 @@
-//! A scene, its exact oracle, and what the tracer makes of its rays under some rule.
+//! A scene with its exact oracle, and the tracer's answers to its rays under a rule.
 
 use super::close_ups::Sight;
 use super::difference::{Difference, Verdict, error_bound, judge};
@@ -18,20 +18,20 @@ use slimbvh_core::snap::leaf_triangle;
 use slimbvh_lab::oracle::Unculled;
 use slimbvh_tests::gpu::done;
 
-/// Which triangles the tracer passes over.
+/// A rule: the triangles that the tracer skips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// As the plan says.
+    /// The plan's rule.
     Plan,
-    /// Those that face the eye or the light.
+    /// Skips triangles that face the eye or the light.
     Turned,
-    /// Those that face the light, for shadow rays: sets L−.
+    /// Skips triangles that face the light, for shadow rays: sets L−.
     AwayFromLights,
-    /// As if the eye and all lights were outside of everything.
+    /// The plan's rule as if the eye and all lights were outside of all components.
     AsIfOutside,
 }
 
-/// The point of a target that a ray comes from or leads to.
+/// The point of a target at which a ray starts or ends.
 fn point_of(cast: &Cast, target: &Target) -> Target {
     if target.radius == 0.0 {
         return *target;
@@ -44,18 +44,18 @@ fn point_of(cast: &Cast, target: &Target) -> Target {
     Target::position(end.to_array())
 }
 
-/// A scene whose rays are traced.
+/// A scene, prepared for comparison.
 pub struct Subject {
     pub scene: Scene,
     pub topology: Topology,
     unculled: Unculled,
     surroundings: Surroundings,
     exponent: i32,
-    /// Of all coordinates, in the scene's magnitude.
+    /// The largest coordinate, at the scene's magnitude.
     largest: f32,
 }
 
-/// What came of some rays.
+/// The outcome of some rays.
 #[derive(Default)]
 pub struct Tally {
     pub ray_count: usize,
@@ -119,9 +119,9 @@ impl Subject {
         })
     }
 
-    /// The plan for a whole tree with a rule, or for sets.
+    /// The plan of a whole tree with a rule, or of sets.
     pub fn plan(&self, settings: &RenderSettings, reduce: Reduce, rule: Rule) -> Plan<'_> {
-        // An aim for each light, all trees at once; and where a rule turns sides round, those that face out.
+        // A target for each light, and all trees at once. A rule that negates sides starts from L+.
         let mut savings = Savings::ALL.without(Saving::Groups).without(Saving::Turns);
         if rule != Rule::Plan {
             savings = savings.without(Saving::Away);
@@ -154,7 +154,7 @@ impl Subject {
         plan
     }
 
-    /// The rays of a picture, which must be the renderer's.
+    /// The rays of a picture, checked against the renderer's picture.
     pub fn cast(&self, settings: &RenderSettings, plan: &Plan) -> Vec<Cast> {
         let mut frames = Frames::new(Cpu, FrameConfig::default());
         done(frames.build(&self.scene, plan));
@@ -201,7 +201,7 @@ impl Subject {
         tally
     }
 
-    /// [`Self::compare`] for each of some cameras.
+    /// [`Self::compare`] for each of these cameras.
     pub fn compare_all(
         &mut self,
         cameras: &[Camera],
@@ -218,7 +218,7 @@ impl Subject {
         tally
     }
 
-    /// Cameras that look where rounding decides.
+    /// Close-ups of places where rounding decides.
     pub fn close_ups(&self, settings: &RenderSettings, count: usize) -> Vec<Camera> {
         let plan = self.plan(settings, Reduce::Off, Rule::Plan);
         let targets = self.targets(&plan);
@@ -235,7 +235,7 @@ impl Subject {
         sight.close_ups(&self.scene.cameras[0], &targets, count)
     }
 
-    /// The eye, then each light, in the scene's magnitude.
+    /// The targets: the eye, then each light, at the scene's magnitude.
     fn targets(&self, plan: &Plan) -> Vec<Target> {
         let scale = PowerOfTwo::new(self.exponent);
         plan.targets

@@ -1,4 +1,4 @@
-//! What is near a ray: silhouettes, creases, other surfaces. In the scene's magnitude.
+//! Silhouettes, creases and other surfaces near a ray, at the scene's magnitude.
 
 use super::distance::{between, to_triangle};
 use glam::DVec3;
@@ -6,10 +6,10 @@ use slimbvh_core::orientation::Target;
 use slimbvh_lab::oracle::Unculled;
 use std::collections::HashMap;
 
-/// Edges or triangles that are passed over together.
+/// The number of edges or triangles with a common bounding ball.
 const RUN: usize = 32;
 
-/// An edge, and its triangles.
+/// An edge with its triangles.
 #[derive(Clone, Debug)]
 struct Edge {
     ends: [DVec3; 2],
@@ -23,13 +23,13 @@ struct Ball {
     radius: f64,
 }
 
-/// Everything that a ray can come near to.
+/// All edges and triangles of a scene, for queries of distances.
 pub struct Surroundings {
     triangles: Vec<[DVec3; 3]>,
     triangle_balls: Vec<Ball>,
     edges: Vec<Edge>,
     edge_balls: Vec<Ball>,
-    /// By triangle: those that hang together by shared edges have one number.
+    /// The component of each triangle: triangles connected by shared edges have one number.
     components: Vec<u32>,
 }
 
@@ -71,12 +71,12 @@ impl Surroundings {
         }
     }
 
-    /// How far a segment is from the nearest silhouette, see [`Self::is_silhouette`].
+    /// The distance of a segment to the nearest silhouette, see [`Self::is_silhouette`].
     pub fn to_silhouette(&self, segment: [DVec3; 2], target: &Target, d: f64) -> f64 {
         self.to_edge(segment, |edge| self.is_silhouette(edge, target, d))
     }
 
-    /// How far a point is from the nearest edge whose triangles do not lie in one plane, but for `d`.
+    /// The distance of a point to the nearest crease: an edge whose triangles do not lie in one plane within `d`.
     pub fn to_crease(&self, point: DVec3, d: f64) -> f64 {
         self.to_edge([point; 2], |edge| {
             let first = self.triangles[edge.triangles[0] as usize];
@@ -93,7 +93,7 @@ impl Surroundings {
         })
     }
 
-    /// How far a point is from the nearest triangle of another component than a triangle's.
+    /// The distance of a point to the nearest triangle of another component than the given triangle's.
     pub fn to_other(&self, point: DVec3, own: Option<u32>) -> f64 {
         let component = |primitive: u32| self.components[primitive as usize];
         let own = own.map(component);
@@ -118,12 +118,12 @@ impl Surroundings {
         nearest
     }
 
-    /// How far a point is from a triangle.
+    /// The distance of a point to a triangle.
     pub fn to_primitive(&self, point: DVec3, primitive: u32) -> f64 {
         to_triangle(point, self.triangles[primitive as usize])
     }
 
-    /// Whether two triangles have a corner in common.
+    /// Whether two triangles share a corner.
     pub fn are_neighbors(&self, a: u32, b: u32) -> bool {
         let [a, b] = [a, b].map(|primitive| self.triangles[primitive as usize]);
         a.iter().any(|corner| b.contains(corner))
@@ -137,8 +137,8 @@ impl Surroundings {
         edges.map(|edge| edge.ends).collect()
     }
 
-    /// Whether an edge does not certainly lie between two triangles that face a target both, or both face away; or does not
-    /// belong to two triangles. Certain is what stays so when the corners and the target are moved by `d`.
+    /// Whether an edge may be a silhouette: it does not belong to two triangles, or these do not certainly both face a target or
+    /// both face away. A fact is certain if it holds after moving the corners and the target by `d`.
     fn is_silhouette(&self, edge: &Edge, target: &Target, d: f64) -> bool {
         let [a, b] = edge.triangles[..] else {
             return true;
@@ -147,7 +147,7 @@ impl Surroundings {
         a == 0 || a != b
     }
 
-    /// 1 where the front of a triangle certainly faces a target, −1 where its back does.
+    /// 1 if the front of a triangle certainly faces a target, −1 if its back does, else 0.
     fn facing(&self, primitive: u32, target: &Target, d: f64) -> i32 {
         let [a, b, c] = self.triangles[primitive as usize];
         let normal = (b - a).cross(c - a);
@@ -189,7 +189,7 @@ pub fn wide(p: [f32; 3]) -> DVec3 {
     DVec3::from_array(p.map(f64::from))
 }
 
-/// Holds all points, and a little more.
+/// A ball that holds all points, slightly enlarged.
 fn ball(points: &[DVec3]) -> Ball {
     let least = points.iter().fold(DVec3::INFINITY, |a, &b| a.min(b));
     let largest = points.iter().fold(DVec3::NEG_INFINITY, |a, &b| a.max(b));

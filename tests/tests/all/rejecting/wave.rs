@@ -1,5 +1,5 @@
-//! The renderer's rays one by one, made and traced by the functions of core that the renderer calls. That they are its rays
-//! shows in the picture, which is the same to the last bit.
+//! The renderer's rays one by one, made and traced with the functions of core that the renderer calls. The picture equals the
+//! renderer's to the last bit, which shows that the rays are the same.
 
 use slimbvh::{Picture, RenderSettings, Scene, Tree, Trees};
 use slimbvh_core::camera::Camera;
@@ -15,31 +15,31 @@ use slimbvh_core::trace::Skip;
 use slimbvh_core::{Hit, Ray, Vec3, trace};
 use slimbvh_tests::gpu::done;
 
-/// Which rays.
+/// A kind of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
-    /// From the camera.
+    /// Camera rays.
     Camera,
-    /// To the light of this index.
+    /// Shadow rays to the light with this index.
     Light(usize),
 }
 
-/// A ray from the camera or to a light, in the scene's magnitude, and what the tracer said.
+/// A camera ray or a shadow ray, at the scene's magnitude, and the tracer's answer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cast {
-    /// The camera, or which light.
+    /// The camera, or the light.
     pub kind: RayKind,
     /// Number of its sample.
     pub sample: u32,
-    /// As it was traced.
+    /// The ray as it was traced.
     pub ray: Ray,
     /// The primitive that it starts on.
     pub skip: u32,
-    /// The closest hit; for a shadow ray too, as it is there exactly where there is any.
+    /// The closest hit, also for a shadow ray: it exists exactly if there is any hit.
     pub hit: Hit,
 }
 
-/// All that a picture is made from.
+/// The inputs of a picture.
 struct Stage<'a> {
     scene: &'a Scene,
     scale: PowerOfTwo,
@@ -49,7 +49,7 @@ struct Stage<'a> {
     environment: Environment,
 }
 
-/// All camera rays and all shadow rays of a picture by a plan, and the picture.
+/// All camera rays and all shadow rays of a plan's picture, and the picture.
 pub fn cast(scene: &Scene, trees: &Trees, settings: &RenderSettings) -> (Vec<Cast>, Picture) {
     let stage = Stage::new(scene, trees, settings);
     let [width, height] = settings.size;
@@ -85,7 +85,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Follows a sample to its end.
+    /// Traces a sample's path to its end.
     fn follow(&self, sample: u32, trees: &Trees, mirror_depth: u32, casts: &mut Vec<Cast>) -> Path {
         let mut path = Path::new(self.camera.ray(sample), sample);
         let mut hit = self.closest_hit(&trees.primary, &path.ray, path.skip);

@@ -1,4 +1,4 @@
-//! Where rays are aimed, and which of them escape.
+//! Rays from inside a mesh, and a list of those that escape.
 
 use crate::meshes::Solid;
 use glam::Vec3;
@@ -7,7 +7,7 @@ use slimbvh_core::Ray;
 use slimbvh_tests::random::Random;
 use std::collections::BTreeSet;
 
-/// How many rays of each kind start at each point.
+/// The number of rays of each kind at each point.
 #[derive(Clone, Copy)]
 pub struct Aims {
     /// In random directions.
@@ -16,7 +16,7 @@ pub struct Aims {
     pub per_edge: usize,
 }
 
-/// Rays from every inner point: at random, at every vertex, and at points of every edge, most near its ends.
+/// Rays from every inner point: in random directions, at every vertex, and at points of every edge, mostly near its ends.
 pub fn rays(solid: &Solid, aims: Aims) -> Vec<Ray> {
     let mut random = Random::new(17);
     let edges = edges(&solid.mesh);

@@ -1,4 +1,4 @@
-//! Tessellated planes: nothing falls through.
+//! Tessellated planes: no ray passes through.
 
 use super::{aims, escapes};
 use glam::{Quat, Vec3};
@@ -8,7 +8,7 @@ use slimbvh_core::Ray;
 use slimbvh_tests::build;
 use slimbvh_tests::random::Random;
 
-/// Embree's test: a plane in the distance, rays at its inner vertices and edges and anywhere between.
+/// Embree's test: a distant plane, with rays at its inner vertices, at its edges, and at points between them.
 #[test]
 fn watertight_planes() {
     let mut random = Random::new(8);
@@ -38,7 +38,7 @@ fn watertight_planes() {
                 }
             }
             for _ in 0..3000 {
-                // On the lines between cells, and on their diagonals.
+                // Points on the lines between cells, and on the cells' diagonals.
                 let (x, z) = (random.between(-31.0, 31.0), random.between(-31.0, 31.0));
                 let line = (x / 2.0).round() * 2.0;
                 for flat in [[x, z], [line, z], [z, line], [x, x], [x, -x]] {

@@ -1,5 +1,5 @@
-//! Long thin walls seen from a corner of the room: rays graze edges that are much longer than their way to them. A padding
-//! relative to t alone loses them.
+//! Long thin walls seen from a corner of the room: rays graze edges that are much longer than the distance to them. A slab
+//! test padded only relative to t loses such hits.
 
 use super::{Aims, aims, escapes};
 use crate::meshes::Solid;
@@ -10,7 +10,7 @@ use slimbvh_core::Ray;
 use slimbvh_tests::build;
 use slimbvh_tests::random::Random;
 
-/// Rooms of a shape: along each axis, plain and divided, straight and turned.
+/// Rooms of one shape: along each axis, plain and divided, axis-aligned and turned.
 fn rooms(length: f32) -> Vec<Solid> {
     let mut random = Random::new(3);
     let mut rooms = Vec::new();
@@ -56,7 +56,7 @@ fn rooms(length: f32) -> Vec<Solid> {
     rooms
 }
 
-/// Whether rounding cannot have put the eye into a wall.
+/// Whether the eye is so far from all walls that rounding cannot have moved it into one.
 fn far_from_walls(mesh: &slimbvh::Mesh, eye: Vec3) -> bool {
     mesh.indices.iter().all(|face| {
         let [a, b, c] = face.map(|v| Vec3::from(mesh.vertices[v as usize]).as_dvec3());
@@ -101,8 +101,8 @@ fn watertight_flat_rooms() {
     check(1e-5);
 }
 
-/// The smallest case of a fault that there was: t as the weighted sum of the corners' t is off by the weights' rounding
-/// times the wall's length, here by -12, and a hit at 2.18 fell behind the eye.
+/// The smallest case of a former bug: t as the weighted sum of the corners' t is off by the weights' rounding times the
+/// wall's length, here by -12, so a hit at 2.18 fell behind the eye.
 #[test]
 fn a_hit_on_a_long_wall_does_not_fall_behind_the_eye() {
     let wall = slimbvh::Mesh {
@@ -126,7 +126,7 @@ fn a_hit_on_a_long_wall_does_not_fall_behind_the_eye() {
         let hit = bvh.closest_hit(&Ray::new(eye.to_array(), (rotation * direction).to_array()));
         assert!(hit.is_hit(), "turned by {turn}");
 
-        // Turning rounds the eye and the corners to 2^-9.
+        // Rotation rounds the eye and the corners to 2^-9.
         let tolerance = if turn == 0.0 { 1e-5 } else { 0.1 };
         assert!((hit.t - 2.179_873).abs() < tolerance, "{hit:?}");
     }

@@ -1,4 +1,4 @@
-//! Solids of all shapes and in all places.
+//! Solids of all shapes, at all places.
 
 use super::{Aims, aims, escapes};
 use crate::meshes::{Solid, solids};
@@ -35,7 +35,7 @@ fn watertight() {
     }
 }
 
-/// Far from the origin the vertices round to a coarse lattice, but neighbours round alike.
+/// Far from the origin vertices round to a coarse lattice, but shared vertices round alike.
 #[test]
 fn watertight_far_from_the_origin() {
     let aims = Aims {

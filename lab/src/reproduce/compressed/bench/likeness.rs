@@ -19,7 +19,7 @@ const GRAZING: usize = 100;
 /// The GPU's record of a method after its last round, compared with the same method on the CPU.
 ///
 /// # Errors
-/// If the trees differ in bytes, or if rays touch other nodes and triangles: any ray on a software GPU, more than one in a
+/// If the trees differ in bytes, or if rays touch other nodes and triangles: any ray on a software adapter, more than one in a
 /// hundred on a hardware GPU.
 pub fn record(
     steps: &Steps<&Gpu>,
@@ -66,7 +66,7 @@ pub fn record(
     })
 }
 
-/// Whether this is a software GPU.
+/// Whether this is a software adapter.
 pub fn is_software(gpu: &Gpu) -> bool {
     gpu.device().adapter_info().device_type == wgpu::DeviceType::Cpu
 }

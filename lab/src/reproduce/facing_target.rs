@@ -1,4 +1,4 @@
-//! Where rays of one kind come from or lead to.
+//! Targets of rays: the eye that they start from, or the light that they lead to.
 
 use anyhow::{Context, Result};
 use slimbvh::backend::TargetSides;
@@ -9,29 +9,29 @@ use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
-/// A target, and the side of each component that faces out for it.
+/// A target, and for each component the side that faces out.
 #[derive(Clone, Debug)]
-pub struct Aim {
+pub struct FacingTarget {
     pub target: Target,
     pub sides: Vec<i32>,
 }
 
-impl Aim {
-    /// The scene's first camera.
+impl FacingTarget {
+    /// The target of the scene's first camera.
     pub fn camera(scene: &Scene, topology: &Topology) -> Result<Self> {
         let camera = scene.cameras.first().context("the scene has no camera")?;
         let core = camera.to_core([1, 1], 1)?;
         Ok(Self::new(camera_target(&core), topology))
     }
 
-    /// One of the scene's lights.
+    /// The target of one of the scene's lights.
     pub fn light(scene: &Scene, index: usize, topology: &Topology) -> Result<Self> {
         let light = scene.lights.get(index).context("the scene has no light")?;
         let light = light.to_core(index)?;
         Ok(Self::new(light_target(&light), topology))
     }
 
-    /// All lights in a ball.
+    /// The target of all lights in a ball.
     pub fn ball(center: [f32; 3], radius: f32, topology: &Topology) -> Self {
         Self::new(Target::ball(center, radius), topology)
     }
@@ -43,8 +43,8 @@ impl Aim {
         }
     }
 
-    /// The other half: what faces away from the target. What is not certain is in both.
-    pub fn away(&self) -> Self {
+    /// The same target with the back set: the triangles that face away. Uncertain triangles are in both sets.
+    pub fn back(&self) -> Self {
         Self {
             sides: self.sides.iter().map(|side| -side).collect(),
             ..self.clone()
@@ -58,8 +58,8 @@ impl Aim {
         }
     }
 
-    /// The papers leave out nothing for lying outside of the picture.
-    pub fn reach<'a>(&'a self, topology: &'a Topology) -> VisibleSet<'a> {
+    /// The set for this target. As in the papers, it keeps triangles outside of the picture.
+    pub fn visible_set<'a>(&'a self, topology: &'a Topology) -> VisibleSet<'a> {
         VisibleSet {
             sides: self.sides(topology),
             target: self.target,
@@ -68,10 +68,10 @@ impl Aim {
     }
 
     pub fn subset<'a>(&'a self, topology: &'a Topology) -> Subset<'a> {
-        Subset::Of(self.reach(topology))
+        Subset::Of(self.visible_set(topology))
     }
 
-    /// The target with these sides, for a backend.
+    /// The target and its sides, for a backend.
     pub fn target_sides(&self) -> TargetSides {
         TargetSides {
             target: self.target,
@@ -80,10 +80,10 @@ impl Aim {
         }
     }
 
-    /// How many triangles are in the set.
+    /// The number of triangles in the set.
     pub fn count(&self, scene: &Scene, topology: &Topology) -> usize {
         let mut division = Division::new();
-        division.divide(&scene.mesh, &self.reach(topology));
+        division.divide(&scene.mesh, &self.visible_set(topology));
         division.primitives().len()
     }
 }

@@ -1,0 +1,130 @@
+//! Why something of the caller's does not fit its use.
+
+use super::GpuError;
+use thiserror::Error;
+use wgpu::TextureFormat;
+
+/// What is wrong with something of the caller's: the end of a sentence that begins with its name.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Misfit {
+    /// A buffer or texture cannot be used in this way.
+    #[error("was made without the usage {usage}")]
+    MissingUsage {
+        /// Name of the usage, as wgpu has it.
+        usage: &'static str,
+    },
+    /// A range begins where the adapter cannot bind it.
+    #[error("begins at byte {offset}, which is no multiple of {alignment}")]
+    MisalignedOffset {
+        /// Where the range begins, in bytes.
+        offset: u64,
+        /// What the adapter needs a multiple of, in bytes.
+        alignment: u64,
+    },
+    /// A range is empty, or ends within an element.
+    #[error("has {bytes} bytes, which is not one element of {element_bytes} bytes or more")]
+    PartialElement {
+        /// The range's size.
+        bytes: u64,
+        /// An element's size.
+        element_bytes: u64,
+    },
+    /// A range cannot be copied: only whole words can.
+    #[error("is to be read from byte {offset} for {bytes} bytes, which are not multiples of 4")]
+    PartialWord {
+        /// Where the range begins, in bytes.
+        offset: u64,
+        /// The range's size.
+        bytes: u64,
+    },
+    /// The answers of all rays do not fit in.
+    #[error("has {bytes} bytes, but {ray_count} rays have answers of {answer_bytes} bytes each")]
+    TooFewAnswers {
+        /// The buffer's size.
+        bytes: u64,
+        /// Rays.
+        ray_count: u64,
+        /// Size of the answer to a ray.
+        answer_bytes: u64,
+    },
+    /// More bits than indices can number.
+    #[error("take {bytes} bytes; fewer than {limit_bytes} can be numbered")]
+    TooManyBits {
+        /// The size of the bits.
+        bytes: u64,
+        /// The least size that is too large.
+        limit_bytes: u64,
+    },
+    /// A texture is smaller than the picture.
+    #[error(
+        "has {}x{} texels, the picture {}x{}",
+        .texture[0], .texture[1], .picture[0], .picture[1]
+    )]
+    TextureTooSmall {
+        /// Width and height of the texture, in texels.
+        texture: [u32; 2],
+        /// Width and height of the picture, in pixels.
+        picture: [u32; 2],
+    },
+    /// No kernel writes texels of this format.
+    #[error(
+        "is of format {format:?}; take Rgba32Float, Rgba8Unorm, Bgra8Unorm, or their Srgb kinds"
+    )]
+    TextureFormat {
+        /// The texture's format.
+        format: TextureFormat,
+    },
+    /// A mesh is not the one whose surfaces are known, by its counts.
+    #[error(
+        "has {triangle_count} triangles and {vertex_count} vertices, but its surfaces {} and {}",
+        .surfaces[0], .surfaces[1]
+    )]
+    OtherMesh {
+        /// Triangles of the mesh.
+        triangle_count: u64,
+        /// Vertices of the mesh.
+        vertex_count: u64,
+        /// Triangles and vertices of the surfaces.
+        surfaces: [u64; 2],
+    },
+    /// An eye was decided for other components.
+    #[error("has the sides of {has} components, not of {needs}")]
+    OtherComponents {
+        /// Entries of its sides.
+        has: u64,
+        /// Entries that are needed.
+        needs: u64,
+    },
+    /// A scene was not loaded.
+    #[error("is not on the GPU; load it first")]
+    NotLoaded,
+    /// A hierarchy was not built.
+    #[error("is empty; build it first")]
+    NotBuilt,
+    /// A picture was not rendered.
+    #[error("is empty; render first")]
+    NotRendered,
+    /// A target was neither set nor decided.
+    #[error("is empty; set or decide it first")]
+    NotDecided,
+    /// Nothing was measured.
+    #[error("know no mesh; measure one first")]
+    NotMeasured,
+    /// A builder has no mesh to take the scene's exponent from.
+    #[error("has seen no mesh; sort, build or refit one first")]
+    NoMesh,
+    /// The WGSL functions read nodes and triangles in full.
+    #[error("is stored in a codec; functions for WGSL take one in full")]
+    InCodec,
+    /// A hierarchy in a codec is refitted from nodes in full, which its builder keeps of the last one only.
+    #[error("is in a codec and was not built last by this builder; build it again")]
+    NotBuiltLast,
+}
+
+impl Misfit {
+    /// The error of something that this is wrong with.
+    pub(super) const fn of(self, what: &'static str) -> GpuError {
+        GpuError::Unfit { what, fault: self }
+    }
+}
