@@ -4,6 +4,7 @@ pub(crate) mod counts;
 pub mod exponent;
 pub mod machine;
 pub(crate) mod paths;
+pub(crate) mod pictures;
 pub mod rounds;
 pub(crate) mod step;
 pub(crate) mod table;

@@ -1,6 +1,7 @@
 //! Differences between two pictures, and between the hits of their rays.
 
 use crate::measure::paths::Seen;
+use crate::measure::pictures::changed;
 use anyhow::{Context, Result, ensure};
 use image_compare::Algorithm;
 use slimbvh::Picture;
@@ -34,15 +35,13 @@ impl Likeness {
         );
         let (own, reference) = (picture.to_srgb(), plain.to_srgb());
         let pixel_count = picture.pixels.len().max(1) as f64;
-        let differ = own.chunks(3).zip(reference.chunks(3));
-        let changed = differ.filter(|(a, b)| a != b).count();
         let others = seen[0].iter().zip(seen[1]);
         let other_count = others.filter(|(a, b)| a.primitive != b.primitive).count();
         let [distance_most, distance_rms] = distances(seen);
         Ok(Self {
             image_rmse: rmse(&own, &reference),
             ssim: ssim([picture.width, picture.height], &own, &reference)?,
-            changed_pixels: changed as f64 / pixel_count,
+            changed_pixels: changed(picture, plain, 0) as f64 / pixel_count,
             changed_primitives: other_count as f64 / seen[0].len().max(1) as f64,
             distance_most,
             distance_rms,

@@ -1,7 +1,7 @@
 //! The machines that time frames: the CPU, or a GPU. Counts come from the CPU in either case.
 
 #[cfg(feature = "gpu")]
-pub mod likeness;
+pub mod agreement;
 #[cfg(feature = "gpu")]
 mod on_gpu;
 
@@ -91,7 +91,7 @@ pub struct Timed {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct GpuRecord {
     pub buffers: Buffers,
-    pub likeness: Likeness,
+    pub likeness: Agreement,
 }
 
 /// Bytes of buffers. Buffers are kept and only grow, so that these are their maxima. Parameters, the view and read-back
@@ -109,7 +109,7 @@ pub struct Buffers {
 
 /// Agreement of the GPU's results with the CPU's.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Likeness {
+pub struct Agreement {
     /// Rays whose nodes and triangles were counted on both.
     pub rays: usize,
     pub counted_otherwise: usize,

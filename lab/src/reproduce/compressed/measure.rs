@@ -9,6 +9,7 @@ use super::protocol::Protocol;
 use super::scenes::Subject;
 use crate::measure::counts::{Counts, count};
 use crate::measure::paths::Seen;
+use crate::measure::pictures::changed;
 use crate::measure::rounds::Rounds;
 use crate::measure::step::PIXELS;
 use crate::measure::walks::Walks;
@@ -16,7 +17,7 @@ use crate::reproduce::steps::Steps;
 use crate::stress::moved;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::{Cpu, Picture, RenderSettings, Trees};
+use slimbvh::{Cpu, RenderSettings, Trees};
 use slimbvh_cli::backend::Chosen;
 
 /// The measurements of one scene.
@@ -188,12 +189,4 @@ fn differ(before: Option<&[Seen]>, after: &[Seen], were: bool) -> usize {
         .map(|(before, after)| [before, after].map(Seen::is_anything))
         .filter(|[before, after]| *before == were && *after != were)
         .count()
-}
-
-/// The number of pixels that differ by more than `most` in any channel.
-pub fn changed(a: &Picture, b: &Picture, most: u8) -> usize {
-    let (a, b) = (a.to_srgb(), b.to_srgb());
-    let pixels = a.chunks(3).zip(b.chunks(3));
-    let differ = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > most);
-    pixels.filter(differ).count()
 }

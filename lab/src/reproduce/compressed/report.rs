@@ -1,7 +1,7 @@
 //! The report as text, as Markdown and as JSON.
 
 use super::SceneName;
-use super::bench::{Likeness, TimedOn};
+use super::bench::{Agreement, TimedOn};
 use super::measure::SceneRecord;
 use super::protocol::Protocol;
 use super::tables::tables;
@@ -178,7 +178,7 @@ impl Report {
         let methods = self.scenes.iter().flat_map(|scene| &scene.methods);
         let all: Vec<_> = methods.filter_map(|own| own.on_gpu).collect();
         let likeness = all.iter().map(|on_gpu| on_gpu.likeness);
-        let sum = |of: fn(&Likeness) -> usize| likeness.clone().map(|it| of(&it)).sum::<usize>();
+        let sum = |of: fn(&Agreement) -> usize| likeness.clone().map(|it| of(&it)).sum::<usize>();
         format!(
             "on the CPU: tests, bytes read, changed pixels and cracks, which are the same on both. The GPU also counted the nodes and triangles of {} from \
              the eye, of which {} differ. Its trees take as many bytes, and of {} in its pictures {} differ from the CPU's \

@@ -178,7 +178,7 @@ fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
 #[test]
 fn what_the_gpu_timed_is_compared_with_what_was_counted() {
     use crate::reproduce::steps::Steps;
-    use bench::likeness;
+    use bench::agreement;
     use slimbvh::Cpu;
     let Some(gpu) = short_sighted() else { return };
     let scene = Subject::new(SceneName::Shiny, None, SETTINGS.size)
@@ -197,7 +197,7 @@ fn what_the_gpu_timed_is_compared_with_what_was_counted() {
         steps.render_all(&SETTINGS).unwrap();
         own.build_all().unwrap();
         own.render_all(&SETTINGS).unwrap();
-        likeness::record(&steps, &own, &SETTINGS)
+        agreement::record(&steps, &own, &SETTINGS)
     };
     let likeness = compare((q10, &scene), (q10, &scene)).unwrap().likeness;
     assert!(likeness.pixels_unlike <= likeness.pixels / 1000);

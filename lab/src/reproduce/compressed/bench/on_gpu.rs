@@ -1,6 +1,6 @@
 //! Timing of frames on a GPU.
 
-use super::{Bench, GpuRecord, Timed, likeness};
+use super::{Bench, GpuRecord, Timed, agreement};
 use crate::reproduce::compressed::frames::take_turns;
 use crate::reproduce::compressed::methods::Prepared;
 use crate::reproduce::steps::Steps;
@@ -28,7 +28,7 @@ impl Bench for GpuBench<'_> {
         settings: &RenderSettings,
     ) -> Result<Option<GpuRecord>> {
         self.0.render_all(settings)?;
-        likeness::record(&self.0, reference, settings).map(Some)
+        agreement::record(&self.0, reference, settings).map(Some)
     }
 
     fn time(
@@ -47,7 +47,7 @@ impl Bench for GpuBench<'_> {
         raise_clock(plain, settings)?;
         Ok(Timed {
             rounds: take_turns((plain, &mut own), settings, round_count)?,
-            on_gpu: Some(likeness::record(&own, on_cores, settings)?),
+            on_gpu: Some(agreement::record(&own, on_cores, settings)?),
         })
     }
 }
@@ -55,7 +55,7 @@ impl Bench for GpuBench<'_> {
 /// Keeps a hardware GPU busy until its clock is up: an idle GPU is a few times slower at first.
 fn raise_clock(steps: &mut Steps<&Gpu>, settings: &RenderSettings) -> Result<()> {
     let start = Instant::now();
-    while !likeness::is_software(steps.backend) && start.elapsed() < Duration::from_millis(500) {
+    while !agreement::is_software(steps.backend) && start.elapsed() < Duration::from_millis(500) {
         steps.render_all(settings)?;
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Checks that the GPU timed what the CPU counted: trees of equal bytes, rays that touch the same nodes, similar pictures.
 
-use super::{Buffers, GpuRecord, Likeness};
-use crate::reproduce::compressed::measure::changed;
+use super::{Agreement, Buffers, GpuRecord};
+use crate::measure::pictures::changed;
 use crate::reproduce::steps::Steps;
 use anyhow::{Context, Result, ensure};
 use slimbvh::gpu::{Bvh, Gpu, Query, wgpu};
@@ -49,7 +49,7 @@ pub fn record(
     );
 
     let picture = &steps.picture;
-    let likeness = Likeness {
+    let likeness = Agreement {
         rays: rays.len(),
         counted_otherwise,
         pixels: picture.pixels.len(),
