@@ -2,10 +2,12 @@
 
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::{Hit, PreparedRay, Ray};
+use core::marker::PhantomData;
 use query::{Query, Single};
 
 mod collect;
 mod filter;
+mod lane_stack;
 #[cfg(not(target_arch = "spirv"))]
 mod packet;
 #[cfg(not(target_arch = "spirv"))]
@@ -18,12 +20,14 @@ pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, N
 #[cfg(not(target_arch = "spirv"))]
 pub use filter::SkipAnd;
 pub use filter::{HitFilter, Skip};
+pub use lane_stack::{LANE_BOX_ROWS, LANE_ROWS, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords};
 #[cfg(not(target_arch = "spirv"))]
 pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
 #[cfg(not(target_arch = "spirv"))]
 pub use prepare::PreparedRays;
+pub use query::Distance;
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
-pub use stack::{BoxColumns, Column, Cursor, STACK_SIZE, Stack};
+pub use stack::{BoxColumns, BoxCursor, Column, Cursor, STACK_SIZE, Stack, Waiting};
 
 /// Where the traversal finds nodes.
 pub trait NodeSource {
@@ -32,6 +36,9 @@ pub trait NodeSource {
 
     /// A leaf's decoded box, where triangles are decoded relative to it; else `()`.
     type Bounds: Copy;
+
+    /// A leaf without triangles; where there are no nodes, anything.
+    const NOTHING: Self::Cursor;
 
     /// Where to begin, for a ray whose axes are in this order.
     fn root(&self, axes: [u32; 3]) -> Self::Cursor;
@@ -42,7 +49,7 @@ pub trait NodeSource {
     /// An inner node's children.
     fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
 
-    /// Bound on the number of nodes and leaves: no traversal takes more steps, whatever the source holds.
+    /// More than there are inner nodes: no traversal opens more nodes than this, whatever the source holds.
     fn step_limit(&self) -> u32;
 }
 
@@ -99,89 +106,131 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Co
     filter: &F,
     collector: &mut C,
 ) {
-    let mut stack = Stack::EMPTY;
+    let mut stack: Stack<N::Cursor> = Stack::EMPTY;
     traverse_with(&mut stack, nodes, triangles, ray, filter, collector);
 }
 
-/// Offers every triangle that the ray meets and the filter accepts to the collector.
+/// Offers every triangle that the ray meets and the filter accepts to the collector. Returns whether the ray came to an end: false
+/// where the stack was full ([`Waiting::is_full`]), and the collector's answer means nothing.
 #[inline(always)]
-pub fn traverse_with<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector>(
-    stack: &mut Stack<N::Cursor>,
+pub fn traverse_with<N, T, F, C, S>(
+    stack: &mut S,
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
     filter: &F,
     collector: &mut C,
-) {
+) -> bool
+where
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+    F: HitFilter,
+    C: Collector,
+    S: Waiting<Cursor = N::Cursor, Enter: Distance>,
+{
     let query = Single {
         ray,
         filter,
         collector,
+        distance: PhantomData,
     };
-    walk(stack, nodes, triangles, query);
+    walk(stack, nodes, triangles, query)
 }
 
-/// Walks the tree from the root, near child first, and lets the query test every triangle on the way.
+/// What stands for the number of waiting nodes when the walk is over.
+const DONE: i32 = -1;
+
+/// As [`DONE`], because the stack was full.
+const OVERFLOWED: i32 = -2;
+
+/// Walks the tree from the root, near child first, and lets the query test every triangle on the way. Returns whether it came to
+/// an end: false where the stack was full.
 ///
-/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. It ends after at most as
-/// many steps as a sound tree takes. The tree is binary: [`Children`], [`Query`] and the links of nodes hold two children.
+/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. The tree is binary: [`Children`], [`Query`] and the links of nodes hold two children.
+///
+/// The inner loop opens nodes only, so that lanes of a GPU do the same for as long as possible, and what the leaves' hits need is
+/// not carried through it (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs", while-while).
 #[inline(always)]
-fn walk<N: NodeSource, T: TriangleSource<N::Bounds>, Q: Query<N, T>>(
-    stack: &mut Stack<N::Cursor, Q::Enter>,
-    nodes: &N,
-    triangles: &T,
-    mut query: Q,
-) {
+fn walk<N, T, Q, S>(stack: &mut S, nodes: &N, triangles: &T, mut query: Q) -> bool
+where
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+    Q: Query<N, T>,
+    S: Waiting<Cursor = N::Cursor, Enter = Q::Enter>,
+{
     let mut steps = nodes.step_limit();
     let mut cursor = nodes.root(query.axes());
-    let mut depth = 0usize;
-    let mut at_node = query.begin();
+    let mut waiting = if query.begin() { 0 } else { DONE };
 
-    while (at_node || depth > 0) && steps > 0 {
-        if !at_node {
-            // Take the nearest node that waits, unless hits have been found before it.
-            depth -= 1;
-            cursor = stack.cursor(depth);
-            at_node = query.is_due(stack.enter(depth));
-        }
-        if at_node {
-            steps -= 1;
-            let run = nodes.leaf(cursor);
-            if run.is_leaf {
-                for number in 0..run.count {
-                    let slot = LeafSlot {
-                        first: run.first,
-                        number,
-                        bounds: run.bounds,
+    while waiting > DONE {
+        let mut run = nodes.leaf(cursor);
+        while !run.is_leaf && waiting > DONE {
+            let node = nodes.children(cursor, query.axes());
+            let opened = query.open(node.planes);
+            if opened.meets_left | opened.meets_right {
+                let goes_left = opened.meets_left & (opened.left_first | !opened.meets_right);
+                cursor = if goes_left { node.left } else { node.right };
+                query.follow(if goes_left {
+                    opened.enter_left
+                } else {
+                    opened.enter_right
+                });
+                if opened.meets_left & opened.meets_right {
+                    let (far, enter) = if goes_left {
+                        (node.right, opened.enter_right)
+                    } else {
+                        (node.left, opened.enter_left)
                     };
-                    query.test(triangles, &slot);
-                }
-                at_node = false;
-                if query.is_done() {
-                    depth = 0;
+                    if stack.is_full(waiting as u32) {
+                        waiting = OVERFLOWED;
+                    } else {
+                        stack.put(waiting as u32, far, enter);
+                        waiting += 1;
+                    }
                 }
             } else {
-                let node = nodes.children(cursor, query.axes());
-                let opened = query.open(node.planes);
-                let left_first = opened.left_first;
-                if opened.meets_left && opened.meets_right {
-                    let far = if left_first { node.right } else { node.left };
-                    stack.put(depth, far, opened.far_enter());
-                    depth += 1;
-                    cursor = if left_first { node.left } else { node.right };
-                    query.follow(opened.near_enter());
-                } else {
-                    cursor = if opened.meets_left {
-                        query.follow(opened.enter_left);
-                        node.left
-                    } else {
-                        query.follow(opened.enter_right);
-                        node.right
-                    };
-                    at_node = opened.meets_left || opened.meets_right;
-                }
+                waiting -= 1;
+                cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
+            }
+            run = nodes.leaf(cursor);
+            steps = steps.wrapping_sub(1);
+            if steps == 0 {
+                waiting = DONE;
             }
         }
+        if waiting > DONE {
+            for number in 0..run.count {
+                let slot = LeafSlot {
+                    first: run.first,
+                    number,
+                    bounds: run.bounds,
+                };
+                query.test(triangles, &slot);
+            }
+            waiting -= 1;
+            cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
+            if query.is_done() {
+                waiting = DONE;
+            }
+        }
+    }
+    waiting == DONE
+}
+
+/// The node that waits in a row; one that the rays enter beyond their limits is a leaf without triangles. The row before the first
+/// holds nothing: the walk is over.
+#[inline(always)]
+fn take<N, T, Q, S>(stack: &S, row: i32, query: &mut Q) -> N::Cursor
+where
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+    Q: Query<N, T>,
+    S: Waiting<Cursor = N::Cursor, Enter = Q::Enter>,
+{
+    if query.is_due(stack.enter(row as u32)) {
+        stack.cursor(row as u32)
+    } else {
+        N::NOTHING
     }
 }
 

@@ -6,7 +6,7 @@ use crate::build::node::NodeRef;
 use crate::geometry::float::whole_number;
 use crate::geometry::lattice::LatticeBox;
 use crate::geometry::planes::PlanePair;
-use crate::trace::{BoxColumns, Children, Cursor, LeafRun, NodeSource};
+use crate::trace::{BoxCursor, Children, LeafRun, NodeSource};
 use glam::Vec4;
 
 /// A node or a leaf, and its box. 48 bytes, also where vectors need not be aligned: shaders align them.
@@ -21,27 +21,27 @@ pub struct LatticeCursor {
 
 const _: () = assert!(size_of::<LatticeCursor>() == 48);
 
-impl Cursor for LatticeCursor {
-    type Columns = BoxColumns;
-    const EMPTY: BoxColumns = BoxColumns::EMPTY;
-
+impl BoxCursor for LatticeCursor {
     #[inline(always)]
-    fn put(self, columns: &mut BoxColumns, place: usize) {
-        let LatticeBounds { min, max } = self.bounds;
-        let (min, max) = ([min.x, min.y, min.z], [max.x, max.y, max.z]);
-        columns.put(place, self.node, min, max);
-    }
-
-    #[inline(always)]
-    fn at(columns: &BoxColumns, place: usize) -> Self {
-        let ([a, b, c], [x, y, z]) = (columns.min(place), columns.max(place));
+    fn new(node: NodeRef, [a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> Self {
         Self {
             bounds: LatticeBounds {
                 min: Vec4::new(a, b, c, 0.0),
                 max: Vec4::new(x, y, z, 0.0),
             },
-            node: columns.node(place),
+            node,
         }
+    }
+
+    #[inline(always)]
+    fn node(&self) -> NodeRef {
+        self.node
+    }
+
+    #[inline(always)]
+    fn corners(&self) -> [[f32; 3]; 2] {
+        let LatticeBounds { min, max } = self.bounds;
+        [[min.x, min.y, min.z], [max.x, max.y, max.z]]
     }
 }
 
@@ -129,6 +129,11 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
     type Cursor = LatticeCursor;
     type Bounds = LatticeBounds;
 
+    const NOTHING: LatticeCursor = LatticeCursor {
+        node: NodeRef::EMPTY_LEAF,
+        bounds: LatticeBounds::ZERO,
+    };
+
     #[inline(always)]
     fn root(&self, axes: [u32; 3]) -> LatticeCursor {
         LatticeCursor {
@@ -154,15 +159,11 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
     #[inline(always)]
     fn children(&self, cursor: LatticeCursor, axes: [u32; 3]) -> Children<LatticeCursor> {
         let index = cursor.node.index() as usize;
-        let nothing = LatticeCursor {
-            node: NodeRef::EMPTY_LEAF,
-            bounds: LatticeBounds::ZERO,
-        };
         if index >= self.nodes.len() {
             return Children {
                 planes: [PlanePair::ZERO; 3],
-                left: nothing,
-                right: nothing,
+                left: Self::NOTHING,
+                right: Self::NOTHING,
             };
         }
         // Words are read where they lie, by axis.
@@ -198,7 +199,6 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
 
     #[inline(always)]
     fn step_limit(&self) -> u32 {
-        // Every inner node once, and a leaf on both sides of each.
-        3 * self.nodes.len() as u32 + 1
+        self.nodes.len() as u32 + 1
     }
 }

@@ -9,7 +9,7 @@ use crate::geometry::orientation::product;
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::NO_PRIMITIVE;
 use crate::geometry::triangle::LeafTriangle;
-use crate::trace::{BoxColumns, Children, Cursor, LeafRun, LeafSlot, NodeSource, TriangleSource};
+use crate::trace::{BoxCursor, Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
 use bytemuck::{Pod, Zeroable};
 
 /// The largest number of 10 bits.
@@ -239,24 +239,23 @@ pub struct Paper10Cursor {
     pub bounds: Paper10Box,
 }
 
-impl Cursor for Paper10Cursor {
-    type Columns = BoxColumns;
-    const EMPTY: BoxColumns = BoxColumns::EMPTY;
-
+impl BoxCursor for Paper10Cursor {
     #[inline(always)]
-    fn put(self, columns: &mut BoxColumns, place: usize) {
-        columns.put(place, self.node, self.bounds.min, self.bounds.max);
+    fn new(node: NodeRef, min: [f32; 3], max: [f32; 3]) -> Self {
+        Self {
+            node,
+            bounds: Paper10Box { min, max },
+        }
     }
 
     #[inline(always)]
-    fn at(columns: &BoxColumns, place: usize) -> Self {
-        Self {
-            node: columns.node(place),
-            bounds: Paper10Box {
-                min: columns.min(place),
-                max: columns.max(place),
-            },
-        }
+    fn node(&self) -> NodeRef {
+        self.node
+    }
+
+    #[inline(always)]
+    fn corners(&self) -> [[f32; 3]; 2] {
+        [self.bounds.min, self.bounds.max]
     }
 }
 
@@ -274,6 +273,11 @@ pub struct Paper10Nodes<'a> {
 impl NodeSource for Paper10Nodes<'_> {
     type Cursor = Paper10Cursor;
     type Bounds = Paper10Box;
+
+    const NOTHING: Paper10Cursor = Paper10Cursor {
+        node: NodeRef::EMPTY_LEAF,
+        bounds: Paper10Box::ZERO,
+    };
 
     #[inline(always)]
     fn root(&self, axes: [u32; 3]) -> Paper10Cursor {
@@ -328,7 +332,7 @@ impl NodeSource for Paper10Nodes<'_> {
 
     #[inline(always)]
     fn step_limit(&self) -> u32 {
-        3 * self.nodes.len() as u32 + 1
+        self.nodes.len() as u32 + 1
     }
 }
 

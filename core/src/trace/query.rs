@@ -5,12 +5,12 @@ use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::PreparedRay;
 use crate::geometry::slab::slab;
 use crate::geometry::watertight::intersect;
-use crate::trace::stack::Enter;
+use core::marker::PhantomData;
 
 /// What rays that walk a tree decide on their way.
 pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Bounds>> {
     /// Where they enter a node.
-    type Enter: Enter;
+    type Enter: Copy;
 
     /// The order of their axes.
     fn axes(&self) -> [u32; 3];
@@ -45,37 +45,50 @@ pub(super) struct Opened<E> {
     pub left_first: bool,
 }
 
-impl<E: Enter> Opened<E> {
+/// What the stack of a single ray keeps of where it enters a node.
+pub trait Distance: Copy {
+    /// The ray enters at this t.
+    fn at(t: f32) -> Self;
+
+    /// Whether that may be within a limit.
+    fn is_within(self, limit: f32) -> bool;
+}
+
+impl Distance for f32 {
     #[inline(always)]
-    pub fn near_enter(&self) -> E {
-        if self.left_first {
-            self.enter_left
-        } else {
-            self.enter_right
-        }
+    fn at(t: f32) -> Self {
+        t
     }
 
     #[inline(always)]
-    pub fn far_enter(&self) -> E {
-        if self.left_first {
-            self.enter_right
-        } else {
-            self.enter_left
-        }
+    fn is_within(self, limit: f32) -> bool {
+        self <= limit
+    }
+}
+
+/// It is not kept: a node may always be within the limit.
+impl Distance for () {
+    #[inline(always)]
+    fn at(_: f32) {}
+
+    #[inline(always)]
+    fn is_within(self, _: f32) -> bool {
+        true
     }
 }
 
 /// One ray.
-pub(super) struct Single<'a, F, C> {
+pub(super) struct Single<'a, F, C, D> {
     pub ray: &'a PreparedRay,
     pub filter: &'a F,
     pub collector: &'a mut C,
+    pub distance: PhantomData<D>,
 }
 
-impl<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector> Query<N, T>
-    for Single<'_, F, C>
+impl<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector, D: Distance>
+    Query<N, T> for Single<'_, F, C, D>
 {
-    type Enter = f32;
+    type Enter = D;
 
     #[inline(always)]
     fn axes(&self) -> [u32; 3] {
@@ -88,17 +101,17 @@ impl<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector> Qu
     }
 
     #[inline(always)]
-    fn is_due(&mut self, enter: f32) -> bool {
-        enter <= self.collector.limit()
+    fn is_due(&mut self, enter: D) -> bool {
+        enter.is_within(self.collector.limit())
     }
 
     #[inline(always)]
-    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<f32> {
+    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<D> {
         self.collector.count_node();
         let boxes = slab(self.ray, planes, self.collector.limit());
         Opened {
-            enter_left: boxes.enter_a,
-            enter_right: boxes.enter_b,
+            enter_left: D::at(boxes.enter_a),
+            enter_right: D::at(boxes.enter_b),
             meets_left: boxes.meets_a,
             meets_right: boxes.meets_b,
             left_first: boxes.enter_a <= boxes.enter_b,

@@ -14,6 +14,8 @@ impl NodeSource for PlainNodes<'_> {
     type Cursor = NodeRef;
     type Bounds = ();
 
+    const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
+
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) -> NodeRef {
         if self.0.is_empty() {
@@ -54,8 +56,7 @@ impl NodeSource for PlainNodes<'_> {
 
     #[inline(always)]
     fn step_limit(&self) -> u32 {
-        // Every inner node once, and a leaf on both sides of each.
-        3 * self.0.len() as u32 + 1
+        self.0.len() as u32 + 1
     }
 }
 
@@ -73,6 +74,8 @@ pub struct BruteForce(pub u32);
 impl NodeSource for BruteForce {
     type Cursor = ();
     type Bounds = ();
+
+    const NOTHING: () = ();
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) {}

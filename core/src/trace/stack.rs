@@ -9,6 +9,28 @@ pub const STACK_SIZE: usize = 128;
 const _: () = assert!(STACK_SIZE as u32 > depth_bound(63, crate::MAX_TRIANGLES));
 const _: () = assert!(STACK_SIZE as u32 > crate::build::cluster::depth_bound(crate::MAX_TRIANGLES));
 
+/// Memory for the nodes that wait in a traversal: an array of its own ([`Stack`]), or a lane's rows of an array that a workgroup
+/// shares ([`super::LaneStack`], [`super::LaneBoxStack`]).
+pub trait Waiting {
+    /// What names a node.
+    type Cursor: Copy;
+
+    /// Where the rays enter a node, or `()` where that is not kept: then every node that waits is walked to.
+    type Enter: Copy;
+
+    /// Lets a node wait in a row. There must be room for it ([`Self::is_full`]).
+    fn put(&mut self, row: u32, cursor: Self::Cursor, enter: Self::Enter);
+
+    /// The node that waits in a row.
+    fn cursor(&self, row: u32) -> Self::Cursor;
+
+    /// Where the rays enter the node that waits in a row.
+    fn enter(&self, row: u32) -> Self::Enter;
+
+    /// Whether there is no room for another node beside this many.
+    fn is_full(&self, waiting_count: u32) -> bool;
+}
+
 /// A number of each entry of the stack.
 pub type Column<T> = [T; STACK_SIZE];
 
@@ -56,6 +78,18 @@ impl Cursor for () {
     fn at((): &(), _: usize) {}
 }
 
+/// A node on the stack whose children are decoded from its box.
+pub trait BoxCursor: Copy {
+    /// A node and its box, coordinates in the order of the ray's axes.
+    fn new(node: NodeRef, min: [f32; 3], max: [f32; 3]) -> Self;
+
+    /// The node.
+    fn node(&self) -> NodeRef;
+
+    /// Its box's smallest and largest coordinates.
+    fn corners(&self) -> [[f32; 3]; 2];
+}
+
 /// Columns of a node and its box.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxColumns {
@@ -68,9 +102,9 @@ pub struct BoxColumns {
     max_c: Column<f32>,
 }
 
-impl BoxColumns {
-    /// All bits zero.
-    pub const EMPTY: Self = Self {
+impl<C: BoxCursor> Cursor for C {
+    type Columns = BoxColumns;
+    const EMPTY: BoxColumns = BoxColumns {
         node: NodeRef::EMPTY,
         min_a: [0.0; STACK_SIZE],
         min_b: [0.0; STACK_SIZE],
@@ -80,40 +114,36 @@ impl BoxColumns {
         max_c: [0.0; STACK_SIZE],
     };
 
-    /// Puts a node and its box in place.
     #[inline(always)]
-    pub fn put(&mut self, place: usize, node: NodeRef, min: [f32; 3], max: [f32; 3]) {
+    fn put(self, columns: &mut BoxColumns, place: usize) {
         let place = place % STACK_SIZE;
-        self.node[place] = node;
-        self.min_a[place] = min[0];
-        self.min_b[place] = min[1];
-        self.min_c[place] = min[2];
-        self.max_a[place] = max[0];
-        self.max_b[place] = max[1];
-        self.max_c[place] = max[2];
+        let [min, max] = self.corners();
+        columns.node[place] = self.node();
+        columns.min_a[place] = min[0];
+        columns.min_b[place] = min[1];
+        columns.min_c[place] = min[2];
+        columns.max_a[place] = max[0];
+        columns.max_b[place] = max[1];
+        columns.max_c[place] = max[2];
     }
 
-    /// The node that was put there.
     #[inline(always)]
-    #[must_use]
-    pub fn node(&self, place: usize) -> NodeRef {
-        self.node[place % STACK_SIZE]
-    }
-
-    /// Smallest coordinates of the box that was put there.
-    #[inline(always)]
-    #[must_use]
-    pub fn min(&self, place: usize) -> [f32; 3] {
+    fn at(columns: &BoxColumns, place: usize) -> Self {
         let place = place % STACK_SIZE;
-        [self.min_a[place], self.min_b[place], self.min_c[place]]
-    }
-
-    /// Largest coordinates of the box that was put there.
-    #[inline(always)]
-    #[must_use]
-    pub fn max(&self, place: usize) -> [f32; 3] {
-        let place = place % STACK_SIZE;
-        [self.max_a[place], self.max_b[place], self.max_c[place]]
+        let BoxColumns {
+            min_a,
+            min_b,
+            min_c,
+            max_a,
+            max_b,
+            max_c,
+            ..
+        } = columns;
+        Self::new(
+            columns.node[place],
+            [min_a[place], min_b[place], min_c[place]],
+            [max_a[place], max_b[place], max_c[place]],
+        )
     }
 }
 
@@ -140,23 +170,31 @@ impl<C: Cursor, E: Enter> Stack<C, E> {
         cursors: C::EMPTY,
         enter: [E::ZERO; STACK_SIZE],
     };
+}
 
-    /// Lets a node wait.
+impl<C: Cursor, E: Enter> Waiting for Stack<C, E> {
+    type Cursor = C;
+    type Enter = E;
+
     #[inline(always)]
-    pub(super) fn put(&mut self, place: usize, cursor: C, enter: E) {
-        cursor.put(&mut self.cursors, place);
-        self.enter[place % STACK_SIZE] = enter;
+    fn put(&mut self, row: u32, cursor: C, enter: E) {
+        cursor.put(&mut self.cursors, row as usize);
+        self.enter[row as usize % STACK_SIZE] = enter;
     }
 
-    /// A node that waits.
     #[inline(always)]
-    pub(super) fn cursor(&self, place: usize) -> C {
-        C::at(&self.cursors, place)
+    fn cursor(&self, row: u32) -> C {
+        C::at(&self.cursors, row as usize)
     }
 
-    /// Where the rays enter it.
     #[inline(always)]
-    pub(super) fn enter(&self, place: usize) -> E {
-        self.enter[place % STACK_SIZE]
+    fn enter(&self, row: u32) -> E {
+        self.enter[row as usize % STACK_SIZE]
+    }
+
+    /// Never: a sound tree has fewer levels than the stack has rows, and in another one rows are used again.
+    #[inline(always)]
+    fn is_full(&self, _: u32) -> bool {
+        false
     }
 }

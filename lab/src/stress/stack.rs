@@ -70,6 +70,8 @@ impl NodeSource for Noted<'_> {
     type Cursor = NotedRef;
     type Bounds = ();
 
+    const NOTHING: NotedRef = NotedRef(NodeRef::EMPTY_LEAF);
+
     fn root(&self, axes: [u32; 3]) -> NotedRef {
         NotedRef(self.0.root(axes))
     }

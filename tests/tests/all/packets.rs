@@ -226,6 +226,8 @@ impl NodeSource for Opened<'_> {
     type Cursor = NodeRef;
     type Bounds = ();
 
+    const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
+
     fn root(&self, axes: [u32; 3]) -> NodeRef {
         self.0.root(axes)
     }
