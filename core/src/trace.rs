@@ -2,7 +2,6 @@
 
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::{Hit, PreparedRay, Ray};
-use core::marker::PhantomData;
 use query::{Query, Single};
 
 mod collect;
@@ -13,10 +12,11 @@ mod packet;
 #[cfg(not(target_arch = "spirv"))]
 mod prepare;
 mod query;
+mod rows;
 mod sources;
 mod stack;
 
-pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits};
+pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits, UpTo};
 #[cfg(not(target_arch = "spirv"))]
 pub use filter::SkipAnd;
 pub use filter::{HitFilter, Skip};
@@ -26,6 +26,7 @@ pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
 #[cfg(not(target_arch = "spirv"))]
 pub use prepare::PreparedRays;
 pub use query::Distance;
+pub use rows::{NodeRow, NodeRows, TrianglePair, TriangleRows};
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
 pub use stack::{BoxColumns, BoxCursor, Column, Cursor, STACK_SIZE, Stack, Waiting};
 
@@ -126,13 +127,12 @@ where
     T: TriangleSource<N::Bounds>,
     F: HitFilter,
     C: Collector,
-    S: Waiting<Cursor = N::Cursor, Enter: Distance>,
+    S: Waiting<N::Cursor, Enter: Distance>,
 {
     let query = Single {
         ray,
         filter,
         collector,
-        distance: PhantomData,
     };
     walk(stack, nodes, triangles, query)
 }
@@ -155,16 +155,15 @@ fn walk<N, T, Q, S>(stack: &mut S, nodes: &N, triangles: &T, mut query: Q) -> bo
 where
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
-    Q: Query<N, T>,
-    S: Waiting<Cursor = N::Cursor, Enter = Q::Enter>,
+    S: Waiting<N::Cursor>,
+    Q: Query<N, T, S::Enter>,
 {
     let mut steps = nodes.step_limit();
     let mut cursor = nodes.root(query.axes());
     let mut waiting = if query.begin() { 0 } else { DONE };
 
     while waiting > DONE {
-        let mut run = nodes.leaf(cursor);
-        while !run.is_leaf && waiting > DONE {
+        while waiting > DONE && !nodes.leaf(cursor).is_leaf {
             let node = nodes.children(cursor, query.axes());
             let opened = query.open(node.planes);
             if opened.meets_left | opened.meets_right {
@@ -192,13 +191,13 @@ where
                 waiting -= 1;
                 cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
             }
-            run = nodes.leaf(cursor);
             steps = steps.wrapping_sub(1);
             if steps == 0 {
                 waiting = DONE;
             }
         }
         if waiting > DONE {
+            let run = nodes.leaf(cursor);
             for number in 0..run.count {
                 let slot = LeafSlot {
                     first: run.first,
@@ -224,8 +223,8 @@ fn take<N, T, Q, S>(stack: &S, row: i32, query: &mut Q) -> N::Cursor
 where
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
-    Q: Query<N, T>,
-    S: Waiting<Cursor = N::Cursor, Enter = Q::Enter>,
+    S: Waiting<N::Cursor>,
+    Q: Query<N, T, S::Enter>,
 {
     if query.is_due(stack.enter(row as u32)) {
         stack.cursor(row as u32)

@@ -5,7 +5,7 @@ use crate::trace::scaled_target;
 use crate::{LANES, thread_index};
 use glam::{UVec3, UVec4};
 use slimbvh_core::IndexedTriangles;
-use slimbvh_core::classify::{Sides, VisibleSet, is_in_set};
+use slimbvh_core::classify::{Sides, VisibleSet, is_in_set, packed_sides};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
@@ -45,6 +45,20 @@ pub fn classify(
     let word = (i / 32) as usize;
     if lane & 31 == 0 && word < bits.len() {
         bits[word] = pack_lanes(lane, flags);
+    }
+}
+
+/// One thread per word. Reads the components of primitives and their sides. Stores the sides of the word's primitives.
+#[spirv(compute(threads(64)))]
+pub fn classify_sides(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] components: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] sides: &[i32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] packed: &mut [u32],
+) {
+    let word = thread_index(id);
+    if (word as usize) < packed.len() {
+        packed[word as usize] = packed_sides(word, &Sides { components, sides });
     }
 }
 

@@ -5,31 +5,40 @@
 
 use crate::thread_index;
 use glam::{UVec3, UVec4, Vec4};
-use slimbvh_core::classify::{FacingFilter, Sides};
+use overflow::noted;
+use slimbvh_core::classify::{FacingFilter, PackedSides};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::shade::{Path, Shadow};
-use slimbvh_core::trace::{ClosestOrAny, LeafTriangles, PlainNodes, Skip, traverse};
-use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
+use slimbvh_core::trace::{
+    ClosestOrAny, LaneStack, LaneWords, NodeRow, NodeRows, Skip, TrianglePair, TriangleRows,
+    traverse,
+};
+use slimbvh_core::{Hit, Ray};
 use spirv_std::spirv;
 
 #[macro_use]
 mod kernels;
 pub mod coded;
+pub mod overflow;
 mod store;
 
 trace_kernels! {
     [() 0 1 2 3 4 5 6 7 8]
-    |nodes: Node, triangles: LeafTriangle| PlainNodes(nodes), LeafTriangles(triangles);
+    [LaneWords, LaneStack::new]
+    |nodes: NodeRow, triangles: TrianglePair| NodeRows(nodes), TriangleRows(triangles);
     pub fn trace_closest;
     pub fn trace_any;
     pub fn trace_nearest;
+    pub fn trace_rays_overflow;
     pub fn trace_counted;
     pub fn trace_paths_facing;
+    pub fn trace_paths_overflow;
     pub fn trace_paths_counted;
     pub fn trace_shadows_facing;
+    pub fn trace_shadows_overflow;
 }
 
 /// One thread per path. Reads the tree and the path. Stores the closest hit, a miss for paths that have ended. Counts
@@ -37,16 +46,21 @@ trace_kernels! {
 #[spirv(compute(threads(64)))]
 pub fn trace_paths(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[LeafTriangle],
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] nodes: &[NodeRow],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[TrianglePair],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] paths: &[Path],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] hits: &mut [Hit],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counters: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] tally: &mut [u32],
+    #[spirv(workgroup)] words: &mut LaneWords,
 ) {
     let i = thread_index(id);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    let (stack, tree) = (
+        &mut LaneStack::new(words, lane),
+        (&NodeRows(nodes), &TriangleRows(triangles)),
+    );
     let filter = Skip(store::path_skip(i, paths));
-    store::paths(i, nodes, triangles, &filter, paths, hits, counters);
+    store::paths(stack, tree, i, &filter, paths, hits, tally);
 }
 
 /// One thread per path. Reads the tree and what `shade_light` stored. Stores the path with the light, where nothing is
@@ -54,16 +68,21 @@ pub fn trace_paths(
 #[spirv(compute(threads(64)))]
 pub fn trace_shadows(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[LeafTriangle],
+    #[spirv(local_invocation_index)] lane: u32,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] nodes: &[NodeRow],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] triangles: &[TrianglePair],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] shadows: &[Shadow],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] paths: &mut [Path],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] counters: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] tally: &mut [u32],
+    #[spirv(workgroup)] words: &mut LaneWords,
 ) {
     let i = thread_index(id);
-    let (nodes, triangles) = (&PlainNodes(nodes), &LeafTriangles(triangles));
+    let (stack, tree) = (
+        &mut LaneStack::new(words, lane),
+        (&NodeRows(nodes), &TriangleRows(triangles)),
+    );
     let filter = Skip(store::shadow_skip(i, shadows));
-    store::shadows(i, nodes, triangles, &filter, shadows, paths, counters);
+    store::shadows(stack, tree, i, &filter, shadows, paths, tally);
 }
 
 /// A target from its words, in the scene's magnitude.
@@ -89,8 +108,8 @@ pub(crate) fn scaled_target(words: &[UVec4; 2], exponent: u32) -> Target {
 #[spirv(compute(threads(1)))]
 pub fn call_trace(
     #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[Node],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[NodeRow],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[TrianglePair],
     #[spirv(uniform, descriptor_set = 0, binding = 3)] origin: &Vec4,
     #[spirv(uniform, descriptor_set = 0, binding = 4)] direction: &Vec4,
     #[spirv(uniform, descriptor_set = 0, binding = 5)] any_will_do: &u32,
@@ -109,8 +128,8 @@ pub fn call_trace(
         ClosestOrAny::closest(ray.t_max)
     };
     traverse(
-        &PlainNodes(nodes),
-        &LeafTriangles(triangles),
+        &NodeRows(nodes),
+        &TriangleRows(triangles),
         &ray,
         &Skip::NONE,
         &mut collector,

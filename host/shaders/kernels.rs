@@ -12,6 +12,7 @@ kernels! {
         classify_compact_63,
         classify_order_30,
         classify_order_63,
+        classify_sides,
         compact,
         compact_counts,
         decide_components,
@@ -29,6 +30,7 @@ kernels! {
         encode_triangles,
         morton_30,
         morton_63,
+        overflow_groups,
         refit_groups,
         refit_nodes,
         refit_parents,
@@ -70,16 +72,31 @@ kernels! {
         trace_paths_counted_q21_f32,
         trace_paths_counted_q21_lattice,
         trace_paths_facing,
+        trace_paths_overflow,
         trace_paths_q10_f32,
+        trace_paths_q10_f32_overflow,
         trace_paths_q10_lattice,
+        trace_paths_q10_lattice_overflow,
         trace_paths_q21_f32,
+        trace_paths_q21_f32_overflow,
         trace_paths_q21_lattice,
+        trace_paths_q21_lattice_overflow,
+        trace_rays_overflow,
+        trace_rays_q10_f32_overflow,
+        trace_rays_q10_lattice_overflow,
+        trace_rays_q21_f32_overflow,
+        trace_rays_q21_lattice_overflow,
         trace_shadows,
         trace_shadows_facing,
+        trace_shadows_overflow,
         trace_shadows_q10_f32,
+        trace_shadows_q10_f32_overflow,
         trace_shadows_q10_lattice,
+        trace_shadows_q10_lattice_overflow,
         trace_shadows_q21_f32,
+        trace_shadows_q21_f32_overflow,
         trace_shadows_q21_lattice,
+        trace_shadows_q21_lattice_overflow,
         view_depth,
         view_depth_range,
         view_depth_values,
@@ -111,18 +128,24 @@ kernels! {
         trace_paths_counted_paper10_f32,
         trace_paths_counted_paper10_leaf10,
         trace_paths_paper10_f32,
+        trace_paths_paper10_f32_overflow,
         trace_paths_paper10_leaf10,
+        trace_paths_paper10_leaf10_overflow,
+        trace_rays_paper10_f32_overflow,
+        trace_rays_paper10_leaf10_overflow,
         trace_shadows_paper10_f32,
+        trace_shadows_paper10_f32_overflow,
         trace_shadows_paper10_leaf10,
+        trace_shadows_paper10_leaf10_overflow,
     }
 }
 
 traces! {
-    None => trace_closest, trace_any, trace_nearest, trace_counted, trace_paths, trace_paths_counted, trace_shadows;
-    Some(Coding::Paper10F32) => trace_closest_paper10_f32, trace_any_paper10_f32, trace_nearest_paper10_f32, trace_counted_paper10_f32, trace_paths_paper10_f32, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32;
-    Some(Coding::Paper10Leaf10) => trace_closest_paper10_leaf10, trace_any_paper10_leaf10, trace_nearest_paper10_leaf10, trace_counted_paper10_leaf10, trace_paths_paper10_leaf10, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10;
-    Some(Coding::Q10F32) => trace_closest_q10_f32, trace_any_q10_f32, trace_nearest_q10_f32, trace_counted_q10_f32, trace_paths_q10_f32, trace_paths_counted_q10_f32, trace_shadows_q10_f32;
-    Some(Coding::Q10Lattice) => trace_closest_q10_lattice, trace_any_q10_lattice, trace_nearest_q10_lattice, trace_counted_q10_lattice, trace_paths_q10_lattice, trace_paths_counted_q10_lattice, trace_shadows_q10_lattice;
-    Some(Coding::Q21F32) => trace_closest_q21_f32, trace_any_q21_f32, trace_nearest_q21_f32, trace_counted_q21_f32, trace_paths_q21_f32, trace_paths_counted_q21_f32, trace_shadows_q21_f32;
-    Some(Coding::Q21Lattice) => trace_closest_q21_lattice, trace_any_q21_lattice, trace_nearest_q21_lattice, trace_counted_q21_lattice, trace_paths_q21_lattice, trace_paths_counted_q21_lattice, trace_shadows_q21_lattice;
+    None => trace_closest, trace_any, trace_nearest, trace_rays_overflow, trace_counted, trace_paths, trace_paths_overflow, trace_paths_counted, trace_shadows, trace_shadows_overflow;
+    Some(Coding::Paper10F32) => trace_closest_paper10_f32, trace_any_paper10_f32, trace_nearest_paper10_f32, trace_rays_paper10_f32_overflow, trace_counted_paper10_f32, trace_paths_paper10_f32, trace_paths_paper10_f32_overflow, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32, trace_shadows_paper10_f32_overflow;
+    Some(Coding::Paper10Leaf10) => trace_closest_paper10_leaf10, trace_any_paper10_leaf10, trace_nearest_paper10_leaf10, trace_rays_paper10_leaf10_overflow, trace_counted_paper10_leaf10, trace_paths_paper10_leaf10, trace_paths_paper10_leaf10_overflow, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10, trace_shadows_paper10_leaf10_overflow;
+    Some(Coding::Q10F32) => trace_closest_q10_f32, trace_any_q10_f32, trace_nearest_q10_f32, trace_rays_q10_f32_overflow, trace_counted_q10_f32, trace_paths_q10_f32, trace_paths_q10_f32_overflow, trace_paths_counted_q10_f32, trace_shadows_q10_f32, trace_shadows_q10_f32_overflow;
+    Some(Coding::Q10Lattice) => trace_closest_q10_lattice, trace_any_q10_lattice, trace_nearest_q10_lattice, trace_rays_q10_lattice_overflow, trace_counted_q10_lattice, trace_paths_q10_lattice, trace_paths_q10_lattice_overflow, trace_paths_counted_q10_lattice, trace_shadows_q10_lattice, trace_shadows_q10_lattice_overflow;
+    Some(Coding::Q21F32) => trace_closest_q21_f32, trace_any_q21_f32, trace_nearest_q21_f32, trace_rays_q21_f32_overflow, trace_counted_q21_f32, trace_paths_q21_f32, trace_paths_q21_f32_overflow, trace_paths_counted_q21_f32, trace_shadows_q21_f32, trace_shadows_q21_f32_overflow;
+    Some(Coding::Q21Lattice) => trace_closest_q21_lattice, trace_any_q21_lattice, trace_nearest_q21_lattice, trace_rays_q21_lattice_overflow, trace_counted_q21_lattice, trace_paths_q21_lattice, trace_paths_q21_lattice_overflow, trace_paths_counted_q21_lattice, trace_shadows_q21_lattice, trace_shadows_q21_lattice_overflow;
 }

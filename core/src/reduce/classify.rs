@@ -32,14 +32,48 @@ pub struct Sides<'a> {
     pub sides: &'a [i32],
 }
 
-impl Sides<'_> {
-    /// The outer side of a primitive's component.
+/// Where the side of a primitive's component is found.
+pub trait SideSource {
+    /// The outer side of a primitive's component: 1 for the front, −1 for the back, 0 where the component stays whole.
+    fn side(&self, primitive: u32) -> i32;
+}
+
+impl SideSource for Sides<'_> {
     #[inline(always)]
-    #[must_use]
-    pub fn side(&self, primitive: u32) -> i32 {
+    fn side(&self, primitive: u32) -> i32 {
         let component = crate::load(self.components, primitive, u32::MAX);
         crate::load(self.sides, component, 0)
     }
+}
+
+/// Primitives whose sides a word of [`PackedSides`] holds.
+pub const SIDES_PER_WORD: u32 = 16;
+
+/// The side of each primitive, two bits each: one read where [`Sides`] takes two, the second after the first. Primitives beyond the
+/// last belong to components that stay whole.
+#[derive(Clone, Copy, Debug)]
+pub struct PackedSides<'a>(pub &'a [u32]);
+
+impl SideSource for PackedSides<'_> {
+    #[inline(always)]
+    fn side(&self, primitive: u32) -> i32 {
+        let word = crate::load(self.0, primitive / SIDES_PER_WORD, 0);
+        // The bits 00, 01 and 11 are the numbers 0, 1 and −1.
+        let shift = 30 - primitive % SIDES_PER_WORD * 2;
+        ((word << shift) as i32) >> 30
+    }
+}
+
+/// One thread per word. Reads the components of its primitives and their sides. Returns the word of [`PackedSides`].
+#[inline]
+#[must_use]
+pub fn packed_sides(word: u32, sides: &Sides) -> u32 {
+    let mut packed = 0;
+    for i in 0..SIDES_PER_WORD {
+        let side = sides.side(word.wrapping_mul(SIDES_PER_WORD).wrapping_add(i));
+        packed |= (side as u32 & 3) << (2 * i);
+    }
+    packed
 }
 
 /// The triangles that rays of one kind may hit.
@@ -191,16 +225,16 @@ fn bits_of_set(
 
 /// Rejects the hits that [`faces`] rejects: for rays from or to a target that are traced through a whole tree.
 #[derive(Clone, Copy, Debug)]
-pub struct FacingFilter<'a> {
+pub struct FacingFilter<S> {
     /// A primitive that is rejected, [`crate::NO_PRIMITIVE`] for none.
     pub skip: u32,
-    /// Components and their sides.
-    pub sides: Sides<'a>,
+    /// The side of each primitive.
+    pub sides: S,
     /// The rays' origin, or where they go, in the scene's magnitude.
     pub target: Target,
 }
 
-impl HitFilter for FacingFilter<'_> {
+impl<S: SideSource> HitFilter for FacingFilter<S> {
     #[inline(always)]
     fn accepts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
         if primitive == self.skip {
@@ -264,6 +298,24 @@ mod tests {
     }
 
     proptest! {
+        /// Components and sides may be missing, too.
+        #[test]
+        fn packed_sides_are_the_sides(
+            components in proptest::collection::vec(0u32..5, 0..100),
+            sides in proptest::collection::vec(-1i32..=1, 0..5),
+        ) {
+            let sides = Sides { components: &components, sides: &sides };
+            let words: Vec<u32> = (0..7).map(|word| packed_sides(word, &sides)).collect();
+            let packed = PackedSides(&words);
+            for primitive in 0..130 {
+                prop_assert_eq!(packed.side(primitive), sides.side(primitive));
+            }
+            // The negative control: another primitive's side is noticed.
+            if components.len() > 1 && sides.side(0) != sides.side(1) {
+                prop_assert_ne!(packed.side(0), packed.side(1));
+            }
+        }
+
         /// Components and vertices may be missing, too.
         #[test]
         fn a_word_holds_what_each_triangle_says(

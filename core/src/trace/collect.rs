@@ -162,17 +162,64 @@ impl<const K: usize> Collector for NearestHits<K> {
         self.limit
     }
 
-    /// Insertion: the new hit moves up, what it passes moves down, the last falls out.
     #[inline(always)]
     fn offer(&mut self, hit: Hit) {
-        let mut moving = hit;
-        for i in 0..K {
-            if precedes(&moving, &self.hits[i]) {
-                moving = core::mem::replace(&mut self.hits[i], moving);
-            }
-        }
+        insert(hit, &mut self.hits);
         if K > 0 && self.hits[K - 1].is_hit() {
             self.limit = self.hits[K - 1].t;
+        }
+    }
+}
+
+/// Up to K nearest hits, their number chosen at run time; none stands for any hit.
+#[derive(Clone, Copy, Debug)]
+pub struct UpTo<const K: usize> {
+    /// The answer, misses at the end: the first `count`, or in `hits[0]` any.
+    pub hits: [Hit; K],
+    count: u32,
+    limit: f32,
+}
+
+impl<const K: usize> UpTo<K> {
+    /// Looks for this many hits up to `t_max`, at most K.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(count: u32, t_max: f32) -> Self {
+        Self {
+            hits: [Hit::MISS; K],
+            count,
+            limit: t_max,
+        }
+    }
+}
+
+impl<const K: usize> Collector for UpTo<K> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    #[inline(always)]
+    fn offer(&mut self, hit: Hit) {
+        insert(hit, &mut self.hits);
+        if self.count == 0 {
+            self.limit = FINAL;
+        } else {
+            let last = (self.count - 1) as usize;
+            if last < K && self.hits[last].is_hit() {
+                self.limit = self.hits[last].t;
+            }
+        }
+    }
+}
+
+/// The new hit moves up, what it passes moves down, the last falls out.
+#[inline(always)]
+fn insert<const K: usize>(hit: Hit, hits: &mut [Hit; K]) {
+    let mut moving = hit;
+    for i in 0..K {
+        if precedes(&moving, &hits[i]) {
+            moving = core::mem::replace(&mut hits[i], moving);
         }
     }
 }
@@ -257,6 +304,16 @@ mod tests {
         let mut any = ClosestOrAny::any(7.0);
         offered(&mut any, &hits);
         assert_eq!(any.closest.hit.primitive, 1);
+        let mut nearest = NearestHits::<3>::new(7.0);
+        offered(&mut nearest, &hits);
+        let answers: [(u32, &[u32]); 3] = [(0, &[1]), (1, &[2]), (3, &[2, 8, 0])];
+        for (count, primitives) in answers {
+            let mut up_to = UpTo::<3>::new(count, 7.0);
+            offered(&mut up_to, &hits);
+            let found = up_to.hits.map(|hit| hit.primitive);
+            assert_eq!(found[..primitives.len()], *primitives, "{count}");
+        }
+        assert_eq!(nearest.hits.map(|hit| hit.primitive), [2, 8, 0]);
         let mut first = Counted::new(AnyHit::new(7.0));
         first.offer(any.closest.hit);
         assert_eq!([any.limit(), first.limit()], [FINAL; 2]);

@@ -9,7 +9,6 @@
 use super::stack::{BoxCursor, Waiting};
 use crate::build::node::NodeRef;
 use crate::launch::LANES;
-use core::marker::PhantomData;
 
 /// Nodes that may wait in each lane of a [`LaneStack`].
 pub const LANE_ROWS: usize = 32;
@@ -21,20 +20,26 @@ pub type LaneWords = [u32; LANE_ROWS * LANES];
 #[derive(Debug)]
 pub struct LaneStack<'a> {
     /// Words of all lanes.
-    pub words: &'a mut LaneWords,
+    words: &'a mut LaneWords,
     /// The lane's number.
-    pub lane: u32,
+    lane: u32,
 }
 
-impl LaneStack<'_> {
+impl<'a> LaneStack<'a> {
+    /// The stack of a lane in the words of all lanes.
+    #[inline(always)]
+    #[must_use]
+    pub const fn new(words: &'a mut LaneWords, lane: u32) -> Self {
+        Self { words, lane }
+    }
+
     #[inline(always)]
     const fn place(&self, row: u32) -> usize {
         place(row % LANE_ROWS as u32, self.lane)
     }
 }
 
-impl Waiting for LaneStack<'_> {
-    type Cursor = NodeRef;
+impl Waiting<NodeRef> for LaneStack<'_> {
     type Enter = ();
 
     #[inline(always)]
@@ -67,24 +72,19 @@ pub type LaneBoxWords = [u32; LANE_BOX_ROWS * BOX_WORDS * LANES];
 
 /// A lane's stack of nodes with their boxes.
 #[derive(Debug)]
-pub struct LaneBoxStack<'a, C> {
+pub struct LaneBoxStack<'a> {
     /// Words of all lanes.
     words: &'a mut LaneBoxWords,
     /// The lane's number.
     lane: u32,
-    cursor: PhantomData<C>,
 }
 
-impl<'a, C> LaneBoxStack<'a, C> {
+impl<'a> LaneBoxStack<'a> {
     /// The stack of a lane in the words of all lanes.
     #[inline(always)]
     #[must_use]
     pub const fn new(words: &'a mut LaneBoxWords, lane: u32) -> Self {
-        Self {
-            words,
-            lane,
-            cursor: PhantomData,
-        }
+        Self { words, lane }
     }
 
     #[inline(always)]
@@ -101,8 +101,7 @@ impl<'a, C> LaneBoxStack<'a, C> {
     }
 }
 
-impl<C: BoxCursor> Waiting for LaneBoxStack<'_, C> {
-    type Cursor = C;
+impl<C: BoxCursor> Waiting<C> for LaneBoxStack<'_> {
     type Enter = ();
 
     #[inline(always)]

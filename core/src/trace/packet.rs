@@ -167,7 +167,7 @@ impl<F, C, W: Wide<LANES>, const LANES: usize> Together<'_, F, C, W, LANES> {
     }
 }
 
-impl<N, T, F, C, W, const LANES: usize> Query<N, T> for Together<'_, F, C, W, LANES>
+impl<N, T, F, C, W, const LANES: usize> Query<N, T, Entries<W>> for Together<'_, F, C, W, LANES>
 where
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
@@ -175,8 +175,6 @@ where
     C: Collector,
     W: Wide<LANES>,
 {
-    type Enter = Entries<W>;
-
     #[inline(always)]
     fn axes(&self) -> [u32; 3] {
         self.rays.axes

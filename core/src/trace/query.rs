@@ -5,13 +5,11 @@ use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::PreparedRay;
 use crate::geometry::slab::slab;
 use crate::geometry::watertight::intersect;
-use core::marker::PhantomData;
 
 /// What rays that walk a tree decide on their way.
-pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Bounds>> {
-    /// Where they enter a node.
-    type Enter: Copy;
-
+///
+/// `E` is what the stack keeps of where they enter a node.
+pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Bounds>, E> {
     /// The order of their axes.
     fn axes(&self) -> [u32; 3];
 
@@ -19,14 +17,14 @@ pub(super) trait Query<N: NodeSource, T: TriangleSource<N::Bounds>> {
     fn begin(&mut self) -> bool;
 
     /// Whether any of them enters a node no later than its limit.
-    fn is_due(&mut self, enter: Self::Enter) -> bool;
+    fn is_due(&mut self, enter: E) -> bool;
 
     /// Tests both boxes of an inner node.
-    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<Self::Enter>;
+    fn open(&mut self, planes: [PlanePair; 3]) -> Opened<E>;
 
     /// Goes to a child that is met.
     #[inline(always)]
-    fn follow(&mut self, _: Self::Enter) {}
+    fn follow(&mut self, _: E) {}
 
     /// Tests a triangle.
     fn test(&mut self, triangles: &T, slot: &LeafSlot<N::Bounds>);
@@ -78,18 +76,15 @@ impl Distance for () {
 }
 
 /// One ray.
-pub(super) struct Single<'a, F, C, D> {
+pub(super) struct Single<'a, F, C> {
     pub ray: &'a PreparedRay,
     pub filter: &'a F,
     pub collector: &'a mut C,
-    pub distance: PhantomData<D>,
 }
 
 impl<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector, D: Distance>
-    Query<N, T> for Single<'_, F, C, D>
+    Query<N, T, D> for Single<'_, F, C>
 {
-    type Enter = D;
-
     #[inline(always)]
     fn axes(&self) -> [u32; 3] {
         self.ray.axes

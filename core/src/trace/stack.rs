@@ -11,18 +11,17 @@ const _: () = assert!(STACK_SIZE as u32 > crate::build::cluster::depth_bound(cra
 
 /// Memory for the nodes that wait in a traversal: an array of its own ([`Stack`]), or a lane's rows of an array that a workgroup
 /// shares ([`super::LaneStack`], [`super::LaneBoxStack`]).
-pub trait Waiting {
-    /// What names a node.
-    type Cursor: Copy;
-
+///
+/// `C` names a node.
+pub trait Waiting<C> {
     /// Where the rays enter a node, or `()` where that is not kept: then every node that waits is walked to.
     type Enter: Copy;
 
     /// Lets a node wait in a row. There must be room for it ([`Self::is_full`]).
-    fn put(&mut self, row: u32, cursor: Self::Cursor, enter: Self::Enter);
+    fn put(&mut self, row: u32, cursor: C, enter: Self::Enter);
 
     /// The node that waits in a row.
-    fn cursor(&self, row: u32) -> Self::Cursor;
+    fn cursor(&self, row: u32) -> C;
 
     /// Where the rays enter the node that waits in a row.
     fn enter(&self, row: u32) -> Self::Enter;
@@ -172,8 +171,7 @@ impl<C: Cursor, E: Enter> Stack<C, E> {
     };
 }
 
-impl<C: Cursor, E: Enter> Waiting for Stack<C, E> {
-    type Cursor = C;
+impl<C: Cursor, E: Enter> Waiting<C> for Stack<C, E> {
     type Enter = E;
 
     #[inline(always)]

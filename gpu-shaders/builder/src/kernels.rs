@@ -11,15 +11,18 @@ use syn::{File, Item, ItemFn};
 /// questions about trees in codecs that no picture needs.
 const LAB: [&str; 3] = ["_paper10_", "trace_nearest_", "trace_counted_"];
 
-/// The kernels that trace one kind of tree in a codec, in the order of a row; each name ends in the codec's.
-const QUESTIONS: [&str; 7] = [
-    "trace_closest",
-    "trace_any",
-    "trace_nearest",
-    "trace_counted",
-    "trace_paths",
-    "trace_paths_counted",
-    "trace_shadows",
+/// The kernels that trace one kind of tree, in the order of a row: what stands before the codec's name, and what stands behind.
+const QUESTIONS: [[&str; 2]; 10] = [
+    ["trace_closest", ""],
+    ["trace_any", ""],
+    ["trace_nearest", ""],
+    ["trace_rays", "_overflow"],
+    ["trace_counted", ""],
+    ["trace_paths", ""],
+    ["trace_paths", "_overflow"],
+    ["trace_paths_counted", ""],
+    ["trace_shadows", ""],
+    ["trace_shadows", "_overflow"],
 ];
 
 /// The entry points that the source text of a crate declares.
@@ -94,9 +97,9 @@ pub fn table(names: &BTreeSet<String>) -> Result<String> {
         list(&shipped),
         list(&lab)
     );
-    let [first, ..] = QUESTIONS;
+    let [[first, _], ..] = QUESTIONS;
     for codec in names.iter().filter_map(|name| name.strip_prefix(first)) {
-        let kernels = QUESTIONS.map(|question| format!("{question}{codec}"));
+        let kernels = QUESTIONS.map(|[question, pass]| format!("{question}{codec}{pass}"));
         for name in &kernels {
             names
                 .get(name)

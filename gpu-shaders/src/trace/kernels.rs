@@ -2,79 +2,116 @@
 
 /// One row of the matrix of codecs and kernels: all kernels for one kind of nodes and triangles.
 ///
-/// The first line lists the bindings: after the root (0), where the tree has one, come the numbers for all other arguments. A source
-/// expression sees the bound slices under the names given and the root, decoded.
+/// The first line lists the bindings: after the root (0), where the tree has one, come the numbers for all other arguments. The second
+/// names the stack in workgroup memory: its words, and how a lane's is made of them. A source expression sees the bound slices under the
+/// names given and the root, decoded.
 ///
 /// - closest: one thread per ray. Reads the scene's exponent, the tree and the ray. Stores the closest hit.
 /// - any: one thread per ray. Stores 1 where the ray hits anything, else 0.
 /// - nearest: one thread per ray. Stores the nearest hits in order, misses at the end.
 /// - counted: one thread per ray. Stores how many nodes and triangles the search for the closest hit visits.
-/// - paths: one thread per path. Reads the scene's exponent, a target, the tree, the components of the primitives and their
-///   outer sides. Stores the closest hit that faces the target, a miss for paths that have ended. Where sides are 0, all
-///   triangles are hits. Counts the paths that go on and the hits.
+/// - paths: one thread per path. Reads the scene's exponent, a target, the tree and the packed sides of the primitives. Stores the
+///   closest hit that faces the target, a miss for paths that have ended. Where sides are 0, all triangles are hits. Counts the
+///   paths that go on and the hits.
 /// - paths counted: one thread per path. Stores the closest hit, and how many nodes the search for it opens. Counts the paths
 ///   that go on, the hits and the nodes.
 /// - shadows: one thread per path. Reads what paths read, and what `shade_light` stored. Stores the path with the light where
 ///   no hit is in the way. Counts the shadow rays.
+///
+/// Those with a stack in workgroup memory store no answer for a ray that needs more of it, but list the ray
+/// ([`super::overflow`]). Of each question there is a kernel for the listed rays, with a private stack, which also reads what
+/// `overflow_groups` stored: for rays one for all three questions, `params.x` being the number of hits a ray, 0 for any.
 macro_rules! trace_kernels {
     (
         [($($root:ident)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt $g:tt $h:tt $i:tt]
+        [$words:ty, $stack:path]
         |$nodes:ident: $node:ty, $triangles:ident: $triangle:ty| $node_source:expr, $triangle_source:expr;
         pub fn $closest:ident;
         pub fn $any:ident;
         pub fn $nearest:ident;
+        pub fn $rays_overflow:ident;
         pub fn $counted:ident;
         pub fn $paths:ident;
+        pub fn $paths_overflow:ident;
         pub fn $paths_counted:ident;
         pub fn $shadows:ident;
+        pub fn $shadows_overflow:ident;
     ) => {
         /// Answers rays by their closest hit.
         #[spirv(compute(threads(64)))]
         pub fn $closest(
             #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
             #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] hits: &mut [Hit],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] list: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
-            let (i, exponent) = (thread_index(id), exponent.x as i32);
-            store::closest(i, exponent, &$node_source, &$triangle_source, rays, hits);
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            store::closest(stack, tree, thread_index(id), exponent.x as i32, rays, hits, list);
         }
 
         /// Answers rays by whether they hit anything.
         #[spirv(compute(threads(64)))]
         pub fn $any(
             #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
             #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] found: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] list: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
-            let (i, exponent) = (thread_index(id), exponent.x as i32);
-            store::any(i, exponent, &$node_source, &$triangle_source, rays, found);
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            store::any(stack, tree, thread_index(id), exponent.x as i32, rays, found, list);
         }
 
         /// Answers rays by their nearest hits.
         #[spirv(compute(threads(64)))]
         pub fn $nearest(
             #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
             #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)]
-            hits: &mut [[Hit; NEAREST_COUNT]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] hits: &mut [[Hit; NEAREST_COUNT]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] list: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
-            let (i, exponent) = (thread_index(id), exponent.x as i32);
-            store::nearest(i, exponent, &$node_source, &$triangle_source, rays, hits);
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            store::nearest(stack, tree, thread_index(id), exponent.x as i32, rays, hits, list);
+        }
+
+        /// Answers the rays of the list.
+        #[spirv(compute(threads(64)))]
+        pub fn $rays_overflow(
+            #[spirv(global_invocation_id)] id: UVec3,
+            $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] groups: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] params: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] list: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] answers: &mut [u32],
+        ) {
+            $(let $root = root_words($root);)?
+            let tree = (&$node_source, &$triangle_source);
+            let (thread, question) = (thread_index(id), (exponent.x as i32, params.x));
+            store::listed_rays(tree, (thread, groups.x), question, rays, list, answers);
         }
 
         /// Answers rays by what the search for the closest hit visits.
@@ -97,26 +134,53 @@ macro_rules! trace_kernels {
         #[spirv(compute(threads(64)))]
         pub fn $paths(
             #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
             #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] components: &[u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[i32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] paths: &[Path],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] hits: &mut [Hit],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] counters: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] paths: &[Path],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] hits: &mut [Hit],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] tally: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
             let i = thread_index(id);
             let filter = FacingFilter {
                 skip: store::path_skip(i, paths),
-                sides: Sides { components, sides },
+                sides: PackedSides(sides),
                 target: scaled_target(target, exponent.x),
             };
-            let (nodes, triangles) = (&$node_source, &$triangle_source);
-            store::paths(i, nodes, triangles, &filter, paths, hits, counters);
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            store::paths(stack, tree, i, &filter, paths, hits, tally);
+        }
+
+        /// Finds the closest hits of the paths of the list.
+        #[spirv(compute(threads(64)))]
+        pub fn $paths_overflow(
+            #[spirv(global_invocation_id)] id: UVec3,
+            $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] groups: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] paths: &[Path],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] hits: &mut [Hit],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] tally: &mut [u32],
+        ) {
+            $(let $root = root_words($root);)?
+            let i = noted(thread_index(id), groups.x, paths.len() as u32, tally);
+            let filter = FacingFilter {
+                skip: store::path_skip(i, paths),
+                sides: PackedSides(sides),
+                target: scaled_target(target, exponent.x),
+            };
+            let tree = (&$node_source, &$triangle_source);
+            store::listed_path(tree, i, &filter, paths, hits, tally);
         }
 
         /// Finds the paths' closest hits, and counts the nodes opened.
@@ -140,26 +204,53 @@ macro_rules! trace_kernels {
         #[spirv(compute(threads(64)))]
         pub fn $shadows(
             #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
             #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] components: &[u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[i32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] shadows: &[Shadow],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] paths: &mut [Path],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] counters: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] shadows: &[Shadow],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] paths: &mut [Path],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] tally: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
             let i = thread_index(id);
             let filter = FacingFilter {
                 skip: store::shadow_skip(i, shadows),
-                sides: Sides { components, sides },
+                sides: PackedSides(sides),
                 target: scaled_target(target, exponent.x),
             };
-            let (nodes, triangles) = (&$node_source, &$triangle_source);
-            store::shadows(i, nodes, triangles, &filter, shadows, paths, counters);
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            store::shadows(stack, tree, i, &filter, shadows, paths, tally);
+        }
+
+        /// Adds the light of the shadow rays of the list.
+        #[spirv(compute(threads(64)))]
+        pub fn $shadows_overflow(
+            #[spirv(global_invocation_id)] id: UVec3,
+            $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] groups: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] shadows: &[Shadow],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] tally: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] paths: &mut [Path],
+        ) {
+            $(let $root = root_words($root);)?
+            let i = noted(thread_index(id), groups.x, shadows.len() as u32, tally);
+            let filter = FacingFilter {
+                skip: store::shadow_skip(i, shadows),
+                sides: PackedSides(sides),
+                target: scaled_target(target, exponent.x),
+            };
+            let tree = (&$node_source, &$triangle_source);
+            store::listed_shadow(tree, i, &filter, shadows, paths);
         }
     };
 }

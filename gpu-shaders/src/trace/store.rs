@@ -1,58 +1,137 @@
 //! What one thread does of each question, whatever the tree.
 
+use super::overflow::{note, noted};
 use crate::count;
 use glam::Vec3;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    ClosestHit, Counted, HitFilter, NodeSource, Skip, TriangleSource, any_hit, closest_hit,
-    nearest_hits, traverse,
+    AnyHit, ClosestHit, Counted, HitFilter, NearestHits, NodeSource, Skip, TriangleSource, UpTo,
+    Waiting, any_hit, closest_hit, traverse, traverse_with,
 };
 use slimbvh_core::{Hit, Ray};
 
 #[inline(always)]
-pub fn closest<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn closest<S, N, T>(
+    stack: &mut S,
+    (nodes, triangles): (&N, &T),
     i: u32,
     exponent: i32,
-    nodes: &N,
-    triangles: &T,
     rays: &[Ray],
     hits: &mut [Hit],
-) {
+    list: &mut [u32],
+) where
+    S: Waiting<N::Cursor, Enter = ()>,
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+{
     let i = i as usize;
     if i < rays.len() && i < hits.len() {
-        hits[i] = closest_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE);
+        let ray = PreparedRay::new(&rays[i], exponent);
+        let mut collector = ClosestHit::new(ray.t_max);
+        if traverse_with(stack, nodes, triangles, &ray, &Skip::NONE, &mut collector) {
+            hits[i] = ray.restore(collector.hit);
+        } else {
+            note(i as u32, rays.len() as u32, list);
+        }
     }
 }
 
 #[inline(always)]
-pub fn any<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn any<S, N, T>(
+    stack: &mut S,
+    (nodes, triangles): (&N, &T),
     i: u32,
     exponent: i32,
-    nodes: &N,
-    triangles: &T,
     rays: &[Ray],
     found: &mut [u32],
-) {
+    list: &mut [u32],
+) where
+    S: Waiting<N::Cursor, Enter = ()>,
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+{
     let i = i as usize;
     if i < rays.len() && i < found.len() {
-        found[i] = any_hit(nodes, triangles, &rays[i], exponent, &Skip::NONE) as u32;
+        let ray = PreparedRay::new(&rays[i], exponent);
+        let mut collector = AnyHit::new(ray.t_max);
+        if traverse_with(stack, nodes, triangles, &ray, &Skip::NONE, &mut collector) {
+            found[i] = collector.found as u32;
+        } else {
+            note(i as u32, rays.len() as u32, list);
+        }
     }
 }
 
 #[inline(always)]
-pub fn nearest<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn nearest<S, N, T>(
+    stack: &mut S,
+    (nodes, triangles): (&N, &T),
     i: u32,
     exponent: i32,
-    nodes: &N,
-    triangles: &T,
     rays: &[Ray],
     hits: &mut [[Hit; NEAREST_COUNT]],
-) {
+    list: &mut [u32],
+) where
+    S: Waiting<N::Cursor, Enter = ()>,
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+{
     let i = i as usize;
     if i < rays.len() && i < hits.len() {
-        hits[i] = nearest_hits::<NEAREST_COUNT, _, _>(nodes, triangles, &rays[i], exponent);
+        let ray = PreparedRay::new(&rays[i], exponent);
+        let mut collector = NearestHits::<NEAREST_COUNT>::new(ray.t_max);
+        if traverse_with(stack, nodes, triangles, &ray, &Skip::NONE, &mut collector) {
+            for k in 0..NEAREST_COUNT {
+                hits[i][k] = ray.restore(collector.hits[k]);
+            }
+        } else {
+            note(i as u32, rays.len() as u32, list);
+        }
+    }
+}
+
+/// The second pass of [`closest`], [`any`] and [`nearest`], for 1, 0 and [`NEAREST_COUNT`] hits a ray. `length` is that of the list.
+#[inline(always)]
+pub fn listed_rays<N: NodeSource, T: TriangleSource<N::Bounds>>(
+    (nodes, triangles): (&N, &T),
+    (thread, length): (u32, u32),
+    (exponent, hit_count): (i32, u32),
+    rays: &[Ray],
+    list: &[u32],
+    answers: &mut [u32],
+) {
+    let i = noted(thread, length, rays.len() as u32, list);
+    if (i as usize) < rays.len() {
+        let ray = PreparedRay::new(&rays[i as usize], exponent);
+        let mut collector = UpTo::<NEAREST_COUNT>::new(hit_count, ray.t_max);
+        traverse(nodes, triangles, &ray, &Skip::NONE, &mut collector);
+        if hit_count == 0 {
+            put(i, collector.hits[0].is_hit() as u32, answers);
+        } else {
+            for k in 0..NEAREST_COUNT {
+                if (k as u32) < hit_count {
+                    let hit = ray.restore(collector.hits[k]);
+                    let first = i
+                        .wrapping_mul(hit_count)
+                        .wrapping_add(k as u32)
+                        .wrapping_mul(4);
+                    put(first, hit.t.to_bits(), answers);
+                    put(first.wrapping_add(1), hit.u.to_bits(), answers);
+                    put(first.wrapping_add(2), hit.v.to_bits(), answers);
+                    put(first.wrapping_add(3), hit.primitive, answers);
+                }
+            }
+        }
+    }
+}
+
+/// Stores a word, if there is room.
+#[inline(always)]
+fn put(place: u32, word: u32, words: &mut [u32]) {
+    if (place as usize) < words.len() {
+        words[place as usize] = word;
     }
 }
 
@@ -94,23 +173,52 @@ pub fn shadow_skip(i: u32, shadows: &[Shadow]) -> u32 {
     }
 }
 
-/// The range of an ended path's ray is empty: it meets nothing.
+/// The range of an ended path's ray is empty: it meets nothing. `tally` begins with the counters, and ends with the list.
 #[inline(always)]
-pub fn paths<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
+pub fn paths<S, N, T, F: HitFilter>(
+    stack: &mut S,
+    (nodes, triangles): (&N, &T),
     i: u32,
-    nodes: &N,
-    triangles: &T,
     filter: &F,
     paths: &[Path],
     hits: &mut [Hit],
-    counters: &mut [u32],
+    tally: &mut [u32],
+) where
+    S: Waiting<N::Cursor, Enter = ()>,
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+{
+    let i = i as usize;
+    if i < paths.len() && i < hits.len() {
+        let ray = PreparedRay::new(&paths[i].ray, 0);
+        let mut collector = ClosestHit::new(ray.t_max);
+        let is_whole = traverse_with(stack, nodes, triangles, &ray, filter, &mut collector);
+        count(tally, 0, paths[i].is_alive() as u32);
+        if is_whole {
+            let hit = ray.restore(collector.hit);
+            hits[i] = hit;
+            count(tally, 1, hit.is_hit() as u32);
+        } else {
+            note(i as u32, paths.len() as u32, tally);
+        }
+    }
+}
+
+/// The second pass of [`paths`] for one path of the list, which has been counted.
+#[inline(always)]
+pub fn listed_path<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
+    (nodes, triangles): (&N, &T),
+    i: u32,
+    filter: &F,
+    paths: &[Path],
+    hits: &mut [Hit],
+    tally: &mut [u32],
 ) {
     let i = i as usize;
     if i < paths.len() && i < hits.len() {
         let hit = closest_hit(nodes, triangles, &paths[i].ray, 0, filter);
         hits[i] = hit;
-        count(counters, 0, paths[i].is_alive() as u32);
-        count(counters, 1, hit.is_hit() as u32);
+        count(tally, 1, hit.is_hit() as u32);
     }
 }
 
@@ -139,21 +247,58 @@ pub fn paths_counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
     }
 }
 
+/// `tally` begins with the counters, and ends with the list.
 #[inline(always)]
-pub fn shadows<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
+pub fn shadows<S, N, T, F: HitFilter>(
+    stack: &mut S,
+    (nodes, triangles): (&N, &T),
     i: u32,
-    nodes: &N,
-    triangles: &T,
     filter: &F,
     shadows: &[Shadow],
     paths: &mut [Path],
-    counters: &mut [u32],
-) {
+    tally: &mut [u32],
+) where
+    S: Waiting<N::Cursor, Enter = ()>,
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+{
     let i = i as usize;
     if i < shadows.len() && i < paths.len() && shadows[i].is_possible() {
-        count(counters, 0, 1);
-        if !any_hit(nodes, triangles, &shadows[i].ray, 0, filter) {
-            paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
+        count(tally, 0, 1);
+        let ray = PreparedRay::new(&shadows[i].ray, 0);
+        let mut collector = AnyHit::new(ray.t_max);
+        if traverse_with(stack, nodes, triangles, &ray, filter, &mut collector) {
+            if !collector.found {
+                light(i, shadows, paths);
+            }
+        } else {
+            note(i as u32, shadows.len() as u32, tally);
         }
+    }
+}
+
+/// The second pass of [`shadows`] for one ray of the list, which has been counted.
+#[inline(always)]
+pub fn listed_shadow<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
+    (nodes, triangles): (&N, &T),
+    i: u32,
+    filter: &F,
+    shadows: &[Shadow],
+    paths: &mut [Path],
+) {
+    let i = i as usize;
+    if i < shadows.len()
+        && i < paths.len()
+        && !any_hit(nodes, triangles, &shadows[i].ray, 0, filter)
+    {
+        light(i, shadows, paths);
+    }
+}
+
+/// Adds a shadow ray's light to its path.
+#[inline(always)]
+fn light(i: usize, shadows: &[Shadow], paths: &mut [Path]) {
+    if i < shadows.len() && i < paths.len() {
+        paths[i] = paths[i].with_light(Vec3::from_array(shadows[i].radiance));
     }
 }

@@ -10,7 +10,7 @@ use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
 use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Skip, SkipAnd};
 
 /// The filter of a query's rays. Without a target it accepts all triangles.
-pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter {
+pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter<Sides> {
     let everything = Sides {
         components: &[],
         sides: &[],
@@ -24,7 +24,7 @@ pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter {
 }
 
 /// The filters and collectors of a packet's rays.
-pub type Packet<'a> = [Lane<SkipAnd<'a, FacingFilter<'a>>, ClosestOrAny>; LANES];
+pub type Packet<'a> = [Lane<SkipAnd<'a, FacingFilter<Sides<'a>>>, ClosestOrAny>; LANES];
 
 /// Rays a parallel task.
 const BLOCK: usize = 512;

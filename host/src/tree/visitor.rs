@@ -5,7 +5,7 @@ use super::packets::Packet;
 use super::sources::{StoredNodes, StoredTriangles};
 use super::stored::{Stacks, with_stacks};
 use slimbvh_core::Hit;
-use slimbvh_core::classify::FacingFilter;
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
     ClosestOrAny, Collector, Lane, PreparedRays, SkipAnd, trace_alone, trace_packet, traverse_with,
@@ -26,7 +26,7 @@ pub trait TreeVisitor {
 /// Traces one ray with the thread's own stack, for the closest hit or any, as its collector asks.
 pub struct Alone<'a, 'b> {
     pub ray: &'a PreparedRay,
-    pub lane: &'a mut Lane<SkipAnd<'b, FacingFilter<'b>>, ClosestOrAny>,
+    pub lane: &'a mut Lane<SkipAnd<'b, FacingFilter<Sides<'b>>>, ClosestOrAny>,
 }
 
 impl TreeVisitor for Alone<'_, '_> {
@@ -63,7 +63,7 @@ impl TreeVisitor for Together<'_, '_> {
 pub struct Watched<'a, 'b> {
     pub stacks: &'a mut Stacks,
     pub ray: &'a PreparedRay,
-    pub filter: SkipAnd<'b, FacingFilter<'b>>,
+    pub filter: SkipAnd<'b, FacingFilter<Sides<'b>>>,
     pub collector: &'a mut dyn Collector,
 }
 

@@ -3,7 +3,7 @@
 
 use slimbvh::{Picture, RenderSettings, Scene, Tree, Trees};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::FacingFilter;
+use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{
@@ -154,7 +154,7 @@ impl<'a> Stage<'a> {
         }
     }
 
-    fn rule<'b>(&self, tree: &Tree<'b>, skip: u32) -> Option<FacingFilter<'b>> {
+    fn rule<'b>(&self, tree: &Tree<'b>, skip: u32) -> Option<FacingFilter<Sides<'b>>> {
         let (sides, target) = tree.rule?;
         Some(FacingFilter {
             skip,

@@ -1,0 +1,79 @@
+//! Rays whose stack in workgroup memory was full: they are listed, and traced again from the start with private stacks.
+//!
+//! The list is the end of a buffer: its length, then the numbers of rays. It has room for all rays, so it begins one word more
+//! than there are rays before the end; what is before it belongs to the caller.
+
+use crate::atomic_add;
+use slimbvh_core::launch::{LANES, dispatch};
+use spirv_std::spirv;
+
+/// Where the list of a buffer of this many words begins.
+#[inline(always)]
+const fn list_begin(ray_count: u32, word_count: u32) -> u32 {
+    word_count.wrapping_sub(ray_count).wrapping_sub(1)
+}
+
+/// Adds a ray to the list.
+#[inline(always)]
+#[expect(unsafe_code, reason = "rust-gpu has no safe atomics")]
+pub fn note(ray: u32, ray_count: u32, list: &mut [u32]) {
+    let begin = list_begin(ray_count, list.len() as u32);
+    if (begin as usize) < list.len() {
+        // SAFETY: all accesses to the length within a dispatch are atomic.
+        let number = unsafe { atomic_add(&mut list[begin as usize], 1) };
+        let place = begin.wrapping_add(1).wrapping_add(number) as usize;
+        if place < list.len() {
+            list[place] = ray;
+        }
+    }
+}
+
+/// The ray of a thread of the second pass, for the list's length as [`overflow_groups`] stored it; `u32::MAX` beyond the end.
+#[inline(always)]
+pub fn noted(thread: u32, length: u32, ray_count: u32, list: &[u32]) -> u32 {
+    let begin = list_begin(ray_count, list.len() as u32);
+    let place = begin.wrapping_add(1).wrapping_add(thread) as usize;
+    if thread < length && place < list.len() {
+        list[place]
+    } else {
+        u32::MAX
+    }
+}
+
+/// One thread. Reads the length of a list that is a buffer of its own, and clears it. Stores `[length, x, y, z]`, with the dispatch of
+/// a thread for each ray of the list.
+#[spirv(compute(threads(1)))]
+pub fn overflow_groups(
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] list: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] groups: &mut [[u32; 4]],
+) {
+    if !list.is_empty() && !groups.is_empty() {
+        let length = list[0];
+        list[0] = 0;
+        let [x, y, z] = dispatch(length.div_ceil(LANES as u32));
+        groups[0] = [length, x, y, z];
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_ends_the_buffer() {
+        let mut words = [7; 6];
+        words[2] = 2;
+        words[3] = 9;
+        words[4] = 8;
+        let rays: [u32; 3] = [0, 1, 2].map(|thread| noted(thread, 2, 3, &words));
+        assert_eq!(rays, [9, 8, u32::MAX]);
+        assert_eq!(noted(0, 2, 9, &words), u32::MAX);
+    }
+
+    #[test]
+    fn groups_are_made_and_the_list_is_cleared() {
+        let (mut list, mut groups) = ([65, 1], [[0; 4]]);
+        overflow_groups(&mut list, &mut groups);
+        assert_eq!((list[0], groups[0]), (0, [65, 2, 1, 1]));
+    }
+}
