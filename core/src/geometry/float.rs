@@ -11,18 +11,47 @@ pub const fn gamma(n: u32) -> f32 {
     nu / (1.0 - nu)
 }
 
-/// The smaller of two numbers; the second where they are equal or unordered. One instruction everywhere.
+/// The smaller of two numbers; the second where they are equal or unordered. One instruction on a CPU, two on a GPU: [`least`] is
+/// one there, too.
 #[inline(always)]
 #[must_use]
 pub const fn min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The larger of two numbers; the second where they are equal or unordered. One instruction everywhere.
+/// The larger of two numbers; the second where they are equal or unordered. See [`most`].
 #[inline(always)]
 #[must_use]
 pub const fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
+}
+
+/// The smaller of two numbers, neither of them NaN, in one instruction. Of two zeros it may be either: what comes out may be compared,
+/// but not stored.
+#[inline(always)]
+#[must_use]
+pub fn least(a: f32, b: f32) -> f32 {
+    #[cfg(target_arch = "spirv")]
+    return libm::fminf(a, b);
+    #[cfg(not(target_arch = "spirv"))]
+    return min(a, b);
+}
+
+/// The larger of two numbers, as [`least`].
+#[inline(always)]
+#[must_use]
+pub fn most(a: f32, b: f32) -> f32 {
+    #[cfg(target_arch = "spirv")]
+    return libm::fmaxf(a, b);
+    #[cfg(not(target_arch = "spirv"))]
+    return max(a, b);
+}
+
+/// The number, or 0 where it is −0: by its bits, as compilers may take a comparison with either zero for nothing.
+#[inline(always)]
+#[must_use]
+pub const fn positive_zero(x: f32) -> f32 {
+    if x.to_bits() == 0x8000_0000 { 0.0 } else { x }
 }
 
 /// A whole number below 2^23 as a float: on a GPU by a sum, as it does many of them while it does one conversion.

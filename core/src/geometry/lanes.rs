@@ -40,6 +40,28 @@ pub trait Lanes:
     #[must_use]
     fn max(self, other: Self) -> Self;
 
+    /// The smaller in each lane, to be compared and dropped: of two zeros it may be either. No lane is NaN.
+    #[inline(always)]
+    #[must_use]
+    fn least(self, other: Self) -> Self {
+        self.min(other)
+    }
+
+    /// The larger in each lane, as [`Self::least`].
+    #[inline(always)]
+    #[must_use]
+    fn most(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    /// With 0 for −0.
+    #[inline(always)]
+    #[must_use]
+    fn positive_zero(self) -> Self {
+        let is_zero = self.at_most(Self::ZERO) & self.at_least(Self::ZERO);
+        Self::select(is_zero, Self::ZERO, self)
+    }
+
     /// Without its sign.
     #[must_use]
     fn abs(self) -> Self;
@@ -75,6 +97,21 @@ impl Lanes for f32 {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         float::max(self, other)
+    }
+
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        float::least(self, other)
+    }
+
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        float::most(self, other)
+    }
+
+    #[inline(always)]
+    fn positive_zero(self) -> Self {
+        float::positive_zero(self)
     }
 
     #[inline(always)]

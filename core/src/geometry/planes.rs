@@ -24,11 +24,11 @@ pub trait Planes: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = 
     /// All distances times the same.
     fn scaled(self, factor: f32) -> Self;
 
-    /// The smaller of each.
-    fn min(self, other: Self) -> Self;
+    /// The smaller of each, to be compared and dropped ([`Lanes::least`]).
+    fn least(self, other: Self) -> Self;
 
-    /// The larger of each.
-    fn max(self, other: Self) -> Self;
+    /// The larger of each, as [`Self::least`].
+    fn most(self, other: Self) -> Self;
 
     /// In the place of each plane the other one of its box.
     fn opposite(self) -> Self;
@@ -57,14 +57,30 @@ impl Planes for PlanePair {
         self * factor
     }
 
+    #[cfg(not(target_arch = "spirv"))]
     #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Self::min(self, other)
+    fn least(self, other: Self) -> Self {
+        self.min(other)
     }
 
+    #[cfg(not(target_arch = "spirv"))]
     #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Self::max(self, other)
+    fn most(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    #[cfg(target_arch = "spirv")]
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self::new(a.x.least(b.x), a.y.least(b.y), a.z.least(b.z), a.w.least(b.w))
+    }
+
+    #[cfg(target_arch = "spirv")]
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        let (a, b) = (self, other);
+        Self::new(a.x.most(b.x), a.y.most(b.y), a.z.most(b.z), a.w.most(b.w))
     }
 
     #[inline(always)]
@@ -151,13 +167,13 @@ impl<W: Lanes> Planes for BoxSpan<W> {
     }
 
     #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        self.both(other, W::min)
+    fn least(self, other: Self) -> Self {
+        self.both(other, W::least)
     }
 
     #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        self.both(other, W::max)
+    fn most(self, other: Self) -> Self {
+        self.both(other, W::most)
     }
 
     #[inline(always)]

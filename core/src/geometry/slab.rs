@@ -37,8 +37,8 @@ pub struct BoxPairHit {
 #[must_use]
 pub fn slab(ray: &PreparedRay, planes: [PlanePair; 3], limit: f32) -> BoxPairHit {
     let crossing = crossings(planes, ray.plane_origins, ray.inverse);
-    let enter = crossing.enter.max(Vec4::splat(ray.t_min));
-    let meets = enter.cmple(crossing.padded_exit.min(Vec4::splat(limit)));
+    let enter = Planes::most(crossing.enter, Vec4::splat(ray.t_min));
+    let meets = enter.cmple(Planes::least(crossing.padded_exit, Vec4::splat(limit)));
     BoxPairHit {
         enter_a: enter.x,
         enter_b: enter.y,
@@ -47,7 +47,8 @@ pub fn slab(ray: &PreparedRay, planes: [PlanePair; 3], limit: f32) -> BoxPairHit
     }
 }
 
-/// Where rays' whole lines pass boxes, in the place of each plane.
+/// Where rays' whole lines pass boxes, in the place of each plane. A number that is 0 may have either sign
+/// ([`crate::geometry::float::least`]).
 #[derive(Clone, Copy)]
 pub(crate) struct Crossings<P> {
     /// Rounded.
@@ -68,10 +69,10 @@ pub(crate) fn crossings<P: Planes>(
     let t0 = (planes[0] - plane_origins[0]).times(inverse[0]);
     let t1 = (planes[1] - plane_origins[1]).times(inverse[1]);
     let t2 = (planes[2] - plane_origins[2]).times(inverse[2]);
-    let (near_2, far_2) = (t2.min(t2.opposite()), t2.max(t2.opposite()));
-    let enter = t0.min(t0.opposite()).max(t1.min(t1.opposite())).max(near_2);
-    let exit = t0.max(t0.opposite()).min(t1.max(t1.opposite())).min(far_2);
-    let reach = far_2.max(-near_2);
+    let (near_2, far_2) = (t2.least(t2.opposite()), t2.most(t2.opposite()));
+    let enter = t0.least(t0.opposite()).most(t1.least(t1.opposite())).most(near_2);
+    let exit = t0.most(t0.opposite()).least(t1.most(t1.opposite())).least(far_2);
+    let reach = far_2.most(-near_2);
     Crossings {
         enter,
         exit,

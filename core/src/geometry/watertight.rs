@@ -5,7 +5,7 @@
 //! two rounded products: rounding is monotone, so the answer is right or "on the edge", the same for both triangles of
 //! the edge, and on the edge is inside.
 
-use crate::geometry::float::{UNIT_ROUNDOFF, max, min};
+use crate::geometry::float::{UNIT_ROUNDOFF, least, max, min, most};
 use crate::geometry::lanes::Lanes;
 use crate::geometry::planes::Planes;
 use crate::geometry::ray::{Hit, PreparedRay, RayLanes};
@@ -141,7 +141,7 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
     ];
     let own_box = crossings::<P>(planes, rays.plane_origins, rays.inverse);
     let (enter, exit) = (own_box.enter.low(), own_box.exit.low());
-    let first = enter.max(rays.t_min);
+    let first = enter.most(rays.t_min);
     let candidates = inside
         & area.at_least(L::splat(f32::MIN_POSITIVE))
         & reaches(a.x, b.x, c.x)
@@ -152,7 +152,8 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
         return Meeting::nowhere(candidates);
     }
     let t = plane_t(rays, corners, ([a, b, c], [e0, e1, e2]), candidates);
-    let t = t.min(exit).max(enter);
+    // Either zero may have come of the comparisons: the answer has no sign there.
+    let t = t.min(exit).max(enter).positive_zero();
     let scale = L::splat(1.0) / area;
     Meeting {
         t,
@@ -168,7 +169,7 @@ pub(crate) fn meet<P: Planes<Numbers = L>, L: Lanes>(
 /// Of surfaces that hang together one triangle holds the ray exactly, and is never beside it.
 #[inline(always)]
 fn reaches<L: Lanes>(a: L, b: L, c: L) -> L::Mask {
-    a.min(b).min(c).at_most(L::ZERO) & a.max(b).max(c).at_least(L::ZERO)
+    a.least(b).least(c).at_most(L::ZERO) & a.most(b).most(c).at_least(L::ZERO)
 }
 
 /// Where the ray's line meets the triangle's plane: `n·p / n·d`. `sheared` are the corners as they are seen along the ray,
@@ -198,7 +199,7 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
     let (ab, bc, ca) = (b - a, c - b, a - c);
     let size = |v: Vec3| largest(v.to_array());
     let (size_ab, size_bc, size_ca) = (size(ab), size(bc), size(ca));
-    let longest = max(max(size_ab, size_bc), size_ca);
+    let longest = most(most(size_ab, size_bc), size_ca);
     let (e, f, from, side, at, end) = if size_ab == longest {
         (bc, ca, a, ab, at_a, at_b)
     } else if size_bc == longest {
@@ -234,7 +235,7 @@ fn plane_t<P: Planes<Numbers = L>, L: Lanes>(
         from[1] + side[1] * share - origin[1],
         from[2] + side[2] * share - origin[2],
     ];
-    let slack = L::splat(PLANE_SLACK) * largest(p).max(L::splat(longest)) * L::splat(size(n));
+    let slack = L::splat(PLANE_SLACK) * largest(p).most(L::splat(longest)) * L::splat(size(n));
     let is_on_plane = (dot(normal, p) - height).abs().at_most(slack);
     let is_edge_on = slope.abs().at_most(L::splat(EDGE_ON * size(e) * size(f)));
     let is_sure = is_on_plane & !is_edge_on;
@@ -264,13 +265,13 @@ const PLANE_SLACK: f32 = 16.0 * UNIT_ROUNDOFF;
 /// The magnitude of the largest component.
 #[inline(always)]
 fn largest<L: Lanes>([x, y, z]: [L; 3]) -> L {
-    x.abs().max(y.abs()).max(z.abs())
+    x.abs().most(y.abs()).most(z.abs())
 }
 
 /// The planes around three coordinates.
 #[inline(always)]
 fn span<P: Planes>(a: f32, b: f32, c: f32) -> P {
-    let (low, high) = (min(min(a, b), c), max(max(a, b), c));
+    let (low, high) = (least(least(a, b), c), most(most(a, b), c));
     P::new(P::Numbers::splat(low), P::Numbers::splat(high))
 }
 

@@ -160,8 +160,8 @@ impl<F, C, W: Wide<LANES>, const LANES: usize> Together<'_, F, C, W, LANES> {
         let rays = &self.rays.lanes;
         let planes = from_fn(|i| BoxSpan::new(W::splat(low[i]), W::splat(high[i])));
         let crossing = crossings(planes, rays.plane_origins, rays.inverse);
-        let enter = crossing.enter.low.max(rays.t_min);
-        let meets = enter.at_most(crossing.padded_exit.low.min(self.limit));
+        let enter = crossing.enter.low.most(rays.t_min);
+        let meets = enter.at_most(crossing.padded_exit.low.least(self.limit));
         let who = self.who & W::bits(meets);
         Entries { enter, who }
     }
