@@ -50,7 +50,8 @@ pub trait NodeSource {
     /// An inner node's children.
     fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
 
-    /// More than there are inner nodes: no traversal opens more nodes than this, whatever the source holds.
+    /// More than there are inner nodes, or 0 where there is nothing to walk: no traversal opens more nodes than this, whatever the
+    /// source holds.
     fn step_limit(&self) -> u32;
 }
 
@@ -112,7 +113,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Co
 }
 
 /// Offers every triangle that the ray meets and the filter accepts to the collector. Returns whether the ray came to an end: false
-/// where the stack was full ([`Waiting::is_full`]), and the collector's answer means nothing.
+/// where the stack was full ([`Waiting::ROWS`]), and the collector's answer means nothing.
 #[inline(always)]
 pub fn traverse_with<N, T, F, C, S>(
     stack: &mut S,
@@ -137,11 +138,8 @@ where
     walk(stack, nodes, triangles, query)
 }
 
-/// What stands for the number of waiting nodes when the walk is over.
-const DONE: i32 = -1;
-
-/// As [`DONE`], because the stack was full.
-const OVERFLOWED: i32 = -2;
+/// What stands for the number of waiting nodes when the walk is over: one less than none, and more than any stack holds.
+const DONE: u32 = u32::MAX;
 
 /// Walks the tree from the root, near child first, and lets the query test every triangle on the way. Returns whether it came to
 /// an end: false where the stack was full.
@@ -159,11 +157,11 @@ where
     Q: Query<N, T, S::Enter>,
 {
     let mut steps = nodes.step_limit();
+    let mut waiting = if query.begin() & (steps > 0) { 0 } else { DONE };
     let mut cursor = nodes.root(query.axes());
-    let mut waiting = if query.begin() { 0 } else { DONE };
 
-    while waiting > DONE {
-        while waiting > DONE && !nodes.leaf(cursor).is_leaf {
+    while waiting <= S::ROWS {
+        while (waiting <= S::ROWS) & !nodes.leaf(cursor).is_leaf {
             let node = nodes.children(cursor, query.axes());
             let opened = query.open(node.planes);
             if opened.meets_left | opened.meets_right {
@@ -180,15 +178,12 @@ where
                     } else {
                         (node.left, opened.enter_left)
                     };
-                    if stack.is_full(waiting as u32) {
-                        waiting = OVERFLOWED;
-                    } else {
-                        stack.put(waiting as u32, far, enter);
-                        waiting += 1;
-                    }
+                    // Beyond the last row the loops end.
+                    stack.put(waiting, far, enter);
+                    waiting += 1;
                 }
             } else {
-                waiting -= 1;
+                waiting = waiting.wrapping_sub(1);
                 cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
             }
             steps = steps.wrapping_sub(1);
@@ -196,7 +191,7 @@ where
                 waiting = DONE;
             }
         }
-        if waiting > DONE {
+        if waiting <= S::ROWS {
             let run = nodes.leaf(cursor);
             for number in 0..run.count {
                 let slot = LeafSlot {
@@ -206,7 +201,7 @@ where
                 };
                 query.test(triangles, &slot);
             }
-            waiting -= 1;
+            waiting = waiting.wrapping_sub(1);
             cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
             if query.is_done() {
                 waiting = DONE;
@@ -216,18 +211,18 @@ where
     waiting == DONE
 }
 
-/// The node that waits in a row; one that the rays enter beyond their limits is a leaf without triangles. The row before the first
-/// holds nothing: the walk is over.
+/// The node that waits in a row; one that the rays enter beyond their limits is a leaf without triangles. Where no node waits,
+/// what comes out means nothing: the walk is over.
 #[inline(always)]
-fn take<N, T, Q, S>(stack: &S, row: i32, query: &mut Q) -> N::Cursor
+fn take<N, T, Q, S>(stack: &S, row: u32, query: &mut Q) -> N::Cursor
 where
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
     S: Waiting<N::Cursor>,
     Q: Query<N, T, S::Enter>,
 {
-    if query.is_due(stack.enter(row as u32)) {
-        stack.cursor(row as u32)
+    if query.is_due(stack.enter(row)) {
+        stack.cursor(row)
     } else {
         N::NOTHING
     }

@@ -73,7 +73,12 @@ impl Planes for PlanePair {
     #[inline(always)]
     fn least(self, other: Self) -> Self {
         let (a, b) = (self, other);
-        Self::new(a.x.least(b.x), a.y.least(b.y), a.z.least(b.z), a.w.least(b.w))
+        Self::new(
+            a.x.least(b.x),
+            a.y.least(b.y),
+            a.z.least(b.z),
+            a.w.least(b.w),
+        )
     }
 
     #[cfg(target_arch = "spirv")]

@@ -70,8 +70,14 @@ pub(crate) fn crossings<P: Planes>(
     let t1 = (planes[1] - plane_origins[1]).times(inverse[1]);
     let t2 = (planes[2] - plane_origins[2]).times(inverse[2]);
     let (near_2, far_2) = (t2.least(t2.opposite()), t2.most(t2.opposite()));
-    let enter = t0.least(t0.opposite()).most(t1.least(t1.opposite())).most(near_2);
-    let exit = t0.most(t0.opposite()).least(t1.most(t1.opposite())).least(far_2);
+    let enter = t0
+        .least(t0.opposite())
+        .most(t1.least(t1.opposite()))
+        .most(near_2);
+    let exit = t0
+        .most(t0.opposite())
+        .least(t1.most(t1.opposite()))
+        .least(far_2);
     let reach = far_2.most(-near_2);
     Crossings {
         enter,

@@ -30,7 +30,10 @@ impl<'a> LaneStack<'a> {
     #[inline(always)]
     #[must_use]
     pub const fn new(words: &'a mut LaneWords, lane: u32) -> Self {
-        Self { words, lane }
+        Self {
+            words,
+            lane: lane % LANES as u32,
+        }
     }
 
     #[inline(always)]
@@ -41,6 +44,8 @@ impl<'a> LaneStack<'a> {
 
 impl Waiting<NodeRef> for LaneStack<'_> {
     type Enter = ();
+
+    const ROWS: u32 = LANE_ROWS as u32;
 
     #[inline(always)]
     fn put(&mut self, row: u32, cursor: NodeRef, (): ()) {
@@ -54,11 +59,6 @@ impl Waiting<NodeRef> for LaneStack<'_> {
 
     #[inline(always)]
     fn enter(&self, _: u32) {}
-
-    #[inline(always)]
-    fn is_full(&self, waiting_count: u32) -> bool {
-        waiting_count >= LANE_ROWS as u32
-    }
 }
 
 /// Words of a node and its box.
@@ -84,7 +84,10 @@ impl<'a> LaneBoxStack<'a> {
     #[inline(always)]
     #[must_use]
     pub const fn new(words: &'a mut LaneBoxWords, lane: u32) -> Self {
-        Self { words, lane }
+        Self {
+            words,
+            lane: lane % LANES as u32,
+        }
     }
 
     #[inline(always)]
@@ -103,6 +106,8 @@ impl<'a> LaneBoxStack<'a> {
 
 impl<C: BoxCursor> Waiting<C> for LaneBoxStack<'_> {
     type Enter = ();
+
+    const ROWS: u32 = LANE_BOX_ROWS as u32;
 
     #[inline(always)]
     fn put(&mut self, row: u32, cursor: C, (): ()) {
@@ -135,15 +140,10 @@ impl<C: BoxCursor> Waiting<C> for LaneBoxStack<'_> {
 
     #[inline(always)]
     fn enter(&self, _: u32) {}
-
-    #[inline(always)]
-    fn is_full(&self, waiting_count: u32) -> bool {
-        waiting_count >= LANE_BOX_ROWS as u32
-    }
 }
 
 /// A lane's word of a row of words.
 #[inline(always)]
 const fn place(word_row: u32, lane: u32) -> usize {
-    (word_row * LANES as u32 + lane % LANES as u32) as usize
+    (word_row * LANES as u32 + lane) as usize
 }

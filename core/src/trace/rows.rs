@@ -1,6 +1,5 @@
 //! Plain nodes and triangles as rows of 16 bytes, which a GPU reads with one load each.
 
-use super::sources::NO_CHILDREN;
 use super::{Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
 use crate::build::node::{Node, NodeRef};
 use crate::geometry::ray::NO_PRIMITIVE;
@@ -28,11 +27,7 @@ impl NodeSource for NodeRows<'_> {
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) -> NodeRef {
-        if self.0.is_empty() {
-            NodeRef::EMPTY_LEAF
-        } else {
-            NodeRef::inner(0)
-        }
+        NodeRef::inner(0)
     }
 
     #[inline(always)]
@@ -47,17 +42,16 @@ impl NodeSource for NodeRows<'_> {
 
     #[inline(always)]
     fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
-        let index = cursor.index() as usize;
-        if index >= self.0.len() {
-            return NO_CHILDREN;
-        }
+        // No tree has an index out of range; what has walks on from its last node, as many steps as there may be.
+        let last = (self.0.len() as u32).wrapping_sub(1);
+        let index = cursor.index().min(last) as usize;
         // Rows are read where they lie: rows in registers could not be indexed by axis.
         let links = self.0[index][3];
         Children {
             planes: [
-                self.0[index][axes[0] as usize % 3],
-                self.0[index][axes[1] as usize % 3],
-                self.0[index][axes[2] as usize % 3],
+                self.0[index][axes[0] as usize % 4],
+                self.0[index][axes[1] as usize % 4],
+                self.0[index][axes[2] as usize % 4],
             ],
             left: NodeRef(links.x.to_bits()),
             right: NodeRef(links.y.to_bits()),
@@ -66,7 +60,8 @@ impl NodeSource for NodeRows<'_> {
 
     #[inline(always)]
     fn step_limit(&self) -> u32 {
-        self.0.len() as u32 + 1
+        let count = self.0.len() as u32;
+        if count == 0 { 0 } else { count + 1 }
     }
 }
 

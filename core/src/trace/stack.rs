@@ -17,7 +17,10 @@ pub trait Waiting<C> {
     /// Where the rays enter a node, or `()` where that is not kept: then every node that waits is walked to.
     type Enter: Copy;
 
-    /// Lets a node wait in a row. There must be room for it ([`Self::is_full`]).
+    /// How many nodes may wait.
+    const ROWS: u32;
+
+    /// Lets a node wait in a row. One beyond the last takes the place of another, whose walk has lost its way.
     fn put(&mut self, row: u32, cursor: C, enter: Self::Enter);
 
     /// The node that waits in a row.
@@ -25,9 +28,6 @@ pub trait Waiting<C> {
 
     /// Where the rays enter the node that waits in a row.
     fn enter(&self, row: u32) -> Self::Enter;
-
-    /// Whether there is no room for another node beside this many.
-    fn is_full(&self, waiting_count: u32) -> bool;
 }
 
 /// A number of each entry of the stack.
@@ -174,6 +174,9 @@ impl<C: Cursor, E: Enter> Stack<C, E> {
 impl<C: Cursor, E: Enter> Waiting<C> for Stack<C, E> {
     type Enter = E;
 
+    /// A sound tree has fewer levels than [`STACK_SIZE`]. In another one rows are used again.
+    const ROWS: u32 = i32::MAX as u32;
+
     #[inline(always)]
     fn put(&mut self, row: u32, cursor: C, enter: E) {
         cursor.put(&mut self.cursors, row as usize);
@@ -188,11 +191,5 @@ impl<C: Cursor, E: Enter> Waiting<C> for Stack<C, E> {
     #[inline(always)]
     fn enter(&self, row: u32) -> E {
         self.enter[row as usize % STACK_SIZE]
-    }
-
-    /// Never: a sound tree has fewer levels than the stack has rows, and in another one rows are used again.
-    #[inline(always)]
-    fn is_full(&self, _: u32) -> bool {
-        false
     }
 }
