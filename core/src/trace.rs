@@ -92,6 +92,9 @@ pub struct Children<C> {
 
 /// Where the traversal finds triangles, in leaves whose decoded boxes are of this type.
 pub trait TriangleSource<B: Copy> {
+    /// Whether there are none at all: then nothing is walked.
+    fn is_empty(&self) -> bool;
+
     /// The corners of a triangle, coordinates in the order of the axes, as those of the leaf's box are.
     fn corners(&self, slot: &LeafSlot<B>, axes: [u32; 3]) -> [[f32; 3]; 3];
 
@@ -157,12 +160,16 @@ where
     Q: Query<N, T, S::Enter>,
 {
     let mut steps = nodes.step_limit();
-    let mut waiting = if query.begin() & (steps > 0) { 0 } else { DONE };
-    let mut cursor = nodes.root(query.axes());
+    let begins = query.begin() & (steps > 0) & !triangles.is_empty();
+    let mut waiting = if begins { 0 } else { DONE };
+    // Masked once here, so that no source has to check them at each node.
+    let [a, b, c] = query.axes();
+    let axes = [a & 3, b & 3, c & 3];
+    let mut cursor = nodes.root(axes);
 
     while waiting <= S::ROWS {
         while (waiting <= S::ROWS) & !nodes.leaf(cursor).is_leaf {
-            let node = nodes.children(cursor, query.axes());
+            let node = nodes.children(cursor, axes);
             let opened = query.open(node.planes);
             if opened.meets_left | opened.meets_right {
                 let goes_left = opened.meets_left & (opened.left_first | !opened.meets_right);

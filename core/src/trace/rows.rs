@@ -2,7 +2,6 @@
 
 use super::{Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
 use crate::build::node::{Node, NodeRef};
-use crate::geometry::ray::NO_PRIMITIVE;
 use crate::geometry::triangle::LeafTriangle;
 use glam::Vec4;
 
@@ -73,10 +72,9 @@ impl TriangleRows<'_> {
     /// The ten words of a triangle, and two that are not its own.
     #[inline(always)]
     fn words(&self, index: u32) -> [Vec4; 3] {
-        let (pair, second) = ((index / 2) as usize, (index % 2) as usize);
-        if pair >= self.0.len() {
-            return [Vec4::ZERO; 3];
-        }
+        // No leaf has an index out of range; what has reads the last pair.
+        let last = (self.0.len() as u32).wrapping_sub(1);
+        let (pair, second) = ((index / 2).min(last) as usize, (index % 2) as usize);
         let (a, b, c) = (
             self.0[pair][2 * second],
             self.0[pair][2 * second + 1],
@@ -97,6 +95,11 @@ impl TriangleRows<'_> {
 
 impl<B: Copy> TriangleSource<B> for TriangleRows<'_> {
     #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    #[inline(always)]
     fn corners(&self, slot: &LeafSlot<B>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let [a, b, c] = self.words(slot.first + slot.number);
         [
@@ -108,13 +111,8 @@ impl<B: Copy> TriangleSource<B> for TriangleRows<'_> {
 
     #[inline(always)]
     fn primitive(&self, slot: &LeafSlot<B>) -> u32 {
-        let index = slot.first + slot.number;
-        if index / 2 < self.0.len() as u32 {
-            let [_, _, c] = self.words(index);
-            c.y.to_bits()
-        } else {
-            NO_PRIMITIVE
-        }
+        let [_, _, c] = self.words(slot.first + slot.number);
+        c.y.to_bits()
     }
 }
 
