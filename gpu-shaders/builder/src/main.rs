@@ -131,7 +131,6 @@ fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, P
     let mut builder = SpirvBuilder::new(root.join(shader_crate.folder), "spirv-unknown-vulkan1.2");
     builder.multimodule = true;
     builder.target_dir_path = Some(std::path::absolute(target)?.join("spirv"));
-    if std::env::var_os("UNREACHABLE").is_some() { builder.shader_panic_strategy = spirv_builder::ShaderPanicStrategy::UNSOUND_DO_NOT_USE_UndefinedBehaviorViaUnreachable; }
     builder.toolchain_overwrite =
         Some(std::env::var("RUST_GPU_TOOLCHAIN").unwrap_or_else(|_| TOOLCHAIN.to_owned()));
     if let Some(backend) = std::env::var_os("RUSTC_CODEGEN_SPIRV") {

@@ -11,6 +11,7 @@ use super::{Frame, Gpu, GpuError, Misfit};
 use crate::{BuildConfig, MeshCodec, NodeCodec};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::node::LEAF_SIZE;
+use slimbvh_core::trace::TrianglePair;
 use slimbvh_core::{LeafTriangle, Node};
 use wgpu::BufferUsages;
 
@@ -62,6 +63,8 @@ pub struct Built {
     pub total: Range,
     /// The triangle count, and the dispatch with a thread for each.
     pub count: Range,
+    /// Zeros, bound where a kernel requires sides or a target and there are none.
+    pub placeholder: Range,
     /// Triangles of the mesh.
     pub triangle_count: u32,
     /// Whether the hierarchy leaves some of these out.
@@ -80,8 +83,6 @@ pub struct Coded {
     pub root: Range,
     /// The number of words of all triangles, the first of four numbers, if triangles vary in size.
     pub word_total: Range,
-    /// Zeros, bound where a kernel requires sides or a target and there are none.
-    pub placeholder: Range,
 }
 
 impl Built {
@@ -97,6 +98,33 @@ impl Built {
             Some(coded) => [&coded.nodes, &coded.triangles],
         }
     }
+
+    /// Nodes and triangles as kernels of stage `trace` bind them: triangles in full by pairs.
+    pub fn traced(&self) -> [Range; 2] {
+        let [nodes, triangles] = self.stored();
+        let is_full = self
+            .coding()
+            .is_none_or(|coding| coding.most_triangle_bytes().is_none());
+        let triangles = if is_full {
+            Range {
+                size: paired(triangles.size),
+                ..triangles.clone()
+            }
+        } else {
+            triangles.clone()
+        };
+        [nodes.clone(), triangles]
+    }
+}
+
+/// Bytes of triangles in full with the padding of their last pair.
+const fn paired(triangle_bytes: u64) -> u64 {
+    triangle_bytes.next_multiple_of(size_of::<TrianglePair>() as u64)
+}
+
+/// A range of a slot for triangles in full, padded to a whole pair behind it.
+pub fn full_triangles(gpu: &Gpu, slot: &mut Slot, bytes: u64) -> Range {
+    slot.range(gpu, paired(bytes)).part(0, bytes)
 }
 
 impl Default for Bvh {
@@ -145,14 +173,19 @@ impl Bvh {
             let bytes = coding.node_bytes() * most_nodes(triangle_count);
             let nodes = self.nodes.range(gpu, bytes);
             let each = coding.most_triangle_bytes();
-            let bytes = each.map(|each| each * u64::from(triangle_count.max(1)));
+            let triangles = match each {
+                Some(each) => {
+                    let bytes = each * u64::from(triangle_count.max(1));
+                    self.triangles.range(gpu, bytes)
+                }
+                None => full_triangles(gpu, &mut self.triangles, triangle_bytes),
+            };
             Coded {
                 coding,
                 nodes: nodes.touching_nodes(coding.node_bytes()),
-                triangles: self.triangles.range(gpu, bytes.unwrap_or(triangle_bytes)),
+                triangles,
                 root: self.root.range(gpu, size_of::<RootWords>() as u64),
                 word_total: self.word_total.range(gpu, STATE_BYTES),
-                placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             }
         });
         let nodes = match coding {
@@ -161,7 +194,7 @@ impl Bvh {
         };
         let triangles = match coding.and_then(Coding::most_triangle_bytes) {
             Some(_) => encoder.plain_triangles(gpu, triangle_bytes),
-            None => self.triangles.range(gpu, triangle_bytes),
+            None => full_triangles(gpu, &mut self.triangles, triangle_bytes),
         };
         let built = Built {
             nodes: nodes.touching_nodes(size_of::<Node>() as u64),
@@ -172,6 +205,7 @@ impl Bvh {
             bounds: self.bounds.range(gpu, 24),
             total: self.total.range(gpu, STATE_BYTES),
             count: self.count.range(gpu, STATE_BYTES),
+            placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             triangle_count,
             is_reduced,
             depth_bound,
@@ -225,12 +259,16 @@ impl Bvh {
         if built.coded.is_some() {
             return Err(Misfit::InCodec.of("the hierarchy"));
         }
+        let pairs = wgpu::BufferBinding {
+            size: wgpu::BufferSize::new(paired(built.triangles.size)),
+            ..built.triangles.binding()
+        };
         let mut binding = 0;
         Ok(
-            [&built.exponent, &built.nodes, &built.triangles].map(|range| {
+            [built.exponent.binding(), built.nodes.binding(), pairs].map(|range| {
                 let entry = wgpu::BindGroupEntry {
                     binding,
-                    resource: wgpu::BindingResource::Buffer(range.binding()),
+                    resource: wgpu::BindingResource::Buffer(range),
                 };
                 binding += 1;
                 entry

@@ -2,6 +2,7 @@
 
 use super::kernel::{Kernel, Pipelines, compile};
 use super::timer::TimerPool;
+use super::trace::overflow::{Lists, Overflow};
 use super::{AdapterChoice, Frame, GpuError, adapter};
 use pollster::block_on;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,6 +20,8 @@ pub struct Gpu {
     limits: wgpu::Limits,
     pipelines: Pipelines,
     pub(super) timers: TimerPool,
+    /// The lists of [`super::Bvh::trace`].
+    lists: Mutex<Lists>,
     lost: Arc<OnceLock<String>>,
     late: Arc<Mutex<Option<String>>>,
 }
@@ -75,7 +78,7 @@ impl Gpu {
             (
                 "max_compute_workgroup_storage_size",
                 limits.max_compute_workgroup_storage_size.into(),
-                4096,
+                16_384,
             ),
             (
                 "max_compute_invocations_per_workgroup",
@@ -100,6 +103,7 @@ impl Gpu {
         }
         Ok(Self {
             timers: TimerPool::new(&device),
+            lists: Mutex::default(),
             device,
             queue,
             name,
@@ -152,6 +156,12 @@ impl Gpu {
         let pipeline = self.checked(|| compile(&self.device, kernel))?;
         self.pipelines.keep(kernel, &pipeline);
         Ok(pipeline)
+    }
+
+    /// The list of a trace of this many rays, which is recorded next.
+    pub(super) fn overflow(&self, ray_count: u64) -> Overflow {
+        let mut lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
+        lists.overflow(self, ray_count)
     }
 
     /// Runs commands, and turns what the driver objects to into an error.

@@ -1,7 +1,7 @@
 //! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three, with a scan in between.
 
 use super::buffer::{Range, Slot};
-use super::bvh::{Built, Coded};
+use super::bvh::{Built, Coded, full_triangles};
 use super::coding::Encodes;
 use super::program::{Groups, Recorder, Uniform, threads};
 use super::scan::Scan;
@@ -39,7 +39,7 @@ impl Encoder {
 
     /// A range for plain triangles, before they are coded.
     pub fn plain_triangles(&mut self, gpu: &Gpu, bytes: u64) -> Range {
-        self.triangles.range(gpu, bytes)
+        full_triangles(gpu, &mut self.triangles, bytes)
     }
 
     /// Records the encoding of a plain hierarchy. `each_node` gives every node a thread; `step` is the lattice's step in

@@ -68,14 +68,23 @@ pub struct Traces {
     pub closest: Kernel,
     pub any: Kernel,
     pub nearest: Kernel,
+    /// The second pass of the three above.
+    pub rays_overflow: Kernel,
     pub counted: Kernel,
     pub paths: Kernel,
+    pub paths_overflow: Kernel,
     pub paths_counted: Kernel,
     pub shadows: Kernel,
+    pub shadows_overflow: Kernel,
 }
 
 macro_rules! traces {
-    ($($coding:pat => $closest:ident, $any:ident, $nearest:ident, $counted:ident, $paths:ident, $paths_counted:ident, $shadows:ident;)*) => {
+    (
+        $(
+            $coding:pat => $closest:ident, $any:ident, $nearest:ident, $rays_overflow:ident, $counted:ident, $paths:ident,
+            $paths_overflow:ident, $paths_counted:ident, $shadows:ident, $shadows_overflow:ident;
+        )*
+    ) => {
         /// The kernels for a codec, or for trees in full.
         pub const fn traces(coding: Option<Coding>) -> Traces {
             match coding {
@@ -83,10 +92,13 @@ macro_rules! traces {
                     closest: Kernel::$closest,
                     any: Kernel::$any,
                     nearest: Kernel::$nearest,
+                    rays_overflow: Kernel::$rays_overflow,
                     counted: Kernel::$counted,
                     paths: Kernel::$paths,
+                    paths_overflow: Kernel::$paths_overflow,
                     paths_counted: Kernel::$paths_counted,
                     shadows: Kernel::$shadows,
+                    shadows_overflow: Kernel::$shadows_overflow,
                 },)*
             }
         }

@@ -7,6 +7,7 @@ mod wave;
 use super::buffer::{Download, Range, Slot};
 use super::program::{Program, Recorder};
 use super::sort::Sort;
+use super::trace::overflow::{groups_range, groups_slot, list_bytes};
 use super::trees::{DeferralRange, Tree, Trees, TreesRanges};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Misfit, Scene};
@@ -16,6 +17,7 @@ use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
 pub(super) use image::{Image, check_view};
+use slimbvh_core::classify::SIDES_PER_WORD;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
 use std::time::Instant;
@@ -54,7 +56,10 @@ pub struct Renderer {
     pub(super) items: Slot,
     pub(super) sort: Sort,
     pub(super) range: Slot,
+    /// The counters, and the list of rays to trace again.
     counters: Slot,
+    groups: Slot,
+    packed: Vec<Slot>,
     picture: Slot,
     pub(super) texels: Slot,
     kept: Option<(Key, Vec<Program>)>,
@@ -95,6 +100,7 @@ pub(super) struct Buffers {
     pub(super) shadows: Range,
     pub(super) values: Range,
     pub(super) counters: Range,
+    pub(super) groups: Range,
     pub(super) picture: Range,
 }
 
@@ -119,6 +125,8 @@ impl Renderer {
             sort: Sort::new(),
             range: Slot::new("slimbvh range", copied_to.union(BufferUsages::UNIFORM)),
             counters: Slot::new("slimbvh counters", copied_to),
+            groups: groups_slot(),
+            packed: Vec::new(),
             picture: Slot::new("slimbvh picture", copied_to),
             texels: Slot::storage("slimbvh texels"),
             kept: None,
@@ -198,7 +206,7 @@ impl Renderer {
     ) -> Result<PicturePlan<'a>, GpuError> {
         let gpu = frame.gpu();
         assert_eq!(trees.lights.len(), lights.len(), "a tree for each light");
-        let trees = trees.ranges()?;
+        let mut trees = trees.ranges()?;
         for built in trees.all() {
             if scene.mesh.triangle_count != built.triangle_count {
                 return Err(GpuError::View(ViewError::OtherMesh {
@@ -221,6 +229,7 @@ impl Renderer {
             0
         };
         let planned = gpu.checked(|| {
+            self.make_room_for_sides(gpu, &mut trees);
             let buffers = self.reserve(gpu, settings, core_lights.len(), &waves);
             let environment = crate::Scene::environment(camera.up);
             upload_view(
@@ -232,7 +241,7 @@ impl Renderer {
             );
             frame
                 .encoder()
-                .clear_buffer(&buffers.counters.buffer, 0, None);
+                .clear_buffer(&buffers.counters.buffer, 0, Some(counters::BYTES + 4));
             Ok(PicturePlan {
                 scene,
                 trees,
@@ -377,7 +386,8 @@ impl Renderer {
             &self.picture,
             &self.texels,
         ];
-        slots.iter().map(|slot| slot.bytes()).sum::<u64>() + self.sort.bytes()
+        let all = slots.into_iter().chain([&self.groups]).chain(&self.packed);
+        all.map(Slot::bytes).sum::<u64>() + self.sort.bytes()
     }
 
     /// The work of the latest picture, by stage; empty if it had too many waves to be kept.
@@ -392,6 +402,19 @@ impl Renderer {
             return Err(Misfit::NotRendered.of("the picture"));
         }
         Ok(self.picture.range(gpu, picture_bytes(self.size)))
+    }
+
+    /// A range for the packed sides of each tree with a filter.
+    fn make_room_for_sides(&mut self, gpu: &Gpu, trees: &mut TreesRanges) {
+        let rules = trees.filtered_mut().filter_map(|tree| tree.rule.as_mut());
+        for (i, rule) in rules.enumerate() {
+            if self.packed.len() == i {
+                self.packed.push(Slot::storage("slimbvh packed sides"));
+            }
+            let primitives = rule.components.0.size / 4;
+            let bytes = 4 * primitives.div_ceil(SIDES_PER_WORD.into()).max(1);
+            rule.packed = Some(self.packed[i].range(gpu, bytes));
+        }
     }
 
     fn key(&self, plan: &PicturePlan) -> Key {
@@ -437,7 +460,8 @@ impl Renderer {
             hits: self.hits.range(gpu, most * size_of::<Hit>() as u64),
             shadows: self.shadows.range(gpu, most * SHADOW_BYTES),
             values: self.values.range(gpu, 4 * value_count),
-            counters: self.counters.range(gpu, counters::BYTES),
+            counters: self.counters.range(gpu, counters::BYTES + list_bytes(most)),
+            groups: groups_range(gpu, &mut self.groups),
             picture: self.picture.range(gpu, picture_bytes(settings.size)),
         }
     }

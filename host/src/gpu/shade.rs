@@ -16,8 +16,8 @@ impl PicturePlan<'_> {
         let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
         let shadows = &all.shadows.part(0, samples * SHADOW_BYTES);
         let environment = &all.view.part(ENVIRONMENT, size_of::<Environment>() as u64);
-        let counter = |slot| all.counters.part(slot, counters::SLOT_BYTES);
-        let (shadow_rays, mirror_rays) = (&counter(counters::SHADOW), &counter(counters::MIRROR));
+        let shadow_rays = self.tally(counters::SHADOW, wave);
+        let mirror_rays = self.tally(counters::MIRROR, wave);
         let scene = self.scene;
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
@@ -56,8 +56,8 @@ impl PicturePlan<'_> {
                 }
                 recorder.stage("trace shadow");
                 let tree = &self.trees.lights[i as usize];
-                let to = [paths, shadow_rays];
-                tree.record_shadows(recorder, exponent, shadows, to, each());
+                let rays = [shadows, paths];
+                tree.record_shadows(recorder, exponent, rays, &shadow_rays, each());
             }
             recorder.stage("shade");
             recorder.update(
@@ -78,8 +78,7 @@ impl PicturePlan<'_> {
             let mirrors = self.trees.mirrors.as_ref();
             if let Some(tree) = mirrors.filter(|_| depth < self.mirror_depth) {
                 recorder.stage("trace mirror");
-                let to = [hits, mirror_rays];
-                tree.record_paths(recorder, exponent, paths, to, each());
+                tree.record_paths(recorder, exponent, [paths, hits], &mirror_rays, each());
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Queries of rays in a buffer, with answers in a buffer.
 
-mod paths;
+pub(super) mod overflow;
+pub(super) mod paths;
 
 use super::buffer::{ALIGNMENT, Range};
 use super::kernel::{Traces, traces};
@@ -43,6 +44,16 @@ impl Query {
             Self::Counted => traces.counted,
         }
     }
+
+    /// Hits a ray, as the kernel of the second pass counts them; `None` for the one that has no second pass.
+    const fn hit_count(self) -> Option<u32> {
+        match self {
+            Self::Closest => Some(1),
+            Self::Any => Some(0),
+            Self::Nearest => Some(NEAREST_COUNT as u32),
+            Self::Counted => None,
+        }
+    }
 }
 
 impl Bvh {
@@ -82,26 +93,40 @@ impl Bvh {
         gpu.checked(|| {
             let mut recorder = Recorder::default();
             recorder.stage("trace");
-            let kernel = query.kernel(&traces(built.coding()));
-            let [nodes, triangles] = built.stored();
+            let kernels = traces(built.coding());
+            let kernel = query.kernel(&kernels);
+            let [nodes, triangles] = &built.traced();
             let root = built.coded.as_ref().map(|coded| &coded.root);
             let mut uniforms: Vec<Uniform> = root.map(Uniform::Stored).into_iter().collect();
             uniforms.push(Uniform::Stored(&built.exponent));
             let mut first = 0;
             while first < ray_count {
                 let count = most.min(ray_count - first);
-                recorder.dispatch(
-                    kernel,
-                    &uniforms,
-                    &[
-                        nodes,
-                        triangles,
-                        &rays.part(first * RAY_BYTES, count * RAY_BYTES),
-                    ],
-                    &[&answers.part(first * answer_bytes, count * answer_bytes)],
-                    threads(count as u32),
-                );
+                let rays = &rays.part(first * RAY_BYTES, count * RAY_BYTES);
+                let answers = &answers.part(first * answer_bytes, count * answer_bytes);
+                let reads = [nodes, triangles, rays];
+                let each = threads(count as u32);
                 first += count;
+                let Some(hit_count) = query.hit_count() else {
+                    recorder.dispatch(kernel, &uniforms, &reads, &[answers], each);
+                    continue;
+                };
+                let overflow = gpu.overflow(count);
+                let list = &overflow.list;
+                let to = [answers, &list.touching(0)];
+                recorder.dispatch(kernel, &uniforms, &reads, &to, each);
+                let groups = overflow.record(&mut recorder);
+                let mut uniforms = uniforms.clone();
+                uniforms.push(overflow.length());
+                uniforms.push(Uniform::Params([hit_count, 0, 0, 0]));
+                let untouched = [nodes, triangles, rays, list].map(|range| range.touching(0));
+                recorder.dispatch(
+                    kernels.rays_overflow,
+                    &uniforms,
+                    &untouched.each_ref(),
+                    &[&answers.touching(0)],
+                    groups,
+                );
             }
             recorder.finish(gpu)?.encode(frame);
             Ok(())

@@ -15,7 +15,11 @@ pub type Trees<'a> = backend::Trees<'a, Bvh, (&'a Components, &'a TargetSides)>;
 impl Tree<'_> {
     pub(super) fn ranges(&self) -> Result<TreeRanges, GpuError> {
         let rule = match self.rule {
-            Some((components, sides)) => Some((components.clone(), sides.ranges()?.clone())),
+            Some((components, sides)) => Some(RuleRanges {
+                components: components.clone(),
+                sides: sides.ranges()?.clone(),
+                packed: None,
+            }),
             None => None,
         };
         Ok(TreeRanges {
@@ -41,7 +45,16 @@ impl Trees<'_> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreeRanges {
     pub built: Built,
-    pub rule: Option<(Components, TargetRanges)>,
+    pub rule: Option<RuleRanges>,
+}
+
+/// The ranges of a filter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RuleRanges {
+    pub components: Components,
+    pub sides: TargetRanges,
+    /// Room for the sides by primitives, once the renderer has made it.
+    pub packed: Option<Range>,
 }
 
 /// A light's deferral in a program.
@@ -79,5 +92,15 @@ impl TreesRanges {
     pub fn all(&self) -> impl Iterator<Item = &Built> {
         let trees = self.lights.iter().chain(&self.mirrors);
         trees.chain([&self.primary]).map(|tree| &tree.built)
+    }
+
+    /// The trees whose rays may have a filter.
+    pub fn filtered(&self) -> impl Iterator<Item = &TreeRanges> {
+        [&self.primary].into_iter().chain(&self.lights)
+    }
+
+    /// As [`Self::filtered`].
+    pub fn filtered_mut(&mut self) -> impl Iterator<Item = &mut TreeRanges> {
+        [&mut self.primary].into_iter().chain(&mut self.lights)
     }
 }

@@ -8,7 +8,7 @@ use slimbvh::generate::{append, cuboid};
 use slimbvh::reduce::{Seams, survey};
 use slimbvh::topology::{self, Topology};
 use slimbvh::{BuildConfig, Decisions, Mesh};
-use slimbvh_core::classify::{Sides, faces};
+use slimbvh_core::classify::{SideSource, Sides, faces};
 use slimbvh_core::decide::is_clear_of_box;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;

@@ -2,7 +2,7 @@
 
 use super::super::buffer::{Range, Slot};
 use super::super::{Gpu, GpuError};
-use super::Bvh;
+use super::{Bvh, paired};
 use slimbvh_core::{LeafTriangle, Node};
 
 impl Bvh {
@@ -39,10 +39,10 @@ impl Bvh {
     }
 }
 
-/// Moves the beginning of a slot's buffer into a buffer of exactly that size.
+/// Moves the beginning of a slot's buffer into a buffer of exactly that size, padded to a whole pair of triangles.
 fn tight(gpu: &Gpu, slot: &mut Slot, from: &Range, bytes: u64) -> Range {
     let bytes = bytes.min(from.size);
-    let to = slot.renewed(gpu, bytes);
+    let to = slot.renewed(gpu, paired(bytes)).part(0, bytes);
     let mut encoder = gpu.device().create_command_encoder(&Default::default());
     encoder.copy_buffer_to_buffer(&from.buffer, from.offset, &to.buffer, to.offset, bytes);
     gpu.queue().submit([encoder.finish()]);

@@ -1,6 +1,6 @@
 //! Uploads of a hierarchy.
 
-use super::{Built, Bvh, Coded, Coding, PLACEHOLDER_BYTES, STATE_BYTES};
+use super::{Built, Bvh, Coded, Coding, PLACEHOLDER_BYTES, STATE_BYTES, full_triangles};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
 use crate::gpu::program::counted;
@@ -44,8 +44,14 @@ impl Bvh {
         let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
         // No binding can be empty.
         let each = coding.and_then(Coding::most_triangle_bytes);
-        let room = each.unwrap_or(size_of::<LeafTriangle>() as u64);
-        let triangle_range = (self.triangles).range(gpu, room.max(triangles.len() as u64));
+        let bytes = triangles.len() as u64;
+        let triangle_range = match each {
+            Some(room) => self.triangles.range(gpu, room.max(bytes)),
+            None => {
+                let bytes = bytes.max(size_of::<LeafTriangle>() as u64);
+                full_triangles(gpu, &mut self.triangles, bytes)
+            }
+        };
         let node_range = self.nodes.range(gpu, nodes.len() as u64);
         let node_range = node_range.touching_nodes(node_bytes);
         let built = Built {
@@ -58,12 +64,12 @@ impl Bvh {
                 triangles: triangle_range,
                 root: self.root.range(gpu, size_of::<RootWords>() as u64),
                 word_total: self.word_total.range(gpu, STATE_BYTES),
-                placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             }),
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),
             total: self.total.range(gpu, STATE_BYTES),
             count: self.count.range(gpu, STATE_BYTES),
+            placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             triangle_count: bvh.mesh_triangle_count() as u32,
             is_reduced: bvh.triangle_count() < bvh.mesh_triangle_count(),
             depth_bound: bvh.depth_bound(),

@@ -1,7 +1,9 @@
 //! A wave of samples, from camera rays to pixels.
 
-use super::{PicturePlan, WAVE, counters};
+use super::{Buffers, PicturePlan, WAVE, counters};
 use crate::gpu::program::{Recorder, Uniform, threads};
+use crate::gpu::trace::overflow::{Overflow, list_bytes};
+use crate::gpu::trace::paths::Tally;
 use crate::picture::{RenderSettings, View};
 use slimbvh_core::Hit;
 use slimbvh_core::shade::Path;
@@ -52,19 +54,26 @@ impl PicturePlan<'_> {
         let paths = &all.paths.part(0, samples * size_of::<Path>() as u64);
         let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
         let tree = &self.trees.primary;
-        let primary = &all.counters.part(counters::PRIMARY, counters::SLOT_BYTES);
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
 
+        if wave.first_pixel == 0 && self.trees.filtered().any(|tree| tree.rule.is_some()) {
+            recorder.stage("classify");
+            for tree in self.trees.filtered() {
+                tree.record_sides(recorder);
+            }
+        }
         self.record_rays(recorder, wave);
 
         recorder.stage("trace primary");
         let values = |first: u32| all.values.part(4 * u64::from(first), 4 * samples);
         if self.settings.view == View::Heatmap {
-            let to = [hits, &values(wave.first_sample), primary];
+            let primary = all.counters.part(counters::PRIMARY, counters::SLOT_BYTES);
+            let to = [hits, &values(wave.first_sample), &primary];
             tree.record_paths_counted(recorder, paths, to, each());
         } else {
-            tree.record_paths(recorder, exponent, paths, [hits, primary], each());
+            let tally = self.tally(counters::PRIMARY, wave);
+            tree.record_paths(recorder, exponent, [paths, hits], &tally, each());
         }
 
         match self.settings.view {
@@ -73,6 +82,21 @@ impl PicturePlan<'_> {
         }
         if !matches!(self.settings.view, View::Depth | View::Heatmap) {
             self.record_resolve(recorder, wave);
+        }
+    }
+
+    /// The counters of one kind of rays, and the list of a wave's rays.
+    pub fn tally(&self, slot: u64, wave: &Wave) -> Tally {
+        let Buffers {
+            counters, groups, ..
+        } = &self.buffers;
+        let list_bytes = list_bytes(wave.sample_count.into());
+        Tally {
+            all: counters.part(slot, counters::BYTES - slot + list_bytes),
+            overflow: Overflow {
+                list: counters.part(counters::BYTES, list_bytes),
+                groups: groups.clone(),
+            },
         }
     }
 }

@@ -1,11 +1,27 @@
 //! Dispatches for a picture's paths and shadow rays: the kernel for each kind of tree, and its bindings.
 
+use super::overflow::Overflow;
 use crate::gpu::Kernel;
 use crate::gpu::buffer::Range;
-use crate::gpu::bvh::Coded;
 use crate::gpu::kernel::traces;
-use crate::gpu::program::{Groups, Recorder, Uniform};
+use crate::gpu::program::{Groups, Recorder, Uniform, threads};
 use crate::gpu::trees::TreeRanges;
+
+/// Where rays are counted, and where those are listed that are traced again.
+#[derive(Clone, Debug)]
+pub struct Tally {
+    /// From the counters to the end of the list.
+    pub all: Range,
+    /// The list, which is the end of that.
+    pub overflow: Overflow,
+}
+
+impl Tally {
+    /// The counters and the list, of which a first pass accesses no more than the counters, but for few rays.
+    fn counted(&self) -> Range {
+        self.all.touching(16)
+    }
+}
 
 impl TreeRanges {
     /// Records a search for each path's closest hit. Reads the scene's exponent. Writes hits and counters.
@@ -13,27 +29,23 @@ impl TreeRanges {
         &self,
         recorder: &mut Recorder,
         exponent: Uniform,
-        paths: &Range,
-        to: [&Range; 2],
+        [paths, hits]: [&Range; 2],
+        tally: &Tally,
         each: Groups,
     ) {
-        let [nodes, triangles] = self.built.stored();
-        let kernel = traces(self.built.coding()).paths;
-        match (&self.built.coded, &self.rule) {
-            (Some(coded), _) => {
-                let (uniforms, [components, sides]) = self.coded_rule(coded, exponent);
-                let reads = [nodes, triangles, components, sides, paths];
-                recorder.dispatch(kernel, &uniforms, &reads, &to, each);
-            }
-            (None, Some((components, sides))) => recorder.dispatch(
-                Kernel::trace_paths_facing,
-                &[exponent, sides.target()],
-                &[nodes, triangles, &components.0, &sides.sides, paths],
-                &to,
-                each,
-            ),
-            (None, None) => recorder.dispatch(kernel, &[], &[nodes, triangles, paths], &to, each),
-        }
+        let kernels = traces(self.built.coding());
+        let to = [hits, &tally.counted()];
+        let (kernel, uniforms, reads) =
+            self.first(exponent, kernels.paths, Kernel::trace_paths_facing);
+        let reads: Vec<&Range> = reads.iter().chain([paths]).collect();
+        recorder.dispatch(kernel, &uniforms, &reads, &to, each);
+
+        let groups = tally.overflow.record(recorder);
+        let (uniforms, reads) = self.second(exponent, tally);
+        let paths = &paths.touching(0);
+        let reads: Vec<&Range> = reads.iter().chain([paths]).collect();
+        let to = [&hits.touching(0), &tally.all.touching(0)];
+        recorder.dispatch(kernels.paths_overflow, &uniforms, &reads, &to, groups);
     }
 
     /// Records a search for each path's closest hit without a facing filter, and a count of the nodes that it opens. Writes
@@ -45,7 +57,7 @@ impl TreeRanges {
         to: [&Range; 3],
         each: Groups,
     ) {
-        let [nodes, triangles] = self.built.stored();
+        let [nodes, triangles] = &self.built.traced();
         let kernel = traces(self.built.coding()).paths_counted;
         let root = self.built.coded.as_ref();
         let root: Vec<Uniform> = root.map(|c| Uniform::Stored(&c.root)).into_iter().collect();
@@ -57,43 +69,90 @@ impl TreeRanges {
         &self,
         recorder: &mut Recorder,
         exponent: Uniform,
-        shadows: &Range,
-        to: [&Range; 2],
+        [shadows, paths]: [&Range; 2],
+        tally: &Tally,
         each: Groups,
     ) {
-        let [nodes, triangles] = self.built.stored();
-        let kernel = traces(self.built.coding()).shadows;
+        let kernels = traces(self.built.coding());
+        let to = [paths, &tally.counted()];
+        let (kernel, uniforms, reads) =
+            self.first(exponent, kernels.shadows, Kernel::trace_shadows_facing);
+        let reads: Vec<&Range> = reads.iter().chain([shadows]).collect();
+        recorder.update(kernel, &uniforms, &reads, &to, each);
+
+        let groups = tally.overflow.record(recorder);
+        let (uniforms, reads) = self.second(exponent, tally);
+        let (shadows, list) = (&shadows.touching(0), &tally.all.touching(0));
+        let reads: Vec<&Range> = reads.iter().chain([shadows, list]).collect();
+        let to = [&paths.touching(0)];
+        recorder.update(kernels.shadows_overflow, &uniforms, &reads, &to, groups);
+    }
+
+    /// The kernel of a first pass, with its uniforms, and the ranges that it reads before the rays: of trees in full without a filter
+    /// the bare kernel, else the one with a filter. Kernels of coded trees always have one.
+    fn first<'a>(
+        &'a self,
+        exponent: Uniform<'a>,
+        kernel: Kernel,
+        facing: Kernel,
+    ) -> (Kernel, Vec<Uniform<'a>>, Vec<Range>) {
+        let [nodes, triangles] = self.built.traced();
         match (&self.built.coded, &self.rule) {
-            (Some(coded), _) => {
-                let (uniforms, [components, sides]) = self.coded_rule(coded, exponent);
-                let reads = [nodes, triangles, components, sides, shadows];
-                recorder.update(kernel, &uniforms, &reads, &to, each);
-            }
-            (None, Some((components, sides))) => recorder.update(
-                Kernel::trace_shadows_facing,
-                &[exponent, sides.target()],
-                &[nodes, triangles, &components.0, &sides.sides, shadows],
-                &to,
-                each,
+            (None, None) => (kernel, Vec::new(), vec![nodes, triangles]),
+            (None, Some(_)) => (
+                facing,
+                self.filter(exponent),
+                vec![nodes, triangles, self.sides()],
             ),
-            (None, None) => recorder.update(kernel, &[], &[nodes, triangles, shadows], &to, each),
+            (Some(_), _) => (
+                kernel,
+                self.filter(exponent),
+                vec![nodes, triangles, self.sides()],
+            ),
         }
     }
 
-    /// The filter's bindings of kernels of coded trees, which always have one: the root, the exponent and the target, then
-    /// the components and their sides.
-    fn coded_rule<'a>(
+    /// The uniforms of a second pass, and the ranges that it reads before the rays. Its kernels always have a filter.
+    fn second<'a>(
         &'a self,
-        coded: &'a Coded,
         exponent: Uniform<'a>,
-    ) -> ([Uniform<'a>; 3], [&'a Range; 2]) {
-        let (target, ranges) = match &self.rule {
-            Some((components, sides)) => (sides.target(), [&components.0, &sides.sides]),
-            None => {
-                let placeholder = &coded.placeholder;
-                (Uniform::Stored(placeholder), [placeholder, placeholder])
-            }
+        tally: &'a Tally,
+    ) -> (Vec<Uniform<'a>>, Vec<Range>) {
+        let [nodes, triangles] = self.built.traced();
+        let mut uniforms = self.filter(exponent);
+        uniforms.push(tally.overflow.length());
+        let reads = [nodes, triangles, self.sides()].map(|range| range.touching(0));
+        (uniforms, reads.into())
+    }
+
+    /// The uniforms of kernels with a filter: the root of a coded tree, the exponent and the target.
+    fn filter<'a>(&'a self, exponent: Uniform<'a>) -> Vec<Uniform<'a>> {
+        let root = self
+            .built
+            .coded
+            .as_ref()
+            .map(|coded| Uniform::Stored(&coded.root));
+        let target = match &self.rule {
+            Some(rule) => rule.sides.target(),
+            None => Uniform::Stored(&self.built.placeholder),
         };
-        ([Uniform::Stored(&coded.root), exponent, target], ranges)
+        root.into_iter().chain([exponent, target]).collect()
+    }
+
+    /// The packed sides of the primitives, or zeros: then all triangles are hits.
+    fn sides(&self) -> Range {
+        let packed = self.rule.as_ref().and_then(|rule| rule.packed.clone());
+        packed.unwrap_or_else(|| self.built.placeholder.clone())
+    }
+
+    /// Records that the sides of components are packed by primitives, where there are any.
+    pub fn record_sides(&self, recorder: &mut Recorder) {
+        if let Some(rule) = &self.rule
+            && let Some(packed) = &rule.packed
+        {
+            let reads = [&rule.components.0, &rule.sides.sides];
+            let each = threads((packed.size / 4) as u32);
+            recorder.dispatch(Kernel::classify_sides, &[], &reads, &[packed], each);
+        }
     }
 }

@@ -1,0 +1,82 @@
+//! The second pass of a trace: rays whose stack in workgroup memory was full are traced again, with private stacks.
+
+use crate::gpu::buffer::{Range, Slot};
+use crate::gpu::program::{Groups, Recorder, Uniform, groups};
+use crate::gpu::{Gpu, Kernel};
+use wgpu::BufferUsages;
+
+/// Bytes of `[length, x, y, z]`.
+const GROUPS_BYTES: u64 = 16;
+
+/// Bytes of a list with room for this many rays: its length, then their numbers.
+pub const fn list_bytes(ray_count: u64) -> u64 {
+    4 * (ray_count + 1)
+}
+
+/// A slot for the dispatch of second passes.
+pub const fn groups_slot() -> Slot {
+    let usage = BufferUsages::STORAGE
+        .union(BufferUsages::UNIFORM)
+        .union(BufferUsages::INDIRECT);
+    Slot::new("slimbvh overflow dispatch", usage)
+}
+
+/// The lists of traces of rays in the caller's buffers, one after the other.
+#[derive(Debug)]
+pub struct Lists {
+    list: Slot,
+    groups: Slot,
+}
+
+impl Default for Lists {
+    fn default() -> Self {
+        Self {
+            list: Slot::storage("slimbvh overflow list"),
+            groups: groups_slot(),
+        }
+    }
+}
+
+impl Lists {
+    /// A list with room for this many rays. Between traces its length is 0.
+    pub fn overflow(&mut self, gpu: &Gpu, ray_count: u64) -> Overflow {
+        Overflow {
+            list: self.list.range(gpu, list_bytes(ray_count)),
+            groups: self.groups(gpu),
+        }
+    }
+
+    fn groups(&mut self, gpu: &Gpu) -> Range {
+        groups_range(gpu, &mut self.groups)
+    }
+}
+
+/// The range of the dispatch of second passes.
+pub fn groups_range(gpu: &Gpu, slot: &mut Slot) -> Range {
+    slot.range(gpu, GROUPS_BYTES)
+}
+
+/// What a first pass leaves for the second.
+#[derive(Clone, Debug)]
+pub struct Overflow {
+    /// The rays to trace again.
+    pub list: Range,
+    /// The list's length, and the dispatch with a thread for each.
+    pub groups: Range,
+}
+
+impl Overflow {
+    /// Records that the length of the list becomes a dispatch, and the list empty. Returns that dispatch.
+    pub fn record(&self, recorder: &mut Recorder) -> Groups {
+        let list = &self.list.touching(4);
+        recorder.read(list);
+        let to = &[list, &self.groups];
+        recorder.dispatch(Kernel::overflow_groups, &[], &[], to, groups(1));
+        Groups::Indirect(self.groups.part(4, 12))
+    }
+
+    /// The list's length, for the kernels of the second pass.
+    pub const fn length(&self) -> Uniform<'_> {
+        Uniform::Stored(&self.groups)
+    }
+}
