@@ -92,8 +92,12 @@ pub struct Children<C> {
 
 /// Where the traversal finds triangles, in leaves whose decoded boxes are of this type.
 pub trait TriangleSource<B: Copy> {
-    /// Whether there are none at all: then nothing is walked.
-    fn is_empty(&self) -> bool;
+    /// Whether triangles may be read. A source that reads without a check of its own says no where it is empty: then nothing is
+    /// walked.
+    #[inline(always)]
+    fn may_be_read(&self) -> bool {
+        true
+    }
 
     /// The corners of a triangle, coordinates in the order of the axes, as those of the leaf's box are.
     fn corners(&self, slot: &LeafSlot<B>, axes: [u32; 3]) -> [[f32; 3]; 3];
@@ -160,7 +164,7 @@ where
     Q: Query<N, T, S::Enter>,
 {
     let mut steps = nodes.step_limit();
-    let begins = query.begin() & (steps > 0) & !triangles.is_empty();
+    let begins = query.begin() & (steps > 0) & triangles.may_be_read();
     let mut waiting = if begins { 0 } else { DONE };
     // Masked once here, so that no source has to check them at each node.
     let [a, b, c] = query.axes();

@@ -175,11 +175,6 @@ impl LatticeTriangles<'_> {
 
 impl TriangleSource<LatticeBounds> for LatticeTriangles<'_> {
     #[inline(always)]
-    fn is_empty(&self) -> bool {
-        self.words.is_empty()
-    }
-
-    #[inline(always)]
     fn corners(&self, slot: &LeafSlot<LatticeBounds>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let width = LeafWidth::of_bounds(&slot.bounds, self.step);
         let begin = Self::begin(slot, width);

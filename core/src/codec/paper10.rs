@@ -397,11 +397,6 @@ pub struct Paper10Triangles<'a> {
 
 impl TriangleSource<Paper10Box> for Paper10Triangles<'_> {
     #[inline(always)]
-    fn is_empty(&self) -> bool {
-        self.triangles.is_empty()
-    }
-
-    #[inline(always)]
     fn corners(&self, slot: &LeafSlot<Paper10Box>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let at = slot.first.wrapping_add(slot.number);
         let Paper10Triangle { vertices, .. } = crate::load(

@@ -95,8 +95,8 @@ impl TriangleRows<'_> {
 
 impl<B: Copy> TriangleSource<B> for TriangleRows<'_> {
     #[inline(always)]
-    fn is_empty(&self) -> bool {
-        self.0.is_empty()
+    fn may_be_read(&self) -> bool {
+        !self.0.is_empty()
     }
 
     #[inline(always)]

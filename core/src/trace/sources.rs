@@ -111,11 +111,6 @@ pub struct LeafTriangles<'a>(pub &'a [LeafTriangle]);
 
 impl<F: Copy> TriangleSource<F> for LeafTriangles<'_> {
     #[inline(always)]
-    fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    #[inline(always)]
     fn corners(&self, slot: &LeafSlot<F>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let index = (slot.first + slot.number) as usize;
         if index >= self.0.len() {

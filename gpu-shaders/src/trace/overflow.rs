@@ -4,6 +4,7 @@
 //! than there are rays before the end; what is before it belongs to the caller.
 
 use crate::atomic_add;
+use glam::UVec3;
 use slimbvh_core::launch::{LANES, dispatch};
 use spirv_std::spirv;
 
@@ -40,14 +41,15 @@ pub fn noted(thread: u32, length: u32, ray_count: u32, list: &[u32]) -> u32 {
     }
 }
 
-/// One thread. Reads the length of a list that is a buffer of its own, and clears it. Stores `[length, x, y, z]`, with the dispatch of
+/// One thread works. Reads the length of a list that is a buffer of its own, and clears it. Stores `[length, x, y, z]`, with the dispatch of
 /// a thread for each ray of the list.
-#[spirv(compute(threads(1)))]
+#[spirv(compute(threads(64)))]
 pub fn overflow_groups(
+    #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] list: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] groups: &mut [[u32; 4]],
 ) {
-    if !list.is_empty() && !groups.is_empty() {
+    if id.x == 0 && !list.is_empty() && !groups.is_empty() {
         let length = list[0];
         list[0] = 0;
         let [x, y, z] = dispatch(length.div_ceil(LANES as u32));
@@ -73,7 +75,7 @@ mod tests {
     #[test]
     fn groups_are_made_and_the_list_is_cleared() {
         let (mut list, mut groups) = ([65, 1], [[0; 4]]);
-        overflow_groups(&mut list, &mut groups);
+        overflow_groups(UVec3::ZERO, &mut list, &mut groups);
         assert_eq!((list[0], groups[0]), (0, [65, 2, 1, 1]));
     }
 }

@@ -99,13 +99,16 @@ impl Built {
         }
     }
 
+    /// Whether the stored triangles are in full.
+    pub fn has_full_triangles(&self) -> bool {
+        let coding = self.coding();
+        coding.is_none_or(|coding| coding.most_triangle_bytes().is_none())
+    }
+
     /// Nodes and triangles as kernels of stage `trace` bind them: triangles in full by pairs.
     pub fn traced(&self) -> [Range; 2] {
         let [nodes, triangles] = self.stored();
-        let is_full = self
-            .coding()
-            .is_none_or(|coding| coding.most_triangle_bytes().is_none());
-        let triangles = if is_full {
+        let triangles = if self.has_full_triangles() {
             Range {
                 size: paired(triangles.size),
                 ..triangles.clone()

@@ -225,10 +225,6 @@ struct Metered<'a> {
 }
 
 impl TriangleSource<()> for Metered<'_> {
-    fn is_empty(&self) -> bool {
-        TriangleSource::<()>::is_empty(&self.triangles)
-    }
-
     fn corners(&self, place: &LeafSlot<()>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let bytes = self.bytes.get((place.first + place.number) as usize);
         let read = self.read.get() + u64::from(bytes.copied().unwrap_or_default());

@@ -12,7 +12,7 @@ use slimbvh_core::trace::{
     Children, ClosestHit, Collector, Lane, LeafRun, LeafTriangles, NodeSource, PacketStacks,
     PlainNodes, PreparedRays, Skip, trace_alone, trace_packet,
 };
-use slimbvh_core::{Hit, LeafTriangle, Node, NodeRef, Ray};
+use slimbvh_core::{Hit, Node, NodeRef, Ray};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
 use slimbvh_tests::rays::{RayRecipe, any_ray};
@@ -256,8 +256,7 @@ fn a_tree_with_circles_is_left() {
         ..Node::zeroed()
     };
     let nodes = vec![node; 3000];
-    let triangles = [LeafTriangle::default()];
-    let (nodes, triangles) = (PlainNodes(&nodes), LeafTriangles(&triangles));
+    let (nodes, triangles) = (PlainNodes(&nodes), LeafTriangles(&[]));
     let limit = nodes.step_limit();
     let ray = |i: u8| Ray::new([f32::from(i) * 0.005, 0.0, 0.9], [0.0, 0.0, -1.0]);
     let rays = [0, 1, 2, 3, 4, 5, 6, 7].map(ray);

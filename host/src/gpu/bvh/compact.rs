@@ -23,8 +23,14 @@ impl Bvh {
         );
         let [nodes, triangles] = built.stored().map(Range::clone);
         gpu.checked(|| {
-            let nodes = tight(gpu, &mut self.nodes, &nodes, node_bytes);
-            let triangles = tight(gpu, &mut self.triangles, &triangles, triangle_bytes);
+            let nodes = tight(gpu, &mut self.nodes, &nodes, [node_bytes, 0]);
+            let padding = if built.has_full_triangles() {
+                paired(triangle_bytes) - triangle_bytes
+            } else {
+                0
+            };
+            let sizes = [triangle_bytes, padding];
+            let triangles = tight(gpu, &mut self.triangles, &triangles, sizes);
             // Plain nodes and triangles are in the builder's buffers.
             built.nodes = nodes.clone();
             built.triangles = triangles.clone();
@@ -39,10 +45,10 @@ impl Bvh {
     }
 }
 
-/// Moves the beginning of a slot's buffer into a buffer of exactly that size, padded to a whole pair of triangles.
-fn tight(gpu: &Gpu, slot: &mut Slot, from: &Range, bytes: u64) -> Range {
+/// Moves the beginning of a slot's buffer into a buffer of exactly that size, with padding behind.
+fn tight(gpu: &Gpu, slot: &mut Slot, from: &Range, [bytes, padding]: [u64; 2]) -> Range {
     let bytes = bytes.min(from.size);
-    let to = slot.renewed(gpu, paired(bytes)).part(0, bytes);
+    let to = slot.renewed(gpu, bytes + padding).part(0, bytes);
     let mut encoder = gpu.device().create_command_encoder(&Default::default());
     encoder.copy_buffer_to_buffer(&from.buffer, from.offset, &to.buffer, to.offset, bytes);
     gpu.queue().submit([encoder.finish()]);
