@@ -11,7 +11,7 @@ use slimbvh_tests::validate::validate;
 
 /// Triangles with the codes 0 (`equal_count` times), 1, 2, 4 … and all ones: every bit of the code splits one off. All their
 /// boxes reach to the origin, so a ray there meets both children of every node.
-fn ladder(bits_per_axis: u32, equal_count: usize) -> Mesh {
+pub fn ladder(bits_per_axis: u32, equal_count: usize) -> Mesh {
     let size = (1u32 << bits_per_axis) as f32;
     let around = |centre: [f32; 3]| -> Corners {
         let half = centre.map(|c| c.min(size - c));

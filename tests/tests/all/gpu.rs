@@ -11,6 +11,7 @@ mod kernels;
 mod limits;
 mod lost;
 mod order;
+mod overflow;
 mod pictures;
 mod scans;
 mod shading;

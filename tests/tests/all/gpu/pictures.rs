@@ -285,7 +285,7 @@ pub fn open_and_flat() -> Scene {
 }
 
 /// A bare mesh: no materials, with the default camera and light.
-fn completed(mesh: slimbvh::Mesh) -> Scene {
+pub fn completed(mesh: slimbvh::Mesh) -> Scene {
     let mut scene = Scene {
         mesh,
         ..Scene::default()

@@ -1,0 +1,122 @@
+//! Rays that need more of a stack than a lane has in workgroup memory are answered by the second pass: as the CPU answers them.
+
+use super::pictures::check_as;
+use super::trace::Answers;
+use crate::deepest_trees::ladder;
+use slimbvh::gpu::{self, Gpu};
+use slimbvh::{
+    BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, NodeCodec, RenderSettings, TreeKind, View,
+};
+use slimbvh_core::launch::LANES;
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{
+    AnyHit, LANE_ROWS, LaneStack, LaneWords, LeafTriangles, PlainNodes, Skip, traverse_with,
+};
+use slimbvh_core::{Ray, Vec3};
+use slimbvh_tests::build_as;
+use slimbvh_tests::gpu::{done, gpu, is_software};
+use slimbvh_tests::random::Random;
+use slimbvh_tests::strategies::mesh_of;
+use slimbvh_tests::validate::validate_shape;
+
+/// How many rays need more rows than a lane has to find out whether they hit anything.
+fn overflowing(bvh: &Bvh, rays: &[Ray]) -> usize {
+    let mut words: LaneWords = [0; LANE_ROWS * LANES];
+    let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
+    let overflows = |ray: &&Ray| {
+        let ray = PreparedRay::new(ray, bvh.scene_exponent());
+        let mut any = AnyHit::new(ray.t_max);
+        let mut stack = LaneStack::new(&mut words, 7);
+        !traverse_with(&mut stack, &nodes, &triangles, &ray, &Skip::NONE, &mut any)
+    };
+    rays.iter().filter(overflows).count()
+}
+
+/// Rays through the corner that all boxes of a ladder reach, and others.
+fn rays_at_the_corner(count: usize, size: f32) -> Vec<Ray> {
+    let mut random = Random::new(5);
+    let ray = |i: usize| {
+        let near = [0, 1, 2].map(|_| random.between(0.0, 0.5));
+        let from = random.point() * if i % 3 == 0 { 1.0 } else { size };
+        Ray::new(
+            from.to_array(),
+            [0, 1, 2].map(|axis| near[axis] - from[axis]),
+        )
+    };
+    (0..count).map(ray).collect()
+}
+
+/// The answers of a tree that the CPU built, for rays in one dispatch.
+fn check(gpu: &Gpu, bvh: &Bvh, rays: &[Ray]) {
+    let uploaded = done(gpu::Bvh::upload(gpu, bvh));
+    let answers = Answers::in_frame(gpu.frame(), &uploaded, rays);
+    done(answers.compare(&Answers::of_cpu(bvh, rays), is_software(gpu)));
+}
+
+#[test]
+fn rays_that_overflow_are_answered_in_every_codec() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = ladder(21, 1500);
+    let rays = rays_at_the_corner(500, (1u32 << 21) as f32);
+    let plain = BuildConfig::from(CodeBits::Bits63);
+    let count = overflowing(&build_as(&mesh, plain), &rays);
+    // Some do, and some do not.
+    assert!(count > 10 && count < rays.len(), "{count}");
+    for nodes in [
+        NodeCodec::F32,
+        NodeCodec::Lattice(LatticeBits::Q10),
+        NodeCodec::Lattice(LatticeBits::Q21),
+    ] {
+        check(gpu, &build_as(&mesh, BuildConfig { nodes, ..plain }), &rays);
+    }
+}
+
+/// All triangles have the origin as a corner and reach farther than the one before, so each is merged with all that are smaller.
+fn nested(count: u32) -> Mesh {
+    let corners = |i: u32| {
+        let size = 2f32.powf((i as f32 - 120.0) / 2.0);
+        [[0.0; 3], [size, 0.0, 0.0], [0.0, size, size]]
+    };
+    mesh_of(&(0..count).map(corners).collect::<Vec<_>>())
+}
+
+#[test]
+fn a_tree_over_100_deep_is_traced_by_rays_that_all_overflow() {
+    let Some(gpu) = gpu() else { return };
+    let config = BuildConfig {
+        tree: TreeKind::Clustered,
+        ..BuildConfig::default()
+    };
+    let mesh = nested(240);
+    let bvh = build_as(&mesh, config);
+    let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), bvh.depth_bound());
+    let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
+    assert!(depth > 100, "{depth}");
+    // From just beside the corner, outwards along the face of the boxes that they share.
+    let ray = |i: u32| {
+        let off = i as f32 * 2f32.powi(-80);
+        Ray::new([-1.0, -off, -off], [1.0, off, off])
+    };
+    let rays: Vec<Ray> = (0..300).map(ray).collect();
+    assert_eq!(overflowing(&bvh, &rays), rays.len());
+    check(gpu, &bvh, &rays);
+}
+
+#[test]
+fn pictures_count_rays_that_overflow_once() {
+    let Some(gpu) = gpu() else { return };
+    let mut scene = super::pictures::completed(ladder(10, 3000));
+    let eye = Vec3::splat(-300.0);
+    for camera in &mut scene.cameras {
+        camera.eye = eye.to_array();
+        camera.target = [0.2; 3];
+    }
+    for view in [View::Color, View::Heatmap] {
+        let settings = RenderSettings {
+            size: [40, 30],
+            view,
+            ..RenderSettings::default()
+        };
+        check_as(gpu, "ladder", &scene, &settings, BuildConfig::default());
+    }
+}
