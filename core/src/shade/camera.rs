@@ -3,6 +3,7 @@
 use crate::geometry::float::PowerOfTwo;
 use crate::geometry::ray::Ray;
 use crate::shade::sampling::{Draw, LENS, disc_point};
+use crate::shade::tile::Tiles;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
@@ -54,7 +55,30 @@ impl Camera {
         camera
     }
 
-    /// One thread per sample. Pixels come row by row from the upper left, a pixel's samples one after the other.
+    /// The picture's pixels in tiles.
+    #[inline]
+    #[must_use]
+    pub fn tiles(&self) -> Tiles {
+        Tiles {
+            width: self.width,
+            height: self.height,
+        }
+    }
+
+    /// The sample that a thread takes, for [`Self::ray`]. Threads take the pixels in [`Tiles`], a pixel's samples one after
+    /// the other.
+    #[inline]
+    #[must_use]
+    pub fn sample_of_thread(&self, thread: u32) -> u32 {
+        let sample_count = self.sample_count.max(1);
+        let [x, y] = self.tiles().pixel(thread / sample_count);
+        let pixel = y.wrapping_mul(self.width).wrapping_add(x);
+        pixel
+            .wrapping_mul(sample_count)
+            .wrapping_add(thread % sample_count)
+    }
+
+    /// The ray of a sample. Pixels are numbered row by row from the upper left, a pixel's samples one after the other.
     #[inline]
     #[must_use]
     pub fn ray(&self, sample: u32) -> Ray {

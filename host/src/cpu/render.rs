@@ -157,9 +157,9 @@ impl Renderer {
                     view => self.show(&stage, view, &mut report),
                 }
             }
-            let to = &mut picture.pixels[first_pixel as usize..(first_pixel + pixels) as usize];
+            let numbers = first_pixel..first_pixel + pixels;
             report.stages.time("resolve", || {
-                resolve(&self.paths, settings.sample_count, to);
+                resolve(&self.paths, settings.sample_count, numbers, picture);
             });
             if let Some(progress) = &mut progress {
                 progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
