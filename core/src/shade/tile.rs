@@ -6,7 +6,7 @@
 //! wide and 2 high. Smaller tiles are row by row.
 
 /// Pixels along a side of a tile.
-const SIDE: u32 = 8;
+pub const SIDE: u32 = 8;
 
 /// A picture's pixels in tiles. [`Self::pixel`] and [`Self::number`] are each other's inverse: each pixel has one number
 /// below `width · height`, which must fit into 32 bits.
@@ -18,53 +18,129 @@ pub struct Tiles {
     pub height: u32,
 }
 
+/// A tile of a picture: its upper left pixel and its size, each side 1 to 8.
+#[derive(Clone, Copy, Debug)]
+struct Tile {
+    left: u32,
+    top: u32,
+    columns: u32,
+    rows: u32,
+}
+
 impl Tiles {
     /// The pixel with this number: column and row from the upper left.
     #[inline]
     #[must_use]
     pub fn pixel(&self, number: u32) -> [u32; 2] {
-        // At least 1, so that no division can fail.
-        let width = self.width.max(1);
-        let top = number / width / SIDE * SIDE;
-        let rows = self.rows(top);
-        let in_band = number.wrapping_sub(top.wrapping_mul(width));
-        let left = in_band / (SIDE * rows) * SIDE;
-        let columns = self.columns(left);
-        let i = in_band.wrapping_sub(left.wrapping_mul(rows));
-        let [x, y] = if rows == SIDE && columns == SIDE {
-            [even_bits(i), even_bits(i >> 1)]
-        } else {
-            [i % columns, i / columns]
-        };
-        [left.wrapping_add(x), top.wrapping_add(y)]
+        let (tile, i) = self.place(number);
+        tile.pixel(i)
     }
 
     /// The number of the pixel in this column and row.
     #[inline]
     #[must_use]
     pub fn number(&self, [x, y]: [u32; 2]) -> u32 {
-        let (left, top) = (x / SIDE * SIDE, y / SIDE * SIDE);
-        let (rows, columns) = (self.rows(top), self.columns(left));
-        let (x, y) = (x % SIDE, y % SIDE);
-        let i = if rows == SIDE && columns == SIDE {
+        let tile = self.tile(x / SIDE * SIDE, y / SIDE * SIDE);
+        let before = tile.top.wrapping_mul(self.width);
+        let before = before.wrapping_add(tile.left.wrapping_mul(tile.rows));
+        before.wrapping_add(tile.number([x % SIDE, y % SIDE]))
+    }
+
+    /// The pixels from this number on, in their order, without end. No pixel costs a division, except in smaller tiles.
+    #[must_use]
+    pub fn pixels_from(&self, number: u32) -> Pixels {
+        let (tile, i) = self.place(number);
+        Pixels {
+            tiles: *self,
+            tile,
+            i,
+        }
+    }
+
+    /// The tile of the pixel with this number, and the pixel's number in its tile.
+    #[inline(always)]
+    fn place(&self, number: u32) -> (Tile, u32) {
+        // At least 1, so that no division can fail.
+        let width = self.width.max(1);
+        let top = number / width / SIDE * SIDE;
+        let rows = side(self.height, top);
+        let in_band = number.wrapping_sub(top.wrapping_mul(width));
+        let left = in_band / (SIDE * rows) * SIDE;
+        let i = in_band.wrapping_sub(left.wrapping_mul(rows));
+        (self.tile(left, top), i)
+    }
+
+    /// The tile that begins at this column and row.
+    #[inline(always)]
+    fn tile(&self, left: u32, top: u32) -> Tile {
+        Tile {
+            left,
+            top,
+            columns: side(self.width, left),
+            rows: side(self.height, top),
+        }
+    }
+}
+
+impl Tile {
+    /// The pixel of the picture that has this number in the tile.
+    #[inline(always)]
+    fn pixel(&self, i: u32) -> [u32; 2] {
+        let [x, y] = if self.is_whole() {
+            [even_bits(i), even_bits(i >> 1)]
+        } else {
+            [i % self.columns, i / self.columns]
+        };
+        [self.left.wrapping_add(x), self.top.wrapping_add(y)]
+    }
+
+    /// The number of the tile's pixel in this column and row of the tile.
+    #[inline(always)]
+    fn number(&self, [x, y]: [u32; 2]) -> u32 {
+        if self.is_whole() {
             spread(x) | spread(y) << 1
         } else {
-            y * columns + x
-        };
-        let before = top.wrapping_mul(self.width);
-        before.wrapping_add(left.wrapping_mul(rows)).wrapping_add(i)
+            y * self.columns + x
+        }
     }
 
-    /// Rows of the band that begins at row `top`, 1 to 8.
     #[inline(always)]
-    fn rows(&self, top: u32) -> u32 {
-        self.height.saturating_sub(top).clamp(1, SIDE)
+    fn is_whole(&self) -> bool {
+        self.columns == SIDE && self.rows == SIDE
     }
+}
 
-    /// Columns of the tile that begins at column `left`, 1 to 8.
-    #[inline(always)]
-    fn columns(&self, left: u32) -> u32 {
-        self.width.saturating_sub(left).clamp(1, SIDE)
+/// A tile's side, 1 to 8, that begins at `first` in a picture with a side of `length`, which is greater.
+#[inline(always)]
+fn side(length: u32, first: u32) -> u32 {
+    length.wrapping_sub(first).clamp(1, SIDE)
+}
+
+/// [`Tiles::pixels_from`].
+#[derive(Clone, Debug)]
+pub struct Pixels {
+    tiles: Tiles,
+    tile: Tile,
+    i: u32,
+}
+
+impl Iterator for Pixels {
+    type Item = [u32; 2];
+
+    #[inline]
+    fn next(&mut self) -> Option<[u32; 2]> {
+        if self.i == self.tile.columns * self.tile.rows {
+            let Tile { left, top, .. } = self.tile;
+            let right = left.wrapping_add(self.tile.columns);
+            self.tile = if right < self.tiles.width {
+                self.tiles.tile(right, top)
+            } else {
+                self.tiles.tile(0, top.wrapping_add(SIDE))
+            };
+            self.i = 0;
+        }
+        self.i += 1;
+        Some(self.tile.pixel(self.i - 1))
     }
 }
 
@@ -98,11 +174,15 @@ mod tests {
 
     proptest! {
         #[test]
-        fn each_pixel_has_one_number(width in 1u32..70, height in 1u32..70) {
+        fn each_pixel_has_one_number(width in 1u32..70, height in 1u32..70, first: prop::sample::Index) {
             let tiles = Tiles { width, height };
             prop_assert!(is_bijection(&tiles, |number| tiles.pixel(number)));
             for number in 0..width * height {
                 prop_assert_eq!(tiles.number(tiles.pixel(number)), number);
+            }
+            let first = first.index((width * height) as usize) as u32;
+            for (number, pixel) in (first..width * height).zip(tiles.pixels_from(first)) {
+                prop_assert_eq!(pixel, tiles.pixel(number));
             }
             // The negative control: tiles of a picture one row higher.
             if width > SIDE && !height.is_multiple_of(SIDE) {
@@ -114,14 +194,23 @@ mod tests {
         #[test]
         fn eight_in_a_row_are_a_block(columns in 1u32..9, bands in 1u32..9, block: prop::sample::Index) {
             let tiles = Tiles { width: SIDE * columns, height: SIDE * bands };
-            let first = 8 * block.index((tiles.width * tiles.height / 8) as usize) as u32;
-            let [left, top] = tiles.pixel(first);
-            prop_assert_eq!([left % 4, top % 2], [0, 0]);
-            for i in 0..8 {
-                let [x, y] = tiles.pixel(first + i);
-                prop_assert!(x - left < 4 && y - top < 2);
-            }
+            let first = SIDE * block.index((tiles.width * tiles.height / SIDE) as usize) as u32;
+            prop_assert!(is_block(|i| tiles.pixel(first + i)));
+            // The negative controls: rows, and a start between two blocks.
+            prop_assert!(!is_block(|i| [(first + i) % tiles.width, (first + i) / tiles.width]));
+            prop_assert!(!is_block(|i| tiles.pixel(first + 4 + i)));
         }
+    }
+
+    /// Whether eight pixels are a block 4 wide and 2 high.
+    fn is_block(pixel: impl Fn(u32) -> [u32; 2]) -> bool {
+        let [left, top] = pixel(0);
+        left % 4 == 0
+            && top % 2 == 0
+            && (0..8).all(|i| {
+                let [x, y] = pixel(i);
+                (left..left + 4).contains(&x) && (top..top + 2).contains(&y)
+            })
     }
 
     #[test]

@@ -6,8 +6,7 @@ use rayon::prelude::*;
 use slimbvh_core::Vec3;
 use slimbvh_core::ray::Hit;
 use slimbvh_core::shade::{Path, mean_radiance};
-use slimbvh_core::tile::Tiles;
-use std::ops::Range;
+use slimbvh_core::tile::{SIDE, Tiles};
 
 impl Renderer {
     /// Starts the camera rays of threads `first..first + count`.
@@ -21,11 +20,17 @@ impl Renderer {
         self.paths.resize(count as usize, Path::default());
         self.hits.resize(count as usize, Hit::MISS);
         report.stages.time("camera", || {
+            let camera = &stage.camera;
+            let samples = camera.sample_count;
             let blocks = self.paths.par_chunks_mut(BLOCK).enumerate();
             blocks.for_each(|(block, paths)| {
-                for (path, thread) in paths.iter_mut().zip(first + (block * BLOCK) as u32..) {
-                    let sample = stage.camera.sample_of_thread(thread);
-                    *path = Path::new(stage.camera.ray(sample), sample);
+                let thread = first + (block * BLOCK) as u32;
+                let pixels = camera.tiles().pixels_from(thread / samples);
+                let numbered = pixels.flat_map(|pixel| (0..samples).map(move |i| (pixel, i)));
+                let numbered = numbered.skip((thread % samples) as usize);
+                for (path, (pixel, i)) in paths.iter_mut().zip(numbered) {
+                    let ray = camera.ray_through(pixel, i);
+                    *path = Path::new(ray, camera.sample(pixel, i));
                 }
             });
         });
@@ -33,30 +38,33 @@ impl Renderer {
     }
 }
 
-/// Averages the samples of each pixel whose number among the tiles is in `numbers`.
-pub fn resolve(paths: &[Path], sample_count: u32, numbers: Range<u32>, picture: &mut Picture) {
-    paint(picture, numbers.clone(), |number| {
-        mean_radiance(paths, (number - numbers.start) * sample_count, sample_count)
+/// Averages each pixel's samples.
+pub fn resolve(paths: &[Path], sample_count: u32, pixels: &mut [[f32; 3]]) {
+    paint(pixels, |pixel| {
+        mean_radiance(paths, pixel * sample_count, sample_count)
     });
 }
 
-/// Colors each pixel whose number among the tiles is in `numbers`, which are not empty.
-pub fn paint(picture: &mut Picture, numbers: Range<u32>, color: impl Fn(u32) -> Vec3 + Sync) {
+/// Colors each pixel.
+pub fn paint(pixels: &mut [[f32; 3]], color: impl Fn(u32) -> Vec3 + Sync) {
+    let numbered = pixels.par_iter_mut().enumerate().with_min_len(BLOCK);
+    numbered.for_each(|(i, pixel)| *pixel = color(i as u32).to_array());
+}
+
+/// Moves pixels from the order of [`Tiles`] to rows.
+pub fn order_by_rows(picture: &mut Picture) {
     let (width, height) = (picture.width, picture.height);
     let tiles = Tiles { width, height };
-    // Bands of rows are numbered one after the other.
-    let [first, last] = [numbers.start, numbers.end - 1].map(|number| tiles.pixel(number)[1]);
-    let first = first - first % 8;
-    let rows = picture.pixels.par_chunks_mut(width as usize).zip(0..height);
-    let rows = rows
-        .skip(first as usize)
-        .take((last / 8 * 8 + 8 - first) as usize);
-    rows.for_each(|(row, y)| {
-        for (pixel, x) in row.iter_mut().zip(0..) {
-            let number = tiles.number([x, y]);
-            if numbers.contains(&number) {
-                *pixel = color(number).to_array();
-            }
+    // A band of tiles and its rows are the same part of the picture.
+    let bands = picture.pixels.par_chunks_mut((SIDE * width) as usize);
+    let bands = bands.enumerate();
+    bands.for_each_init(Vec::new, |in_tiles, (band, rows)| {
+        in_tiles.clear();
+        in_tiles.extend_from_slice(rows);
+        let top = band as u32 * SIDE;
+        let pixels = tiles.pixels_from(top * width);
+        for (color, [x, y]) in in_tiles.iter().zip(pixels) {
+            rows[((y - top) * width + x) as usize] = *color;
         }
     });
 }

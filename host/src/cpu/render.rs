@@ -1,7 +1,7 @@
 //! Rendering on the CPU in waves of samples: stage `camera`, then `trace`, then `shade` or `view`.
 
 use super::Cpu;
-use super::camera::resolve;
+use super::camera::{order_by_rows, resolve};
 use super::trees::Trees;
 use super::view::{paint_depth, paint_heat};
 use crate::backend::{DeferredTrees, Output, Shot};
@@ -157,9 +157,9 @@ impl Renderer {
                     view => self.show(&stage, view, &mut report),
                 }
             }
-            let numbers = first_pixel..first_pixel + pixels;
+            let to = &mut picture.pixels[first_pixel as usize..(first_pixel + pixels) as usize];
             report.stages.time("resolve", || {
-                resolve(&self.paths, settings.sample_count, numbers, picture);
+                resolve(&self.paths, settings.sample_count, to);
             });
             if let Some(progress) = &mut progress {
                 progress(f64::from(first_pixel + pixels) / f64::from(pixel_count));
@@ -172,6 +172,7 @@ impl Renderer {
             paint_heat(&self.heat, settings.sample_count, picture);
             report.node_visit_count = self.heat.iter().map(|&count| u64::from(count)).sum();
         }
+        report.stages.time("resolve", || order_by_rows(picture));
         Ok(report)
     }
 

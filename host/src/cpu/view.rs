@@ -37,8 +37,7 @@ impl Renderer {
 /// Colors each pixel by its samples' depths ([`slimbvh_core::view::depth_value`]).
 pub fn paint_depth(depths: &[u32], sample_count: u32, picture: &mut Picture) {
     let range = depth_range(&sorted(depths));
-    let pixel_count = picture.width * picture.height;
-    paint(picture, 0..pixel_count, |pixel| {
+    paint(&mut picture.pixels, |pixel| {
         mean_depth_color(depths, pixel * sample_count, sample_count, range)
     });
 }
@@ -46,8 +45,7 @@ pub fn paint_depth(depths: &[u32], sample_count: u32, picture: &mut Picture) {
 /// Colors each pixel by its samples' node counts.
 pub fn paint_heat(heat: &[u32], sample_count: u32, picture: &mut Picture) {
     let most = heat_range(&sorted(heat));
-    let pixel_count = picture.width * picture.height;
-    paint(picture, 0..pixel_count, |pixel| {
+    paint(&mut picture.pixels, |pixel| {
         mean_heat_color(heat, pixel * sample_count, sample_count, most)
     });
 }
