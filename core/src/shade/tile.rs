@@ -86,11 +86,16 @@ impl Tile {
     /// The pixel of the picture that has this number in the tile.
     #[inline(always)]
     fn pixel(&self, i: u32) -> [u32; 2] {
-        let [x, y] = if self.is_whole() {
-            [even_bits(i), even_bits(i >> 1)]
+        self.moved(if self.is_whole() {
+            morton_pixel(i)
         } else {
             [i % self.columns, i / self.columns]
-        };
+        })
+    }
+
+    /// The pixel of the picture at this column and row of the tile.
+    #[inline(always)]
+    fn moved(&self, [x, y]: [u32; 2]) -> [u32; 2] {
         [self.left.wrapping_add(x), self.top.wrapping_add(y)]
     }
 
@@ -124,6 +129,17 @@ pub struct Pixels {
     i: u32,
 }
 
+/// Columns and rows of a whole tile's pixels.
+const WHOLE: [[u32; 2]; (SIDE * SIDE) as usize] = {
+    let mut pixels = [[0; 2]; (SIDE * SIDE) as usize];
+    let mut i = 0;
+    while i < SIDE * SIDE {
+        pixels[i as usize] = morton_pixel(i);
+        i += 1;
+    }
+    pixels
+};
+
 impl Iterator for Pixels {
     type Item = [u32; 2];
 
@@ -139,14 +155,25 @@ impl Iterator for Pixels {
             };
             self.i = 0;
         }
+        let i = self.i;
         self.i += 1;
-        Some(self.tile.pixel(self.i - 1))
+        Some(if self.tile.is_whole() {
+            self.tile.moved(WHOLE[i as usize % WHOLE.len()])
+        } else {
+            self.tile.pixel(i)
+        })
     }
+}
+
+/// Column and row in a whole tile of the pixel with this number there.
+#[inline(always)]
+const fn morton_pixel(i: u32) -> [u32; 2] {
+    [even_bits(i), even_bits(i >> 1)]
 }
 
 /// Bits 0, 2 and 4, side by side.
 #[inline(always)]
-fn even_bits(i: u32) -> u32 {
+const fn even_bits(i: u32) -> u32 {
     (i & 1) | (i >> 1 & 2) | (i >> 2 & 4)
 }
 

@@ -25,12 +25,15 @@ impl Renderer {
             let blocks = self.paths.par_chunks_mut(BLOCK).enumerate();
             blocks.for_each(|(block, paths)| {
                 let thread = first + (block * BLOCK) as u32;
-                let pixels = camera.tiles().pixels_from(thread / samples);
-                let numbered = pixels.flat_map(|pixel| (0..samples).map(move |i| (pixel, i)));
-                let numbered = numbered.skip((thread % samples) as usize);
-                for (path, (pixel, i)) in paths.iter_mut().zip(numbered) {
-                    let ray = camera.ray_through(pixel, i);
-                    *path = Path::new(ray, camera.sample(pixel, i));
+                let mut in_pixel = thread % samples;
+                let mut paths = paths.iter_mut();
+                for pixel in camera.tiles().pixels_from(thread / samples) {
+                    for i in in_pixel..samples {
+                        let Some(path) = paths.next() else { return };
+                        let ray = camera.ray_through(pixel, i);
+                        *path = Path::new(ray, camera.sample(pixel, i));
+                    }
+                    in_pixel = 0;
                 }
             });
         });
