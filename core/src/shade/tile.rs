@@ -118,7 +118,14 @@ impl Tile {
 /// A tile's side, 1 to 8, that begins at `first` in a picture with a side of `length`, which is greater.
 #[inline(always)]
 fn side(length: u32, first: u32) -> u32 {
-    length.wrapping_sub(first).clamp(1, SIDE)
+    let rest = length.wrapping_sub(first);
+    if rest == 0 {
+        1
+    } else if rest < SIDE {
+        rest
+    } else {
+        SIDE
+    }
 }
 
 /// [`Tiles::pixels_from`].
