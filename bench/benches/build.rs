@@ -4,7 +4,7 @@ use anyhow::Result;
 use criterion::{BenchmarkId, Criterion, Throughput};
 use slimbvh_bench::meshes::SUBJECTS;
 use slimbvh_bench::tracers::tracers;
-use slimbvh_bench::{Input, Reference, pool, thread_counts};
+use slimbvh_bench::{Input, RayOrder, Reference, pool, thread_counts};
 use std::time::Duration;
 
 fn main() -> Result<()> {
@@ -33,7 +33,7 @@ fn main() -> Result<()> {
                 if let Some(built) = outcome {
                     built?;
                     if reference.is_none() {
-                        reference = Some(Reference::new(&mesh)?);
+                        reference = Some(Reference::new(&mesh, RayOrder::default())?);
                     }
                     if let Some(reference) = &reference {
                         reference.check(&*tracer)?;

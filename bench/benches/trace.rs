@@ -4,7 +4,7 @@ use anyhow::Result;
 use criterion::{BenchmarkId, Criterion, Throughput};
 use slimbvh_bench::meshes::SUBJECTS;
 use slimbvh_bench::tracers::tracers;
-use slimbvh_bench::{Answer, Input, Reference, pool, thread_counts};
+use slimbvh_bench::{Answer, Input, RayOrder, Reference, pool, thread_counts};
 use std::time::Duration;
 
 fn main() -> Result<()> {
@@ -18,7 +18,7 @@ fn main() -> Result<()> {
             continue;
         };
         let input = Input::new(&mesh);
-        let reference = Reference::new(&mesh)?;
+        let reference = Reference::new(&mesh, RayOrder::default())?;
         let (primary, shadow) = (&reference.rays.primary, &reference.rays.shadow);
         let mut tracers = tracers(&input);
         for tracer in &mut tracers {

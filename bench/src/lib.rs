@@ -15,7 +15,7 @@ pub mod tracers;
 
 pub use agreement::Agreement;
 pub use meshes::Subject;
-pub use rays::RayLists;
+pub use rays::{RayLists, RayOrder};
 pub use reference::Reference;
 pub use tracers::{Answer, Input, Tracer};
 

@@ -2,7 +2,7 @@
 
 use crate::agreement::{Agreement, TOLERANCE};
 use crate::tracers::{Demand, Slim};
-use crate::{Answer, RayLists, Tracer, pool};
+use crate::{Answer, RayLists, RayOrder, Tracer, pool};
 use anyhow::{Result, ensure};
 use slimbvh::{CodeBits, Mesh};
 
@@ -21,8 +21,8 @@ impl Reference {
     ///
     /// # Errors
     /// For meshes that are not valid or have no triangles.
-    pub fn new(mesh: &Mesh) -> Result<Self> {
-        let rays = RayLists::new(mesh)?;
+    pub fn new(mesh: &Mesh, order: RayOrder) -> Result<Self> {
+        let rays = RayLists::new(mesh, order)?;
         let mut closest = vec![Answer::MISS; rays.primary.len()];
         let mut any = vec![false; rays.shadow.len()];
         pool(1)?.install(|| {

@@ -4,7 +4,7 @@
 use anyhow::{Context, Result, ensure};
 use slimbvh::generate::icosphere;
 use slimbvh_bench::tracers::tracers;
-use slimbvh_bench::{Input, Reference, pool};
+use slimbvh_bench::{Input, RayOrder, Reference, pool};
 use std::fs;
 
 /// Each thread of this process, with its processor time so far in clock ticks.
@@ -28,7 +28,7 @@ fn no_other_thread_works_in_a_pool_of_one() -> Result<()> {
     // Large enough for every parallel path of obvhs; the last begins at 500 000 triangles.
     let mesh = icosphere(glam::Vec3::ZERO, 1.0, 8);
     let input = Input::new(&mesh);
-    let reference = Reference::new(&mesh)?;
+    let reference = Reference::new(&mesh, RayOrder::default())?;
     let one = pool(1)?;
     let worker = one.install(|| fs::read_link("/proc/thread-self"))?;
     for mut tracer in tracers(&input) {

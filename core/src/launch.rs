@@ -30,6 +30,16 @@ pub const fn dispatch(group_count: u32) -> [u32; 3] {
     [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
 }
 
+/// Rows of a picture in a buffer begin at multiples of this many texels, so that they can be copied to textures.
+const ROW_TEXELS: u32 = 64;
+
+/// Texels from one row of a picture in a buffer to the next.
+#[inline(always)]
+#[must_use]
+pub const fn row_texels(width: u32) -> u32 {
+    width.wrapping_add(ROW_TEXELS - 1) / ROW_TEXELS * ROW_TEXELS
+}
+
 /// A thread's number among all rows of a [`dispatch`], from its place along x and y.
 #[inline(always)]
 #[must_use]
@@ -64,6 +74,11 @@ mod tests {
         assert_eq!(dispatch(GROUPS_PER_ROW + 1), [GROUPS_PER_ROW, 2, 1]);
         assert_eq!(group_index(3, 1), GROUPS_PER_ROW + 3);
         assert_eq!(thread_index(7, 1), GROUPS_PER_ROW * LANES as u32 + 7);
+    }
+
+    #[test]
+    fn rows_of_texels_may_be_padded() {
+        assert_eq!([1, 64, 65, 1280].map(row_texels), [64, 64, 128, 1280]);
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub use geometry::{
     aabb, float, frustum, lanes, lattice, orientation, planes, ray, slab, triangle, watertight,
 };
 pub use reduce::{classify, decide};
-pub use shade::{camera, color, light, material, sampling, surface, view};
+pub use shade::{camera, color, light, material, sampling, surface, tile, view};
 
 pub use build::node::{Node, NodeRef};
 pub use geometry::aabb::Aabb;

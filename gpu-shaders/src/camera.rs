@@ -9,7 +9,7 @@ use slimbvh_core::shade::{Path, mean_radiance};
 use spirv_std::spirv;
 
 /// One thread per sample. Reads the scene's exponent and the camera, which is in the caller's magnitude; `params.x` is
-/// the number of the first sample. Stores the path.
+/// the number of the first thread among those of the picture. Stores the path of the thread's sample.
 #[spirv(compute(threads(64)))]
 pub fn camera_rays(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -18,17 +18,17 @@ pub fn camera_rays(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] cameras: &[Camera],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] paths: &mut [Path],
 ) {
-    let sample = thread_index(id);
-    let i = sample as usize;
+    let thread = thread_index(id);
+    let i = thread as usize;
     if i < paths.len() && !cameras.is_empty() {
         let camera = cameras[0].scaled(&PowerOfTwo::new(exponent.x as i32));
-        let number = params.x + sample;
-        paths[i] = Path::new(camera.ray(number), number);
+        let sample = camera.sample_of_thread(params.x + thread);
+        paths[i] = Path::new(camera.ray(sample), sample);
     }
 }
 
-/// One thread per pixel. Reads its samples' paths; `params` are the samples a pixel, the picture's width,
-/// the length of its rows in memory, and the first pixel. Stores their mean, as linear RGB and 1.
+/// One thread per pixel. Reads its samples' paths; `params` are the samples a pixel, the width and the height of what is
+/// bound of the picture, and the number of the first pixel in its tiles. Stores their mean, as linear RGB and 1.
 #[spirv(compute(threads(64)))]
 pub fn camera_resolve(
     #[spirv(global_invocation_id)] id: UVec3,

@@ -15,6 +15,7 @@
 
 use glam::{UVec3, UVec4};
 use slimbvh_core::launch::{self, BLOCK, LANES, RUN};
+use slimbvh_core::tile::Tiles;
 use spirv_std::arch::atomic_i_add;
 use spirv_std::memory::{Scope, Semantics};
 
@@ -63,13 +64,16 @@ fn run_length(begin: u32, count: u32) -> u32 {
     if rest < RUN { rest } else { RUN }
 }
 
-/// Where a thread's pixel lies in a picture, for `params` of samples a pixel, the picture's width, the length of its rows
-/// in memory and the first thread's pixel.
+/// Where a thread's pixel lies in a picture, for `params` of samples a pixel, the picture's width and height, and the number
+/// of the first thread's pixel in the picture's tiles.
 #[inline(always)]
 fn texel_index(params: &UVec4, thread: u32) -> u32 {
-    let width = params.y.max(1);
-    let pixel = params.w + thread;
-    pixel / width * params.z + pixel % width
+    let tiles = Tiles {
+        width: params.y,
+        height: params.z,
+    };
+    let [x, y] = tiles.pixel(params.w + thread);
+    y * launch::row_texels(tiles.width) + x
 }
 
 /// Adds to one of the counters, 64 bits in two words, the low one first.
@@ -108,9 +112,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_of_texels_may_be_padded() {
-        let params = UVec4::new(4, 5, 8, 3);
-        let texels: [u32; 4] = [0, 1, 2, 7].map(|thread| texel_index(&params, thread));
-        assert_eq!(texels, [3, 4, 8, 16]);
+    fn texels_are_in_tiles_and_their_rows_padded() {
+        let params = UVec4::new(4, 9, 8, 3);
+        let texels: [u32; 5] = [0, 1, 60, 61, 68].map(|thread| texel_index(&params, thread));
+        assert_eq!(texels, [65, 2, 7 * 64 + 7, 8, 7 * 64 + 8]);
     }
 }

@@ -39,6 +39,7 @@ pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
+pub use slimbvh_core::tile::Tiles;
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;

@@ -247,7 +247,7 @@ pub fn tracers<'a>(input: &'a Input<'a>) -> Vec<Box<dyn Tracer + 'a>> {
     tracers
 }
 
-/// Answers rays in their order, with a row of the picture as a task. All tracers use this loop.
+/// Answers rays in their order, with as many as a row of the picture has as a task. All tracers use this loop.
 fn answer_rows<A: Send>(rays: &[Ray], answers: &mut [A], answer: impl Fn(&[Ray], &mut [A]) + Sync) {
     let rows = answers.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
     rows.for_each(|(answers, rays)| answer(rays, answers));

@@ -3,6 +3,7 @@
 use crate::geometry::float::PowerOfTwo;
 use crate::geometry::ray::Ray;
 use crate::shade::sampling::{Draw, LENS, disc_point};
+use crate::shade::tile::Tiles;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
@@ -54,15 +55,51 @@ impl Camera {
         camera
     }
 
-    /// One thread per sample. Pixels come row by row from the upper left, a pixel's samples one after the other.
+    /// The picture's pixels in tiles.
+    #[inline]
+    #[must_use]
+    pub fn tiles(&self) -> Tiles {
+        Tiles {
+            width: self.width,
+            height: self.height,
+        }
+    }
+
+    /// The sample that a thread takes, for [`Self::ray`]. Threads take the pixels in [`Tiles`], a pixel's samples one after
+    /// the other.
+    #[inline]
+    #[must_use]
+    pub fn sample_of_thread(&self, thread: u32) -> u32 {
+        let sample_count = self.sample_count.max(1);
+        let pixel = self.tiles().pixel(thread / sample_count);
+        self.sample(pixel, thread % sample_count)
+    }
+
+    /// The number of a sample, from its pixel and its number there. Pixels are numbered row by row from the upper left, a
+    /// pixel's samples one after the other.
+    #[inline]
+    #[must_use]
+    pub fn sample(&self, [x, y]: [u32; 2], in_pixel: u32) -> u32 {
+        let pixel = y.wrapping_mul(self.width).wrapping_add(x);
+        let first = pixel.wrapping_mul(self.sample_count.max(1));
+        first.wrapping_add(in_pixel)
+    }
+
+    /// The ray of the sample with this number ([`Self::sample`]).
     #[inline]
     #[must_use]
     pub fn ray(&self, sample: u32) -> Ray {
         // At least 1, so that no division can fail.
         let (sample_count, width) = (self.sample_count.max(1), self.width.max(1));
         let pixel = sample / sample_count;
-        let (x, y) = (pixel % width, pixel / width);
-        let [dx, dy] = sample_offset(sample % sample_count, sample_count);
+        self.ray_through([pixel % width, pixel / width], sample % sample_count)
+    }
+
+    /// The ray of a sample, from its pixel and its number there.
+    #[inline]
+    #[must_use]
+    pub fn ray_through(&self, [x, y]: [u32; 2], in_pixel: u32) -> Ray {
+        let [dx, dy] = sample_offset(in_pixel, self.sample_count.max(1));
         let s = (x as f32 + dx) / self.width as f32 * 2.0 - 1.0;
         let t = 1.0 - (y as f32 + dy) / self.height as f32 * 2.0;
         let spread = Vec3::from_array(self.right) * s + Vec3::from_array(self.up) * t;
@@ -71,7 +108,7 @@ impl Camera {
         if self.is_parallel == 1 {
             Ray::new((eye + spread).to_array(), self.forward)
         } else if self.lens_radius > 0.0 {
-            let aside = self.lens_point(sample);
+            let aside = self.lens_point(self.sample([x, y], in_pixel));
             // All that leave the lens meet where the eye's own ray passes the plane in focus.
             let direction = forward + spread - aside * self.lens_slope;
             let origin = eye + aside * self.lens_radius;

@@ -1,7 +1,7 @@
 //! Rendering on the CPU in waves of samples: stage `camera`, then `trace`, then `shade` or `view`.
 
 use super::Cpu;
-use super::camera::resolve;
+use super::camera::{order_by_rows, resolve};
 use super::trees::Trees;
 use super::view::{paint_depth, paint_heat};
 use crate::backend::{DeferredTrees, Output, Shot};
@@ -172,6 +172,7 @@ impl Renderer {
             paint_heat(&self.heat, settings.sample_count, picture);
             report.node_visit_count = self.heat.iter().map(|&count| u64::from(count)).sum();
         }
+        report.stages.time("resolve", || order_by_rows(picture));
         Ok(report)
     }
 

@@ -2,10 +2,12 @@
 
 use super::buffer::Range;
 use super::program::{Recorder, Uniform, threads};
-use super::render::{PicturePlan, TEXEL_BYTES, Wave, row_texels};
+use super::render::{PicturePlan, TEXEL_BYTES, Wave};
 use super::{Frame, GpuError, Kernel, Misfit, Renderer};
 use slimbvh_core::camera::Camera;
+use slimbvh_core::launch::row_texels;
 use slimbvh_core::shade::Path;
+use slimbvh_core::tile::SIDE;
 use wgpu::TextureFormat;
 
 impl PicturePlan<'_> {
@@ -26,21 +28,23 @@ impl PicturePlan<'_> {
         );
     }
 
-    /// Averages samples into pixels. The kernel sees only the rows of the wave.
+    /// Averages samples into pixels. The kernel sees the picture from the band of 8 rows that holds the wave's first pixel to
+    /// the one that holds its last.
     pub(super) fn record_resolve(&self, recorder: &mut Recorder, wave: &Wave) {
-        let [width, _] = self.settings.size;
+        let [width, height] = self.settings.size;
         let row_bytes = TEXEL_BYTES * u64::from(row_texels(width));
-        let first_row = wave.first_pixel / width;
+        let first_row = wave.first_pixel / width / SIDE * SIDE;
         let last_row = (wave.first_pixel + wave.pixel_count - 1) / width;
+        let end_row = (last_row / SIDE * SIDE + SIDE).min(height);
         let rows = self.buffers.picture.part(
             u64::from(first_row) * row_bytes,
-            u64::from(last_row - first_row + 1) * row_bytes,
+            u64::from(end_row - first_row) * row_bytes,
         );
         let path_bytes = u64::from(wave.sample_count) * size_of::<Path>() as u64;
         let params = [
             self.settings.sample_count,
             width,
-            row_texels(width),
+            height - first_row,
             wave.first_pixel - first_row * width,
         ];
         recorder.stage("resolve");

@@ -18,6 +18,7 @@ use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
 pub(super) use image::{Image, check_view};
 use slimbvh_core::classify::SIDES_PER_WORD;
+use slimbvh_core::launch::row_texels;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
 use std::time::Instant;
@@ -33,9 +34,6 @@ pub(super) const SHADOW_BYTES: u64 = size_of::<slimbvh_core::shade::Shadow>() as
 
 /// A texel of the picture: linear RGB and 1, in `f32`.
 pub(super) const TEXEL_BYTES: u64 = 16;
-
-/// Rows of the picture begin at multiples of this many texels, so that they can be copied to textures.
-const ROW_TEXELS: u32 = 64;
 
 /// Programs of pictures with more waves are not kept.
 const KEPT_WAVES: usize = 4;
@@ -533,11 +531,6 @@ fn check(gpu: &Gpu, settings: &RenderSettings, waves: &[Wave]) -> Result<(), Gpu
 fn sample_count(settings: &RenderSettings) -> u64 {
     let [width, height] = settings.size;
     u64::from(width) * u64::from(height) * u64::from(settings.sample_count)
-}
-
-/// Texels from one row of a picture to the next.
-pub(super) fn row_texels(width: u32) -> u32 {
-    width.next_multiple_of(ROW_TEXELS)
 }
 
 fn picture_bytes([width, height]: [u32; 2]) -> u64 {

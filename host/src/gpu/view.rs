@@ -1,7 +1,7 @@
 //! Stage `view` on the GPU: normals, primitives, depth and heatmap.
 
 use super::program::{Program, Recorder, Uniform, groups, threads};
-use super::render::{PicturePlan, Wave, row_texels};
+use super::render::{PicturePlan, Wave};
 use super::sort::Keys;
 use super::{Gpu, GpuError, Kernel, Renderer};
 use crate::picture::View;
@@ -72,7 +72,7 @@ impl Renderer {
         let range = &self.range.range(gpu, 16);
         recorder.dispatch(find_range, &[], &[items], &[range], groups(1));
         let [width, height] = plan.settings.size;
-        let params = [plan.settings.sample_count, width, row_texels(width), 0];
+        let params = [plan.settings.sample_count, width, height, 0];
         recorder.dispatch(
             paint,
             &[Uniform::Stored(range), Uniform::Params(params)],

@@ -49,7 +49,8 @@ pub struct PacketQuery<'a> {
 impl Bvh {
     /// [`Bvh::closest_hit`] of many rays, in parallel. `hits` is resized to the number of rays.
     ///
-    /// Neighbouring rays should be adjacent in the list: the rays of a packet share node reads.
+    /// Neighbouring rays should be adjacent in the list: the rays of a packet share node reads. [`crate::Tiles`]
+    /// is such an order of a picture's rays.
     pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
         hits.resize(rays.len(), Hit::MISS);
         let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));

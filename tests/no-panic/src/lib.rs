@@ -407,7 +407,8 @@ pub fn shade(
 ) {
     let (light, material, environment, target) = scene;
     let scale = PowerOfTwo::new(9);
-    let path = Path::new(camera.scaled(&scale).ray(hit.primitive), hit.primitive);
+    let sample = camera.sample_of_thread(hit.primitive);
+    let path = Path::new(camera.scaled(&scale).ray(sample), sample);
     let draw = Draw {
         sample: hit.primitive,
         sample_count: camera.sample_count,

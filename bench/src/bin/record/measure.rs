@@ -103,7 +103,7 @@ impl Samples {
 
 /// Measures all tracers on a mesh, with one thread and with all threads.
 pub fn measure(name: &'static str, mesh: &Mesh, options: &Options) -> Result<MeshRecord> {
-    let reference = Reference::new(mesh)?;
+    let reference = Reference::new(mesh, options.order)?;
     let mut input_times = Samples::default();
     for _ in 0..3 {
         pool(1)?.install(|| input_times.time(|| drop(triangles(mesh))));

@@ -1,16 +1,18 @@
 //! The command line.
 
 use anyhow::{Context, Result, bail, ensure};
-use slimbvh_bench::Input;
 use slimbvh_bench::meshes::{SCENES_VARIABLE, SUBJECTS};
+use slimbvh_bench::rays::ROWS_OPTION;
 use slimbvh_bench::tracers::{OURS, tracers};
+use slimbvh_bench::{Input, RayOrder};
 use std::path::Path;
 
 /// The text of `--help`.
 pub const USAGE: &str = "\
-record [--out FILE] [--rounds N] [--only TRACER,...] [MESH...]
+record [--out FILE] [--rounds N] [--rows] [--only TRACER,...] [MESH...]
   --out FILE         also write the tables to FILE
   --rounds N         measure N times, at least 5 (default 9)
+  --rows             hand rays over row by row (default in tiles of 8x8 pixels)
   --only TRACER,...  only tracers with one of these in their names, and slimbvh's tree of 30-bit codes
   MESH...            only these meshes (default all)";
 
@@ -24,6 +26,8 @@ pub struct Options {
     pub out: Option<String>,
     /// The number of rounds.
     pub rounds: usize,
+    /// The order of the rays.
+    pub order: RayOrder,
     /// Parts of the names of tracers; empty selects all.
     only: Vec<String>,
     /// Names of the meshes; empty selects all.
@@ -37,6 +41,7 @@ impl Options {
             help: false,
             out: None,
             rounds: DEFAULT_ROUNDS,
+            order: RayOrder::default(),
             only: Vec::new(),
             meshes: Vec::new(),
         };
@@ -51,6 +56,7 @@ impl Options {
                     let count = arguments.next().and_then(|count| count.parse().ok());
                     options.rounds = count.context("--rounds needs a number")?;
                 }
+                ROWS_OPTION => options.order = RayOrder::Rows,
                 "--only" => {
                     let names = arguments.next().context("--only needs names of tracers")?;
                     options.only = names.split(',').map(str::to_owned).collect();
@@ -107,6 +113,9 @@ impl Options {
         words.push("--".into());
         if self.rounds != DEFAULT_ROUNDS {
             words.push(format!("--rounds {}", self.rounds));
+        }
+        if self.order == RayOrder::Rows {
+            words.push(ROWS_OPTION.into());
         }
         if !self.only.is_empty() {
             words.push(format!("--only {:?}", self.only.join(",")));

@@ -104,7 +104,8 @@ fn head(out: &mut String, records: &[MeshRecord], options: &Options) -> Result<(
     writeln!(out, "| flags | `{flags}` ({}) |", machine::vectors())?;
     writeln!(out, "| obvhs' features | {features} |")?;
     writeln!(out, "| command | `{}` |", options.command())?;
-    writeln!(out, "| rounds | {} |\n", options.rounds)?;
+    writeln!(out, "| rounds | {} |", options.rounds)?;
+    writeln!(out, "| rays | {} |\n", options.order)?;
     writeln!(
         out,
         "Times are medians in milliseconds, with the smallest and the largest; the tracers took turns at each job. What is measured \

@@ -9,13 +9,16 @@ use anyhow::{Context, Result, bail};
 use measure::MeshRecord;
 use slimbvh::gpu::{AdapterChoice, Gpu};
 use slimbvh::{Mesh, generate};
+use slimbvh_bench::RayOrder;
 use slimbvh_bench::meshes::SUBJECTS;
+use slimbvh_bench::rays::ROWS_OPTION;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
-record-gpu [--out FILE] [--rounds N] [--adapter NAME] [MESH...]
+record-gpu [--out FILE] [--rounds N] [--rows] [--adapter NAME] [MESH...]
   --out FILE      also write the tables to FILE
   --rounds N      measure N times (default 9)
+  --rows          hand rays over row by row (default in tiles of 8x8 pixels)
   --adapter NAME  the GPU with this in its name (default the strongest, software if nothing else)
   MESH...         these meshes (default dragon, and large: a terrain of 10 million triangles)";
 
@@ -36,6 +39,7 @@ fn main() -> ExitCode {
 /// Returns the number of wrong answers.
 fn run() -> Result<usize> {
     let (mut out, mut rounds, mut choice) = (None, 9, AdapterChoice::Any);
+    let mut order = RayOrder::default();
     let mut names = Vec::new();
     let mut arguments = std::env::args().skip(1);
     while let Some(argument) = arguments.next() {
@@ -51,6 +55,7 @@ fn run() -> Result<usize> {
             }
             "--out" => out = Some(value()?),
             "--rounds" => rounds = value()?.parse().context("--rounds needs a number")?,
+            ROWS_OPTION => order = RayOrder::Rows,
             "--adapter" => choice = AdapterChoice::Named(value()?),
             name if name.starts_with('-') => bail!("there is no option {name:?}\n{USAGE}"),
             _ => names.push(argument),
@@ -64,10 +69,10 @@ fn run() -> Result<usize> {
     for name in &names {
         if let Some(mesh) = mesh(name)? {
             eprintln!("{name}: {} triangles", mesh.indices.len());
-            records.push(measure::measure(&gpu, name, &mesh, rounds)?);
+            records.push(measure::measure(&gpu, name, &mesh, (rounds, order))?);
         }
     }
-    let text = report::report(&gpu, &records, rounds, &names)?;
+    let text = report::report(&gpu, &records, (rounds, order), &names)?;
     print!("{text}");
     if let Some(path) = &out {
         std::fs::write(path, &text).with_context(|| format!("cannot write {path:?}"))?;

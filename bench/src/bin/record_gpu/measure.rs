@@ -5,7 +5,7 @@ use anyhow::Result;
 use slimbvh::gpu::wgpu::BufferUsages;
 use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh as GpuMesh, Query, Work, wgpu};
 use slimbvh::{BuildConfig, CodeBits, Hit, Mesh, Ray};
-use slimbvh_bench::RayLists;
+use slimbvh_bench::{RayLists, RayOrder};
 use slimbvh_lab::measure::rounds;
 use std::time::{Duration, Instant};
 
@@ -62,7 +62,12 @@ pub struct Trace {
 }
 
 /// Measures one mesh.
-pub fn measure(gpu: &Gpu, name: &str, mesh: &Mesh, rounds: usize) -> Result<MeshRecord> {
+pub fn measure(
+    gpu: &Gpu,
+    name: &str,
+    mesh: &Mesh,
+    (rounds, order): (usize, RayOrder),
+) -> Result<MeshRecord> {
     let mut record = MeshRecord {
         name: name.into(),
         triangle_count: mesh.indices.len(),
@@ -71,7 +76,7 @@ pub fn measure(gpu: &Gpu, name: &str, mesh: &Mesh, rounds: usize) -> Result<Mesh
         }),
         wrong_answers: 0,
     };
-    let rays = RayLists::new(mesh)?;
+    let rays = RayLists::new(mesh, order)?;
     record.outcome = match measured(gpu, mesh, &rays, rounds) {
         Ok((measured, hits)) => {
             let bvh = slimbvh::Builder::default().build(mesh)?;

@@ -4,14 +4,14 @@ use crate::decide::Deciding;
 use crate::measure::{Build, Measured, MeshRecord};
 use anyhow::Result;
 use slimbvh::gpu::{Gpu, adapters};
-use slimbvh_bench::machine;
+use slimbvh_bench::{RayOrder, machine};
 use std::fmt::Write;
 
 /// The whole record.
 pub fn report(
     gpu: &Gpu,
     records: &[MeshRecord],
-    rounds: usize,
+    (rounds, order): (usize, RayOrder),
     names: &[String],
 ) -> Result<String> {
     let mut out = String::new();
@@ -40,6 +40,7 @@ pub fn report(
         }
     }
     writeln!(out, "| rounds | {rounds}, after one to warm up; medians |")?;
+    writeln!(out, "| rays | {order} |")?;
     for record in records {
         writeln!(
             out,

@@ -6,6 +6,7 @@ use bytemuck::{bytes_of, cast_slice};
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::shade::{Path, mean_radiance};
+use slimbvh_core::tile::Tiles;
 use slimbvh_core::view::{
     depth_range, depth_value, heat_range, mean_depth_color, mean_heat_color, normal_color,
     primitive_color,
@@ -31,18 +32,33 @@ fn run(gpu: &Gpu, kernel: Kernel, uniforms: &[&[u32]], reads: &[&[u8]], output: 
     dispatch.run(gpu).concat()
 }
 
-/// The layout of pictures in memory: rows of 21 samples in 64 texels; the first three pixels belong to an earlier wave.
+/// The layout of pictures in memory: rows of 21 pixels in 64 texels, taken in tiles; the first three pixels belong to an
+/// earlier wave.
 const WIDTH: u32 = 21;
 const ROW: u32 = 64;
 const FIRST: u32 = 3;
 
+/// The picture's tiles, where this many pixels follow the first three. The last band has as few rows as hold them.
+fn tiles(pixel_count: u32) -> Tiles {
+    Tiles {
+        width: WIDTH,
+        height: (FIRST + pixel_count).div_ceil(WIDTH),
+    }
+}
+
+/// `params` of the kernels that write the picture.
+fn params(samples: u32, pixel_count: u32) -> [u32; 4] {
+    let Tiles { width, height } = tiles(pixel_count);
+    [samples, width, height, FIRST]
+}
+
 /// The picture with these pixels written over its earlier content.
 fn picture(pixel_count: u32, color: impl Fn(u32) -> Vec3) -> (Vec<[f32; 4]>, Vec<[f32; 4]>) {
-    let rows = (FIRST + pixel_count).div_ceil(WIDTH);
-    let before = vec![[9.0; 4]; (rows * ROW) as usize];
+    let tiles = tiles(pixel_count);
+    let before = vec![[9.0; 4]; (tiles.height * ROW) as usize];
     let mut after = before.clone();
     for pixel in 0..pixel_count {
-        let (x, y) = ((FIRST + pixel) % WIDTH, (FIRST + pixel) / WIDTH);
+        let [x, y] = tiles.pixel(FIRST + pixel);
         after[(y * ROW + x) as usize] = color(pixel).extend(1.0).to_array();
     }
     (before, after)
@@ -160,7 +176,7 @@ fn check_means(
     for samples in [1, 3, 16] {
         let pixels = values.len() as u32 / samples;
         let (before, after) = picture(pixels, |pixel| color(samples, pixel));
-        let uniforms: [&[u32]; 2] = [&[range[0], range[1], 0, 0], &[samples, WIDTH, ROW, FIRST]];
+        let uniforms: [&[u32]; 2] = [&[range[0], range[1], 0, 0], &params(samples, pixels)];
         let stored = run(
             gpu,
             kernel,
@@ -186,7 +202,7 @@ fn pixels_are_the_means_of_core() {
         let pixels = paths.len() as u32 / samples;
         let mean = |pixel| mean_radiance(&paths, pixel * samples, samples);
         let (before, after) = picture(pixels, mean);
-        let params: &[u32] = &[samples, WIDTH, ROW, FIRST];
+        let params: &[u32] = &params(samples, pixels);
         let reads = [cast_slice(&paths)];
         let stored = run(
             gpu,
