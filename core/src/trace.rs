@@ -50,8 +50,7 @@ pub trait NodeSource {
     /// An inner node's children.
     fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
 
-    /// More than there are inner nodes, or 0 where there is nothing to walk: no traversal opens more nodes than this, whatever the
-    /// source holds.
+    /// More than there are inner nodes: no traversal opens more nodes than this, whatever the source holds.
     fn step_limit(&self) -> u32;
 }
 
@@ -92,13 +91,6 @@ pub struct Children<C> {
 
 /// Where the traversal finds triangles, in leaves whose decoded boxes are of this type.
 pub trait TriangleSource<B: Copy> {
-    /// Whether triangles may be read. A source that reads without a check of its own says no where it is empty: then nothing is
-    /// walked.
-    #[inline(always)]
-    fn may_be_read(&self) -> bool {
-        true
-    }
-
     /// The corners of a triangle, coordinates in the order of the axes, as those of the leaf's box are.
     fn corners(&self, slot: &LeafSlot<B>, axes: [u32; 3]) -> [[f32; 3]; 3];
 
@@ -164,8 +156,7 @@ where
     Q: Query<N, T, S::Enter>,
 {
     let mut steps = nodes.step_limit();
-    let begins = query.begin() & (steps > 0) & triangles.may_be_read();
-    let mut waiting = if begins { 0 } else { DONE };
+    let mut waiting = if query.begin() { 0 } else { DONE };
     // Masked once here, so that no source has to check them at each node.
     let [a, b, c] = query.axes();
     let axes = [a & 3, b & 3, c & 3];

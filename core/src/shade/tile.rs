@@ -118,14 +118,7 @@ impl Tile {
 /// A tile's side, 1 to 8, that begins at `first` in a picture with a side of `length`, which is greater.
 #[inline(always)]
 fn side(length: u32, first: u32) -> u32 {
-    let rest = length.wrapping_sub(first);
-    if rest == 0 {
-        1
-    } else if rest < SIDE {
-        rest
-    } else {
-        SIDE
-    }
+    length.wrapping_sub(first).min(SIDE).max(1)
 }
 
 /// [`Tiles::pixels_from`].

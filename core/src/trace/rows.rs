@@ -32,7 +32,8 @@ impl NodeSource for NodeRows<'_> {
     #[inline(always)]
     fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
         LeafRun {
-            is_leaf: cursor.is_leaf(),
+            // Leaves have the highest bit. The same comparison answers for an index out of range, which is opened by no walk.
+            is_leaf: cursor.index() as usize >= self.0.len(),
             first: cursor.first(),
             count: cursor.count(),
             bounds: (),
@@ -41,9 +42,8 @@ impl NodeSource for NodeRows<'_> {
 
     #[inline(always)]
     fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
-        // No tree has an index out of range; what has walks on from its last node, as many steps as there may be.
-        let last = (self.0.len() as u32).wrapping_sub(1);
-        let index = cursor.index().min(last) as usize;
+        // In range, as `leaf` has said no: the compiler sees it, and checks nothing.
+        let index = cursor.index() as usize;
         // Rows are read where they lie: rows in registers could not be indexed by axis.
         let links = self.0[index][3];
         Children {
@@ -59,8 +59,7 @@ impl NodeSource for NodeRows<'_> {
 
     #[inline(always)]
     fn step_limit(&self) -> u32 {
-        let count = self.0.len() as u32;
-        if count == 0 { 0 } else { count + 1 }
+        self.0.len() as u32 + 1
     }
 }
 
@@ -72,9 +71,10 @@ impl TriangleRows<'_> {
     /// The ten words of a triangle, and two that are not its own.
     #[inline(always)]
     fn words(&self, index: u32) -> [Vec4; 3] {
-        // No leaf has an index out of range; what has reads the last pair.
-        let last = (self.0.len() as u32).wrapping_sub(1);
-        let (pair, second) = ((index / 2).min(last) as usize, (index % 2) as usize);
+        let (pair, second) = (index as usize / 2, index as usize % 2);
+        if pair >= self.0.len() {
+            return [Vec4::ZERO; 3];
+        }
         let (a, b, c) = (
             self.0[pair][2 * second],
             self.0[pair][2 * second + 1],
@@ -94,11 +94,6 @@ impl TriangleRows<'_> {
 }
 
 impl<B: Copy> TriangleSource<B> for TriangleRows<'_> {
-    #[inline(always)]
-    fn may_be_read(&self) -> bool {
-        !self.0.is_empty()
-    }
-
     #[inline(always)]
     fn corners(&self, slot: &LeafSlot<B>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let [a, b, c] = self.words(slot.first + slot.number);

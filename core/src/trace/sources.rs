@@ -61,7 +61,7 @@ impl NodeSource for PlainNodes<'_> {
 }
 
 /// What an index out of range opens.
-pub(super) const NO_CHILDREN: Children<NodeRef> = Children {
+const NO_CHILDREN: Children<NodeRef> = Children {
     planes: [PlanePair::ZERO; 3],
     left: NodeRef::EMPTY_LEAF,
     right: NodeRef::EMPTY_LEAF,

@@ -5,7 +5,9 @@
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};
 use slimbvh_core::camera::Camera;
-use slimbvh_core::classify::{FacingFilter, Sides, VisibleSet, is_in_set, word_of_set};
+use slimbvh_core::classify::{
+    FacingFilter, PackedSides, Sides, VisibleSet, is_in_set, packed_sides, word_of_set,
+};
 use slimbvh_core::cluster::{
     Active, Merge, Merges, Rotated, Round, merge, merging_pairs, node_at, rotate, triangle_at,
     triangle_box,
@@ -29,6 +31,7 @@ use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::launch::carries;
 use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
@@ -42,8 +45,9 @@ use slimbvh_core::sort::{
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, ClosestHit, Lane, LeafTriangles, PacketStacks, PlainNodes, PreparedRays, Skip,
-    any_hit, closest_hit, nearest_hits, trace_packet,
+    BruteForce, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords, LeafTriangles,
+    NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair, TriangleRows,
+    UpTo, any_hit, closest_hit, nearest_hits, trace_packet, traverse_with,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -337,6 +341,43 @@ pub fn trace_together(
     }
 }
 
+/// The walk with stacks in a workgroup's memory, over rows of 16 bytes and over coded nodes.
+#[unsafe(no_mangle)]
+pub fn trace_in_lane(
+    (ray, lane, hit_count): (&PreparedRay, u32, u32),
+    (nodes, narrow): (&[NodeRow], &[[u32; 4]]),
+    triangles: &[TrianglePair],
+    root: &RootWords,
+    sides: (&[u32], Target),
+    (words, box_words): (&mut LaneWords, &mut LaneBoxWords),
+    to: Out<[UpTo<8>; 2]>,
+) -> bool {
+    let triangles = TriangleRows(triangles);
+    let coded = LatticeNodes::<10, 4, false> {
+        nodes: narrow,
+        root: root.lattice(),
+        step: 0.5,
+    };
+    let filter = FacingFilter {
+        skip: 4,
+        sides: PackedSides(sides.0),
+        target: sides.1,
+    };
+    *to = [UpTo::new(hit_count, ray.t_max); 2];
+    let [first, second] = to;
+    let mut stack = LaneStack::new(words, lane);
+    let plain = traverse_with(
+        &mut stack,
+        &NodeRows(nodes),
+        &triangles,
+        ray,
+        &filter,
+        first,
+    );
+    let mut stack = LaneBoxStack::new(box_words, lane);
+    plain & traverse_with(&mut stack, &coded, &triangles, ray, &filter, second)
+}
+
 #[unsafe(no_mangle)]
 pub fn trace(
     ray: &Ray,
@@ -371,6 +412,7 @@ pub fn classify(
     let reach = reach.scaled(&scale);
     u32::from(is_in_set(primitive, mesh, &scale, &reach))
         ^ word_of_set(primitive, mesh, &scale, &reach)
+        ^ packed_sides(primitive, &reach.sides)
         ^ pack_lanes(primitive, flags)
 }
 
