@@ -20,7 +20,7 @@
 ///
 /// Those with a stack in workgroup memory store no answer for a ray that needs more of it, but list the ray
 /// ([`super::overflow`]). Of each question there is a kernel for the listed rays, with a private stack, which also reads what
-/// `overflow_groups` stored: for rays one for all three questions, `params.x` being the number of hits a ray, 0 for any.
+/// `trace_groups` stored: for rays one for all three questions, `params.x` being the number of hits a ray, 0 for any.
 macro_rules! trace_kernels {
     (
         [($($root:ident)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt $g:tt $h:tt $i:tt]

@@ -29,7 +29,7 @@ pub fn note(ray: u32, ray_count: u32, list: &mut [u32]) {
     }
 }
 
-/// The ray of a thread of the second pass, for the list's length as [`overflow_groups`] stored it; `u32::MAX` beyond the end.
+/// The ray of a thread of the second pass, for the list's length as [`trace_groups`] stored it; `u32::MAX` beyond the end.
 #[inline(always)]
 pub fn noted(thread: u32, length: u32, ray_count: u32, list: &[u32]) -> u32 {
     let begin = list_begin(ray_count, list.len() as u32);
@@ -44,7 +44,7 @@ pub fn noted(thread: u32, length: u32, ray_count: u32, list: &[u32]) -> u32 {
 /// One thread works. Reads the length of a list that is a buffer of its own, and clears it. Stores `[length, x, y, z]`, with the dispatch of
 /// a thread for each ray of the list.
 #[spirv(compute(threads(64)))]
-pub fn overflow_groups(
+pub fn trace_groups(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] list: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] groups: &mut [[u32; 4]],
@@ -75,7 +75,7 @@ mod tests {
     #[test]
     fn groups_are_made_and_the_list_is_cleared() {
         let (mut list, mut groups) = ([65, 1], [[0; 4]]);
-        overflow_groups(UVec3::ZERO, &mut list, &mut groups);
+        trace_groups(UVec3::ZERO, &mut list, &mut groups);
         assert_eq!((list[0], groups[0]), (0, [65, 2, 1, 1]));
     }
 }

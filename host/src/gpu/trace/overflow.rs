@@ -71,7 +71,7 @@ impl Overflow {
         let list = &self.list.touching(4);
         recorder.read(list);
         let to = &[list, &self.groups];
-        recorder.dispatch(Kernel::overflow_groups, &[], &[], to, groups(1));
+        recorder.dispatch(Kernel::trace_groups, &[], &[], to, groups(1));
         Groups::Indirect(self.groups.part(4, 12))
     }
 
