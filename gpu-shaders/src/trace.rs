@@ -13,7 +13,7 @@ use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{ClosestOrAny, LeafTriangles, PlainNodes, Skip, traverse};
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 #[macro_use]
 mod kernels;

@@ -14,7 +14,7 @@ use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::LeafTriangles;
 use slimbvh_core::{Hit, LeafTriangle, Ray};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// The lattice's step.
 #[inline(always)]
