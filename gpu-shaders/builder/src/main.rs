@@ -6,6 +6,7 @@
 
 mod callable;
 mod kernels;
+mod largest;
 mod module;
 mod source_hash;
 
