@@ -1,13 +1,13 @@
 //! Stage `bounds`.
 
+use crate::group::barrier;
 use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent, unite};
 use slimbvh_core::launch::LANES;
 use slimbvh_core::morton::MortonGrid;
 use slimbvh_core::{Aabb, IndexedTriangles};
-use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One workgroup per block of triangles. Reads the mesh. Stores the block's box: min, max.
 #[spirv(compute(threads(64)))]

@@ -6,7 +6,7 @@ use slimbvh_core::camera::Camera;
 use slimbvh_core::color::{pack_texel, srgb_bytes};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::shade::{Path, mean_radiance};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per sample. Reads the scene's exponent and the camera, which is in the caller's magnitude; `params.x` is
 /// the number of the first thread among those of the picture. Stores the path of the thread's sample.

@@ -1,6 +1,7 @@
 //! Stage `classify`: which triangles are in a target's set, in the mesh's order, as memory likes it; which items of the
 //! sorted list these are; and, after a scan, the list of them.
 
+use crate::group::barrier;
 use crate::trace::scaled_target;
 use crate::{LANES, thread_index};
 use glam::{UVec3, UVec4};
@@ -9,8 +10,7 @@ use slimbvh_core::classify::{Sides, VisibleSet, is_in_set, packed_sides};
 use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
-use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per triangle. Reads the scene's exponent, the target, the frustum, whether anything needs the set, the mesh,
 /// the components of its primitives and their sides. Stores a bit for each triangle that is in the set.

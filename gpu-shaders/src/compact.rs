@@ -3,7 +3,7 @@
 use crate::thread_index;
 use glam::UVec3;
 use slimbvh_core::compact::{is_set, rank};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per word of 32 bits. Reads the bits. Stores how many of the word are set.
 #[spirv(compute(threads(64)))]

@@ -1,6 +1,7 @@
 //! Stage `decide`: components are measured by their spans, then each target finds their outer sides; a light may turn them
 //! round.
 
+use crate::group::barrier;
 use crate::trace::scaled_target;
 use crate::{LANE_STEPS, group_index, thread_index};
 use glam::{UVec3, UVec4};
@@ -12,8 +13,7 @@ use slimbvh_core::decide::{
 };
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::LANES;
-use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One workgroup per span. Reads the scene's exponent, the vertices, the faces and links by component, and the spans;
 /// `params` are zeros. Stores what is known of the span.

@@ -10,7 +10,7 @@ use slimbvh_core::encode::{
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per node. Reads the number of nodes, `opaque_zero` and the plain nodes. Stores the node in the paper10 codec, with links
 /// to triangles that are stored in full, and the root's box.
@@ -153,23 +153,14 @@ pub fn encode_triangles(
     let i = triangle as usize;
     if triangle < count.x && i < triangles.len() && i < corners.len() && i < begins.len() {
         let step = power_of_two(root_words(root).step_exponent());
-        let (to, size) = (begins[i] as usize, corners[i].words as usize);
-        if to + size <= words.len() {
-            let [a, b, c, d, e, f, g, h, j, k] = encode_triangle(&triangles[i], &corners[i], step);
-            words[to] = a;
-            words[to + 1] = b;
-            words[to + 2] = c;
-            words[to + 3] = d;
-            if size > 4 {
-                words[to + 4] = e;
-                words[to + 5] = f;
-                words[to + 6] = g;
-            }
-            if size > 7 {
-                words[to + 7] = h;
-                words[to + 8] = j;
-                words[to + 9] = k;
-            }
+        let (to, size) = (begins[i], corners[i].words);
+        let [a, b, c, d, e, f, g, h, j, k] = encode_triangle(&triangles[i], &corners[i], step);
+        store_words(to, [a, b, c, d], words);
+        if size > 4 {
+            store_words(to.wrapping_add(4), [e, f, g], words);
+        }
+        if size > 7 {
+            store_words(to.wrapping_add(7), [h, j, k], words);
         }
     }
 }
@@ -314,6 +305,17 @@ fn store_links<const BITS: u32, const WORDS: usize>(
     let i = node as usize;
     if node < total.x && i < plain.len() && i < nodes.len() {
         nodes[i] = with_links::<BITS, WORDS>(nodes[i], links(&plain[i], begins));
+    }
+}
+
+/// Stores words side by side, those that lie inside.
+#[inline(always)]
+fn store_words<const COUNT: usize>(to: u32, from: [u32; COUNT], words: &mut [u32]) {
+    for i in 0..COUNT as u32 {
+        let at = to.wrapping_add(i) as usize;
+        if at < words.len() {
+            words[at] = from[i as usize];
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 //!
 //! All bindings are in set 0, in the order of the arguments: uniforms first, outputs last. The length of a bound range
 //! is the number of its elements, so ranges are bound exactly. What lies outside of one is not stored.
-#![cfg_attr(target_arch = "spirv", no_std)]
+#![no_std]
 #![expect(
     clippy::too_many_arguments,
     reason = "an entry point's arguments are its bindings"
@@ -14,10 +14,9 @@
 )]
 
 use glam::{UVec3, UVec4};
+use group::atomic_add;
 use slimbvh_core::launch::{self, BLOCK, LANES, RUN};
 use slimbvh_core::tile::Tiles;
-use spirv_std::arch::atomic_i_add;
-use spirv_std::memory::{Scope, Semantics};
 
 pub mod bounds;
 pub mod camera;
@@ -25,6 +24,7 @@ pub mod classify;
 pub mod compact;
 pub mod decide;
 pub mod encode;
+mod group;
 pub mod morton;
 pub mod refit;
 pub mod scan;
@@ -92,19 +92,6 @@ fn count(counters: &mut [u32], pair: u32, amount: u32) {
             unsafe { atomic_add(&mut counters[low + 1], 1) };
         }
     }
-}
-
-/// Adds, in no order with other memory. Returns what was there.
-///
-/// # Safety
-/// The word is accessed by atomics only, as long as the dispatch lasts.
-#[inline(always)]
-#[expect(unsafe_code, reason = "rust-gpu has no safe atomics")]
-unsafe fn atomic_add(word: &mut u32, amount: u32) -> u32 {
-    const SCOPE: u32 = Scope::QueueFamily as u32;
-    const UNORDERED: u32 = Semantics::NONE.bits();
-    // SAFETY: the caller's promise.
-    unsafe { atomic_i_add::<u32, SCOPE, UNORDERED>(word, amount) }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::thread_index;
 use glam::UVec3;
 use slimbvh_core::IndexedTriangles;
 use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per triangle. Reads the grid and the mesh. Stores `[code, triangle]`.
 #[spirv(compute(threads(64)))]

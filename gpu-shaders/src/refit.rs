@@ -10,7 +10,7 @@ use slimbvh_core::refit::{
     PyramidBox, group_bounds, group_count, parent_bounds, refit_node, split_of,
 };
 use slimbvh_core::{LeafTriangle, Node};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per entry of level 0. Reads the triangles in leaf order. Stores their box, in the level and the pyramid.
 #[spirv(compute(threads(64)))]

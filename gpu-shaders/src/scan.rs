@@ -1,12 +1,12 @@
 //! Stage `scan`: exclusive prefix sums of any number of values, in three dispatches: the sum of each block, the scan of
 //! these sums, the scan of each block from there.
 
+use crate::group::barrier;
 use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::UVec3;
 use slimbvh_core::launch::{LANES, dispatch};
 use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
-use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One workgroup per block of values. Reads the values. Stores the block's sum.
 #[spirv(compute(threads(64)))]

@@ -11,7 +11,7 @@ use slimbvh_core::shade::{
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::surface::Surface;
 use slimbvh_core::{Hit, IndexedTriangles};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per path. Reads the scene's exponent, one light, which is in the caller's magnitude, the mesh, the
 /// materials, the path and its hit; `params` are the samples a pixel, how often the path has gone on, and whether rays go
@@ -140,10 +140,11 @@ fn material(primitive: u32, material_indices: &[u32], materials: &[Material]) ->
     if (primitive as usize) < material_indices.len() {
         i = material_indices[primitive as usize];
     }
-    if i as usize >= materials.len() {
-        i = 0;
+    if (i as usize) < materials.len() {
+        materials[i as usize]
+    } else {
+        materials[0]
     }
-    materials[i as usize]
 }
 
 /// A [`Light`] from its words: uniforms hold no arrays of three floats.

@@ -5,7 +5,7 @@ use glam::{UVec3, UVec4};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{IndexedTriangles, LeafTriangle};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per triangle, in leaf order. Reads the scene's exponent, the mesh and the sorted items. Stores the
 /// triangle as leaves have it, and its code.

@@ -1,5 +1,6 @@
 //! Stage `sort`: a pass over one digit, in two dispatches with a scan of the totals between them. A tile is a block.
 
+use crate::group::barrier;
 use crate::{LANE_STEPS, group_index, run_begin, run_length};
 use glam::{UVec3, UVec4};
 use slimbvh_core::launch::{BLOCK, DIGITS, LANES};
@@ -7,8 +8,7 @@ use slimbvh_core::scan::doubling_step;
 use slimbvh_core::sort::{
     DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
 };
-use spirv_std::arch::workgroup_memory_barrier_with_group_sync as barrier;
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// A key of one or two words, and what it belongs to.
 trait Item: Copy {
@@ -93,6 +93,13 @@ pub fn sort_scatter_63(
     scatter(group, lane, params.x, items, counts, sorted);
 }
 
+/// Where the run that begins at `first` ends: in the items.
+#[inline(always)]
+fn run_end<I>(first: u32, items: &[I]) -> usize {
+    let end = (first + run_length(first, items.len() as u32)) as usize;
+    if end < items.len() { end } else { items.len() }
+}
+
 /// Phase 1: counts the digits of the lane's run.
 #[inline(always)]
 fn count<I: Item>(
@@ -106,9 +113,9 @@ fn count<I: Item>(
         counts[digit][lane as usize % LANES] = 0;
     }
     let first = run_begin(group, lane, items.len() as u32);
-    let last = first + run_length(first, items.len() as u32);
-    for i in first..last {
-        count_digit(items[i as usize].digit(shift), lane, counts);
+    let last = run_end(first, items);
+    for i in first as usize..last {
+        count_digit(items[i].digit(shift), lane, counts);
     }
     barrier();
 }
@@ -177,9 +184,9 @@ fn scatter<I: Item>(
     sorted: &mut [I],
 ) {
     let first = run_begin(group, lane, items.len() as u32);
-    let last = first + run_length(first, items.len() as u32);
-    for i in first..last {
-        let item = items[i as usize];
+    let last = run_end(first, items);
+    for i in first as usize..last {
+        let item = items[i];
         let to = place(item.digit(shift), lane, counts) as usize;
         if to < sorted.len() {
             sorted[to] = item;

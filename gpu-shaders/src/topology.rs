@@ -5,7 +5,7 @@ use glam::{UVec3, UVec4};
 use slimbvh_core::Node;
 use slimbvh_core::compact::{is_set, rank};
 use slimbvh_core::topology::{Codes30, Codes63, SortedCodes, internal_node, kept_nodes};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per 32 nodes. Reads how many codes there are, and the sorted codes. Stores a bit for each node that is kept, and how many are.
 #[spirv(compute(threads(64)))]

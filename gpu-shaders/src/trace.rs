@@ -17,7 +17,7 @@ use slimbvh_core::trace::{
     traverse,
 };
 use slimbvh_core::{Hit, Ray};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 #[macro_use]
 mod kernels;

@@ -10,7 +10,7 @@ use slimbvh_core::view::{
     primitive_color,
 };
 use slimbvh_core::{Hit, IndexedTriangles};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// One thread per path. Reads the scene's exponent, the mesh and the path's hit. Stores the path with the shading
 /// normal's color.

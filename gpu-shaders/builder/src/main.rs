@@ -6,13 +6,14 @@
 
 mod callable;
 mod kernels;
+mod largest;
 mod module;
 mod source_hash;
 
 use anyhow::{Context, Result, bail};
 use module::Module;
 use serde_json::{Value, json};
-use spirv_builder::{ModuleResult, SpirvBuilder};
+use spirv_builder::{ModuleResult, ShaderPanicStrategy, SpirvBuilder};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,6 +27,8 @@ struct ShaderCrate {
     output: &'static str,
     /// The endings of the files made there; others are left alone.
     made: &'static [&'static str],
+    /// Whether tests/no-panic proves all its entry points unable to panic, so that no panic need be compiled.
+    cannot_panic: bool,
 }
 
 const CRATES: [ShaderCrate; 2] = [
@@ -33,11 +36,13 @@ const CRATES: [ShaderCrate; 2] = [
         folder: "gpu-shaders",
         output: "host/shaders",
         made: &["spv", "wgsl", "json", "rs"],
+        cannot_panic: true,
     },
     ShaderCrate {
         folder: "host/examples/own_shader/shader",
         output: "host/examples/own_shader",
         made: &["spv"],
+        cannot_panic: false,
     },
 ];
 
@@ -111,6 +116,11 @@ fn build(root: &Path) -> Result<Files> {
             }
         }
     }
+    kernels::check_proof(
+        &kernels::declared(&root.join("gpu-shaders"))?,
+        &kernels,
+        &root.join("tests/no-panic/src/entry_points.rs"),
+    )?;
     let versions: BTreeMap<_, _> = source_hash::pinned_versions(root)?.into_iter().collect();
     let sources: Vec<&str> = CRATES.iter().map(|c| c.folder).collect();
     let manifest = json!({
@@ -130,6 +140,11 @@ fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, P
         .map_or_else(|| root.join("gpu-shaders/builder/target"), PathBuf::from);
     let mut builder = SpirvBuilder::new(root.join(shader_crate.folder), "spirv-unknown-vulkan1.2");
     builder.multimodule = true;
+    if shader_crate.cannot_panic {
+        // Sound as no panic can be reached: what is unreachable is never run.
+        builder.shader_panic_strategy =
+            ShaderPanicStrategy::UNSOUND_DO_NOT_USE_UndefinedBehaviorViaUnreachable;
+    }
     builder.target_dir_path = Some(std::path::absolute(target)?.join("spirv"));
     builder.toolchain_overwrite =
         Some(std::env::var("RUST_GPU_TOOLCHAIN").unwrap_or_else(|_| TOOLCHAIN.to_owned()));

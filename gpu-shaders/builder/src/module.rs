@@ -1,5 +1,6 @@
 //! One compiled module: stripped, checked and described.
 
+use crate::largest;
 use anyhow::{Context, Result, anyhow, bail};
 use naga::front::spv;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
@@ -29,6 +30,7 @@ impl Module {
         Validator::new(ValidationFlags::all(), Capabilities::empty())
             .validate(&module)
             .map_err(|error| anyhow!("naga refuses it: {}", error.emit_to_string("")))?;
+        largest::check(&module)?;
         let manifest = describe(name, &module)?;
         Ok(Self {
             spirv,
@@ -44,7 +46,7 @@ const OP_ENTRY_POINT: u32 = 15;
 /// they change nothing, and hold paths of the machine that compiled.
 const DEBUG_OPS: [u32; 9] = [2, 3, 4, 5, 6, 7, 8, 317, 330];
 
-/// Drops all debug instructions and gives the entry point its short name.
+/// Drops all debug instructions, writes numbers so that WGSL has them, and gives the entry point its short name.
 fn strip(name: &str, compiled: &[u8]) -> Result<Vec<u8>> {
     let words: Vec<u32> = compiled
         .chunks_exact(4)
@@ -69,6 +71,7 @@ fn strip(name: &str, compiled: &[u8]) -> Result<Vec<u8>> {
         }
         at += length;
     }
+    let kept = largest::as_bits(&kept)?;
     Ok(kept.iter().flat_map(|word| word.to_le_bytes()).collect())
 }
 

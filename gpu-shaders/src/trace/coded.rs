@@ -15,7 +15,7 @@ use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{LaneBoxStack, LaneBoxWords, TrianglePair, TriangleRows};
 use slimbvh_core::{Hit, Ray};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// The lattice's step.
 #[inline(always)]

@@ -3,10 +3,10 @@
 //! The list is the end of a buffer: its length, then the numbers of rays. It has room for all rays, so it begins one word more
 //! than there are rays before the end; what is before it belongs to the caller.
 
-use crate::atomic_add;
+use crate::group::atomic_add;
 use glam::UVec3;
 use slimbvh_core::launch::{LANES, dispatch};
-use spirv_std::spirv;
+use spirv_std_macros::spirv;
 
 /// Where the list of a buffer of this many words begins.
 #[inline(always)]

@@ -1,6 +1,8 @@
-//! The kernels of core, instantiated in a library without std and allocator, whose panic handler does not link. If the
-//! library links, core cannot panic and needs neither.
+//! The kernels of core and the entry points of gpu-shaders, instantiated in a library without std and allocator, whose panic
+//! handler does not link. If the library links, neither crate can panic or needs them.
 #![no_std]
+
+mod entry_points;
 
 use core::panic::PanicInfo;
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent};

@@ -1,0 +1,34 @@
+//! Every entry point of gpu-shaders. Its address is taken, so that it is compiled for any arguments: slices of any length,
+//! any numbers. The list is the shader builder's, which fails where it differs from what the source text declares.
+
+use slimbvh_shaders::{
+    bounds::*, camera::*, classify::*, compact::*, decide::*, encode::*, morton::*, refit::*,
+    scan::*, shade::*, snap::*, sort::*, topology::*, trace::coded::*, trace::*, view::*,
+};
+
+macro_rules! kernels {
+    (shipped { $($shipped:ident,)* } lab { $($lab:ident,)* }) => {
+        /// Their addresses; that of the walk for users' WGSL, which is no kernel, is the last.
+        const ADDRESSES: &[fn() -> *const ()] = &[
+            $(|| $shipped as *const (),)*
+            $(|| $lab as *const (),)*
+            || call_trace as *const (),
+        ];
+    };
+}
+
+/// The rows of the list are made of the same kernels.
+macro_rules! traces {
+    ($($row:tt)*) => {};
+}
+
+include!("../../../host/shaders/kernels.rs");
+
+/// Keeps all of them: the caller may ask for any.
+#[unsafe(no_mangle)]
+pub fn entry_point(i: usize) -> *const () {
+    match ADDRESSES.get(i) {
+        Some(address) => address(),
+        None => core::ptr::null(),
+    }
+}
