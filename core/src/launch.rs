@@ -3,8 +3,8 @@
 /// Threads in a workgroup.
 pub const LANES: usize = 64;
 
-/// Digits that a pass of the sort tells apart: 4 bits.
-pub const DIGITS: usize = 16;
+/// Digits that a pass of the sort tells apart: 8 bits.
+pub const DIGITS: usize = 256;
 
 /// Items that a lane takes in `bounds`, `sort` and `scan`.
 pub const RUN: u32 = 16;

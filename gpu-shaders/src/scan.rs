@@ -35,22 +35,8 @@ pub fn scan_blocks(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] total: &mut [[u32; 4]],
     #[spirv(workgroup)] sums: &mut [u32; LANES],
 ) {
-    let count = blocks.len() as u32;
-    let run = count.div_ceil(LANES as u32);
-    let first = if lane * run < count {
-        lane * run
-    } else {
-        count
-    };
-    let length = if count - first < run {
-        count - first
-    } else {
-        run
-    };
-    let before = scan_lanes(lane, run_sum(blocks, first, length), sums);
-    run_scan(blocks, first, length, before);
+    let sum = scan_part(lane, 0, blocks.len() as u32, blocks, sums);
     if lane == 0 && !total.is_empty() {
-        let sum = sums[LANES - 1];
         let [x, y, z] = dispatch(sum.div_ceil(LANES as u32));
         total[0] = [sum, x, y, z];
     }
@@ -75,9 +61,35 @@ pub fn scan_apply(
     }
 }
 
+/// Replaces `values[first..first + count]` by their prefix sums, by one workgroup. Returns the sum of all.
+#[inline(always)]
+pub(crate) fn scan_part(
+    lane: u32,
+    first: u32,
+    count: u32,
+    values: &mut [u32],
+    sums: &mut [u32; LANES],
+) -> u32 {
+    let run = count.div_ceil(LANES as u32);
+    let begin = if lane * run < count {
+        lane * run
+    } else {
+        count
+    };
+    let length = if count - begin < run {
+        count - begin
+    } else {
+        run
+    };
+    let begin = first + begin;
+    let before = scan_lanes(lane, run_sum(values, begin, length), sums);
+    run_scan(values, begin, length, before);
+    sums[LANES - 1]
+}
+
 /// The sum of all lanes before this one; the sum of all stays in the last of `sums`.
 #[inline(always)]
-fn scan_lanes(lane: u32, own: u32, sums: &mut [u32; LANES]) -> u32 {
+pub(crate) fn scan_lanes(lane: u32, own: u32, sums: &mut [u32; LANES]) -> u32 {
     sums[lane as usize % LANES] = own;
     barrier();
     let mut distance = 1;

@@ -46,6 +46,7 @@ kernels! {
         snap_again,
         sort_count_30,
         sort_count_63,
+        sort_scan,
         sort_scatter_30,
         sort_scatter_63,
         topology_kept_30,

@@ -1,16 +1,14 @@
-//! Stage `sort`: core's radix sort, with one tile a task and one lane a workgroup.
+//! Stage `sort`: core's radix sort, with one tile a task.
 
 use super::scan::scan;
 use rayon::prelude::*;
-use slimbvh_core::sort::{
-    DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
-};
+use slimbvh_core::sort::{digit, total_place};
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// Bits of a digit: 30-bit codes take three passes.
 const DIGIT_BITS: u32 = 10;
 const DIGITS: usize = 1 << DIGIT_BITS;
-type Counts = DigitCounts<1, DIGITS>;
+type Counts = [u32; DIGITS];
 
 /// The least number of items in a tile.
 const SMALLEST_TILE: usize = 1 << 14;
@@ -109,11 +107,11 @@ impl<const W: usize> Sorter<W> {
 
         // Phase 1: each tile counts its digits.
         let tiles = self.items.par_chunks(tile);
-        self.counts.resize(tiles.len(), [[0]; DIGITS]);
+        self.counts.resize(tiles.len(), [0; DIGITS]);
         tiles.zip(&mut self.counts).for_each(|(items, counts)| {
-            *counts = [[0]; DIGITS];
+            *counts = [0; DIGITS];
             for item in items {
-                count_digit(item_digit(item), 0, counts);
+                counts[item_digit(item) as usize % DIGITS] += 1;
             }
         });
 
@@ -123,7 +121,7 @@ impl<const W: usize> Sorter<W> {
         for digit in 0..DIGITS as u32 {
             let mut sum = 0;
             for (counts, tile) in self.counts.iter().zip(0..) {
-                let total = digit_total(digit, counts);
+                let total = counts[digit as usize];
                 self.offsets[total_place(digit, tile, tile_count) as usize] = total;
                 sum += total;
             }
@@ -133,9 +131,8 @@ impl<const W: usize> Sorter<W> {
         }
         scan(&mut self.offsets);
         for (counts, tile) in self.counts.iter_mut().zip(0..) {
-            for ([own], digit) in counts.iter_mut().zip(0..) {
-                let tile_begin = self.offsets[total_place(digit, tile, tile_count) as usize];
-                *own = lane_begin(tile_begin, *own, *own);
+            for (next, digit) in counts.iter_mut().zip(0..) {
+                *next = self.offsets[total_place(digit, tile, tile_count) as usize];
             }
         }
 
@@ -146,8 +143,9 @@ impl<const W: usize> Sorter<W> {
             .zip(&mut self.counts)
             .for_each(|(items, offsets)| {
                 for item in items {
-                    let to = place(item_digit(item), 0, offsets);
-                    other[to as usize].set(item.key(), item.index());
+                    let next = &mut offsets[item_digit(item) as usize % DIGITS];
+                    other[*next as usize].set(item.key(), item.index());
+                    *next += 1;
                 }
             });
         true

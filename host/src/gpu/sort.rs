@@ -3,7 +3,6 @@
 use super::buffer::{Range, Slot};
 use super::mesh::check_storage;
 use super::program::{Recorder, Uniform, groups};
-use super::scan::{Scan, TOTAL_BYTES};
 use super::{Frame, Gpu, GpuError, Kernel};
 use slimbvh_core::launch::{BLOCK, DIGITS};
 
@@ -39,8 +38,7 @@ impl Keys {
 pub struct Sort {
     other: Slot,
     totals: Slot,
-    sum: Slot,
-    scan: Scan,
+    sums: Slot,
 }
 
 impl Default for Sort {
@@ -56,8 +54,7 @@ impl Sort {
         Self {
             other: Slot::storage("slimbvh sort items"),
             totals: Slot::storage("slimbvh sort totals"),
-            sum: Slot::storage("slimbvh sort sum"),
-            scan: Scan::new(),
+            sums: Slot::storage("slimbvh sort sums"),
         }
     }
 
@@ -83,6 +80,9 @@ impl Sort {
         })
     }
 
+    /// Bytes of each digit's sum.
+    const SUM_BYTES: u64 = 4 * DIGITS as u64;
+
     /// Bytes of the digits' totals.
     const fn total_bytes(item_count: u32) -> u64 {
         4 * DIGITS as u64 * item_count.div_ceil(BLOCK) as u64
@@ -90,6 +90,7 @@ impl Sort {
 
     /// Count, scan, scatter (Satish, Harris, Garland 2009), from the last digit to the first.
     pub(super) fn record(&mut self, gpu: &Gpu, recorder: &mut Recorder, keys: Keys, items: &Range) {
+        let scan = Kernel::sort_scan;
         let (count, scatter) = match keys {
             Keys::OneWord => (Kernel::sort_count_30, Kernel::sort_scatter_30),
             Keys::TwoWords => (Kernel::sort_count_63, Kernel::sort_scatter_63),
@@ -97,7 +98,7 @@ impl Sort {
         let item_count = (items.size / keys.item_bytes()) as u32;
         let other = self.other.range(gpu, items.size);
         let totals = &self.totals.range(gpu, Self::total_bytes(item_count));
-        let sum = self.sum.range(gpu, TOTAL_BYTES);
+        let sums = &self.sums.range(gpu, Self::SUM_BYTES);
         let tiles = || groups(item_count.div_ceil(BLOCK));
         let digit_bits = DIGITS.ilog2();
 
@@ -107,13 +108,15 @@ impl Sort {
         for pass in 0..keys.bits() / digit_bits {
             let shift = Uniform::Params([pass * digit_bits, 0, 0, 0]);
             recorder.dispatch(count, &[shift], &[from], &[totals], tiles());
-            self.scan.record(gpu, recorder, totals, &sum);
-            recorder.dispatch(scatter, &[shift], &[from, totals], &[to], tiles());
+            recorder.read(totals);
+            recorder.dispatch(scan, &[], &[], &[totals, sums], groups(DIGITS as u32));
+            let reads = &[from, totals, sums];
+            recorder.dispatch(scatter, &[shift], reads, &[to], tiles());
             (from, to) = (to, from);
         }
     }
 
     pub(super) fn bytes(&self) -> u64 {
-        self.other.bytes() + self.totals.bytes() + self.sum.bytes() + self.scan.bytes()
+        self.other.bytes() + self.totals.bytes() + self.sums.bytes()
     }
 }

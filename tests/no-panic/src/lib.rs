@@ -41,9 +41,11 @@ use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light_or_dark, mean_radiance,
 };
 use slimbvh_core::snap::leaf_triangle;
-use slimbvh_core::sort::{
-    DigitCounts, count_digit, digit, digit_total, lane_begin, place, total_place,
+use slimbvh_core::sort::tile::{
+    clear, is_first, lane_scan, lane_sum, of_run, packed, packed_digit, packed_place, put,
+    round_digit, take, word,
 };
+use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
 use slimbvh_core::trace::{
@@ -98,21 +100,27 @@ pub fn build(
 pub fn sort_and_scan(
     key: u32,
     lane: u32,
-    counts: &mut DigitCounts<64, 16>,
+    (from, to, counters): (&mut [u32; 1024], &mut [u32; 1024], &mut [u32; 512]),
     values: &mut [u32],
     sums: &[u32; 64],
 ) -> u32 {
-    let digit = digit::<16>(key, lane);
-    count_digit(digit, lane, counts);
+    let digit = digit::<256>(key, lane);
+    let run = DigitRun::EMPTY.with(digit);
+    put(lane, packed(run.digit, lane), from);
+    clear(lane, counters);
+    let item = of_run(lane, key, from);
+    let rank = take(round_digit(item, key), lane, counters);
+    put(rank, item, to);
     let sum = run_sum(values, key, lane);
     let after = run_scan(values, key, lane, sum);
-    let total = digit_total(digit, counts);
-    let begin = lane_begin(total_place(digit, lane, key), total, sum);
-    place(digit, lane, counts)
+    lane_scan(lane, sum, lane_sum(lane, counters), counters);
+    packed_digit(word(key, to))
+        ^ packed_place(item)
         ^ doubling_step(lane, key, sums)
         ^ after
-        ^ begin
-        ^ u32::from(carries(sum, total))
+        ^ total_place(digit, lane, key)
+        ^ u32::from(carries(sum, rank))
+        ^ u32::from(is_first(lane, to) && run.ends_at(digit))
 }
 
 #[unsafe(no_mangle)]
