@@ -14,6 +14,7 @@ mod order;
 mod pictures;
 mod scans;
 mod shading;
+mod slow_shapes;
 mod sorts;
 mod textures;
 mod trace;
