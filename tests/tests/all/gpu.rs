@@ -15,6 +15,7 @@ mod overflow;
 mod pictures;
 mod scans;
 mod shading;
+mod slow_shapes;
 mod sorts;
 mod textures;
 mod trace;
