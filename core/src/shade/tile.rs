@@ -118,7 +118,8 @@ impl Tile {
 /// A tile's side, 1 to 8, that begins at `first` in a picture with a side of `length`, which is greater.
 #[inline(always)]
 fn side(length: u32, first: u32) -> u32 {
-    length.wrapping_sub(first).min(SIDE).max(1)
+    let rest = length.wrapping_sub(first);
+    if rest < SIDE { rest.max(1) } else { SIDE }
 }
 
 /// [`Tiles::pixels_from`].

@@ -215,6 +215,10 @@ impl<const K: usize> Collector for UpTo<K> {
 
 /// The new hit moves up, what it passes moves down, the last falls out.
 #[inline(always)]
+#[expect(
+    clippy::needless_range_loop,
+    reason = "iterators over local arrays do not compile to SPIR-V"
+)]
 fn insert<const K: usize>(hit: Hit, hits: &mut [Hit; K]) {
     let mut moving = hit;
     for i in 0..K {

@@ -31,6 +31,7 @@ pub fn note(ray: u32, ray_count: u32, list: &mut [u32]) {
 
 /// The ray of a thread of the second pass, for the list's length as [`trace_groups`] stored it; `u32::MAX` beyond the end.
 #[inline(always)]
+#[must_use]
 pub fn noted(thread: u32, length: u32, ray_count: u32, list: &[u32]) -> u32 {
     let begin = list_begin(ray_count, list.len() as u32);
     let place = begin.wrapping_add(1).wrapping_add(thread) as usize;

@@ -37,7 +37,7 @@ fn rays_at_the_corner(count: usize, size: f32) -> Vec<Ray> {
     let mut random = Random::new(5);
     let ray = |i: usize| {
         let near = [0, 1, 2].map(|_| random.between(0.0, 0.5));
-        let from = random.point() * if i % 3 == 0 { 1.0 } else { size };
+        let from = random.point() * if i.is_multiple_of(3) { 1.0 } else { size };
         Ray::new(
             from.to_array(),
             [0, 1, 2].map(|axis| near[axis] - from[axis]),
