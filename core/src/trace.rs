@@ -1,5 +1,6 @@
 //! Stage `trace`: one traversal for all trees, codecs and queries.
 
+use crate::build::node::NodeRef;
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::{Hit, PreparedRay, Ray};
 use query::{Query, Single};
@@ -65,6 +66,20 @@ pub struct LeafRun<B> {
     pub count: u32,
     /// The leaf's decoded box, which codecs decode triangles relative to.
     pub bounds: B,
+}
+
+impl<B: Copy> LeafRun<B> {
+    /// What a reference stands for, and its decoded box.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of(node: NodeRef, bounds: B) -> Self {
+        Self {
+            is_leaf: node.is_leaf(),
+            first: node.first(),
+            count: node.count(),
+            bounds,
+        }
+    }
 }
 
 /// A triangle of a leaf.

@@ -148,12 +148,7 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
 
     #[inline(always)]
     fn leaf(&self, cursor: LatticeCursor) -> LeafRun<LatticeBounds> {
-        LeafRun {
-            is_leaf: cursor.node.is_leaf(),
-            first: cursor.node.first(),
-            count: cursor.node.count(),
-            bounds: cursor.bounds,
-        }
+        LeafRun::of(cursor.node, cursor.bounds)
     }
 
     #[inline(always)]

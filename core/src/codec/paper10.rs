@@ -303,12 +303,7 @@ impl NodeSource for Paper10Nodes<'_> {
 
     #[inline(always)]
     fn leaf(&self, cursor: Paper10Cursor) -> LeafRun<Paper10Box> {
-        LeafRun {
-            is_leaf: cursor.node.is_leaf(),
-            first: cursor.node.first(),
-            count: cursor.node.count(),
-            bounds: cursor.bounds,
-        }
+        LeafRun::of(cursor.node, cursor.bounds)
     }
 
     #[inline(always)]

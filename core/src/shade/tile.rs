@@ -8,8 +8,8 @@
 /// Pixels along a side of a tile.
 pub const SIDE: u32 = 8;
 
-/// A picture's pixels in tiles, the order in which its rays are traced fastest. [`Self::pixel`] and [`Self::number`] are each other's inverse: each pixel has one number
-/// below `width · height`, which must fit into 32 bits.
+/// A picture's pixels in tiles, the order in which its rays are traced fastest. [`Self::pixel`] and [`Self::number`] are each
+/// other's inverse: each pixel has one number below `width · height`, which must fit into 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tiles {
     /// Picture width in pixels.

@@ -34,9 +34,7 @@ impl NodeSource for NodeRows<'_> {
         LeafRun {
             // Leaves have the highest bit. The same comparison answers for an index out of range, which is opened by no walk.
             is_leaf: cursor.index() as usize >= self.0.len(),
-            first: cursor.first(),
-            count: cursor.count(),
-            bounds: (),
+            ..LeafRun::of(cursor, ())
         }
     }
 

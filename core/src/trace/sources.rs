@@ -27,12 +27,7 @@ impl NodeSource for PlainNodes<'_> {
 
     #[inline(always)]
     fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
-        LeafRun {
-            is_leaf: cursor.is_leaf(),
-            first: cursor.first(),
-            count: cursor.count(),
-            bounds: (),
-        }
+        LeafRun::of(cursor, ())
     }
 
     #[inline(always)]

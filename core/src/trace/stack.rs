@@ -20,7 +20,7 @@ pub trait Waiting<C> {
     /// How many nodes may wait.
     const ROWS: u32;
 
-    /// Lets a node wait in a row. One beyond the last takes the place of another, whose walk has lost its way.
+    /// Lets a node wait in a row. A row beyond the last overwrites another: the walk then ends without an answer.
     fn put(&mut self, row: u32, cursor: C, enter: Self::Enter);
 
     /// The node that waits in a row.

@@ -42,12 +42,8 @@ impl Lists {
     pub fn overflow(&mut self, gpu: &Gpu, ray_count: u64) -> Overflow {
         Overflow {
             list: self.list.range(gpu, list_bytes(ray_count)),
-            groups: self.groups(gpu),
+            groups: groups_range(gpu, &mut self.groups),
         }
-    }
-
-    fn groups(&mut self, gpu: &Gpu) -> Range {
-        groups_range(gpu, &mut self.groups)
     }
 }
 

@@ -97,19 +97,13 @@ impl TreeRanges {
         facing: Kernel,
     ) -> (Kernel, Vec<Uniform<'a>>, Vec<Range>) {
         let [nodes, triangles] = self.built.traced();
-        match (&self.built.coded, &self.rule) {
-            (None, None) => (kernel, Vec::new(), vec![nodes, triangles]),
-            (None, Some(_)) => (
-                facing,
-                self.filter(exponent),
-                vec![nodes, triangles, self.sides()],
-            ),
-            (Some(_), _) => (
-                kernel,
-                self.filter(exponent),
-                vec![nodes, triangles, self.sides()],
-            ),
-        }
+        let kernel = match (&self.built.coded, &self.rule) {
+            (None, None) => return (kernel, Vec::new(), vec![nodes, triangles]),
+            (None, Some(_)) => facing,
+            (Some(_), _) => kernel,
+        };
+        let reads = vec![nodes, triangles, self.sides()];
+        (kernel, self.filter(exponent), reads)
     }
 
     /// The uniforms of a second pass, and the ranges that it reads before the rays. Its kernels always have a filter.
