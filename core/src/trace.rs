@@ -147,6 +147,7 @@ where
     let query = Single {
         ray,
         filter,
+        goes_farther_first: collector.goes_farther_first(),
         collector,
     };
     walk(stack, nodes, triangles, query)
@@ -155,7 +156,7 @@ where
 /// What stands for the number of waiting nodes when the walk is over: one less than none, and more than any stack holds.
 const DONE: u32 = u32::MAX;
 
-/// Walks the tree from the root, near child first, and lets the query test every triangle on the way. Returns whether it came to
+/// Walks the tree from the root, the child that the query wants first, and lets the query test every triangle on the way. Returns whether it came to
 /// an end: false where the stack was full.
 ///
 /// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. The tree is binary: [`Children`], [`Query`] and the links of nodes hold two children.

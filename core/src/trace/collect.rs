@@ -14,6 +14,13 @@ pub trait Collector {
     /// Takes a hit with `t <= limit`.
     fn offer(&mut self, hit: Hit);
 
+    /// Whether rays go to the farther of two children first. Read once, before the walk; no closest hit depends on it. It pays where
+    /// any hit ends the walk: a ray that leaves a surface passes many of its triangles narrowly, and hits what is farther away.
+    #[inline(always)]
+    fn goes_farther_first(&self) -> bool {
+        false
+    }
+
     /// Called for each inner node that is opened by a ray that walks alone.
     #[inline(always)]
     fn count_node(&mut self) {}
@@ -101,6 +108,11 @@ impl Collector for ClosestOrAny {
             self.closest.limit = FINAL;
         }
     }
+
+    #[inline(always)]
+    fn goes_farther_first(&self) -> bool {
+        self.any_will_do
+    }
 }
 
 /// Whether there is a hit at all.
@@ -133,6 +145,11 @@ impl Collector for AnyHit {
     fn offer(&mut self, _hit: Hit) {
         self.found = true;
         self.limit = FINAL;
+    }
+
+    #[inline(always)]
+    fn goes_farther_first(&self) -> bool {
+        true
     }
 }
 
@@ -211,6 +228,11 @@ impl<const K: usize> Collector for UpTo<K> {
             }
         }
     }
+
+    #[inline(always)]
+    fn goes_farther_first(&self) -> bool {
+        self.count == 0
+    }
 }
 
 /// The new hit moves up, what it passes moves down, the last falls out.
@@ -267,6 +289,11 @@ impl<C: Collector> Collector for Counted<C> {
     #[inline(always)]
     fn offer(&mut self, hit: Hit) {
         self.inner.offer(hit);
+    }
+
+    #[inline(always)]
+    fn goes_farther_first(&self) -> bool {
+        self.inner.goes_farther_first()
     }
 
     #[inline(always)]

@@ -78,6 +78,9 @@ pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
     }
     let query = Together {
         limit: limits(packet),
+        goes_farther_first: packet
+            .iter()
+            .all(|lane| lane.collector.goes_farther_first()),
         rays,
         packet,
         members: who,
@@ -138,6 +141,8 @@ struct Together<'a, F, C, W: Wide<LANES>, const LANES: usize> {
     packet: &'a mut [Lane<F, C>; LANES],
     /// Below everything for rays that want nothing more.
     limit: W,
+    /// Whether all of them go to the farther of two children first.
+    goes_farther_first: bool,
     /// A bit for each ray that walks along.
     members: u32,
     /// Those that meet the node that is walked to.
@@ -203,7 +208,8 @@ where
         Opened {
             meets_left: left.who != 0,
             meets_right: right.who != 0,
-            left_first: W::bits(left.enter.at_most(right.enter)) & first == first,
+            left_first: (W::bits(left.enter.at_most(right.enter)) & first == first)
+                ^ self.goes_farther_first,
             enter_left: left,
             enter_right: right,
         }

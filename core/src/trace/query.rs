@@ -79,6 +79,8 @@ impl Distance for () {
 pub(super) struct Single<'a, F, C> {
     pub ray: &'a PreparedRay,
     pub filter: &'a F,
+    /// What its collector says ([`Collector::goes_farther_first`]).
+    pub goes_farther_first: bool,
     pub collector: &'a mut C,
 }
 
@@ -109,7 +111,7 @@ impl<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector, D:
             enter_right: D::at(boxes.enter_b),
             meets_left: boxes.meets_a,
             meets_right: boxes.meets_b,
-            left_first: boxes.enter_a <= boxes.enter_b,
+            left_first: (boxes.enter_a <= boxes.enter_b) ^ self.goes_farther_first,
         }
     }
 

@@ -90,6 +90,10 @@ impl Collector for Shared<'_> {
         self.0.offer(hit);
     }
 
+    fn goes_farther_first(&self) -> bool {
+        self.0.goes_farther_first()
+    }
+
     fn count_node(&mut self) {
         self.0.count_node();
     }

@@ -1,6 +1,7 @@
 //! The promises about numbers, each with a test of its name.
 
 mod answers;
+mod any_hit_order;
 mod boxes;
 mod clustered;
 mod codec_names;
@@ -28,3 +29,4 @@ mod trees;
 mod unculled;
 mod watertight;
 mod written_once;
+mod zeros;
