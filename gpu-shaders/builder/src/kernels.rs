@@ -142,3 +142,27 @@ pub fn check_proof(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_entry_point_outside_the_proof_is_named() -> Result<()> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+        let proof = root.join("tests/no-panic/src/entry_points.rs");
+        let mut declared = declared(&root.join("gpu-shaders"))?;
+        let mut kernels = declared.clone();
+        kernels.retain(|name| !name.starts_with("call_"));
+        assert!(kernels.len() < declared.len());
+        check_proof(&declared, &kernels, &proof)?;
+
+        declared.insert("trace_unproven".to_owned());
+        let message = check_proof(&declared, &kernels, &proof).unwrap_err();
+        assert!(
+            message.to_string().ends_with("[\"trace_unproven\"]"),
+            "{message}"
+        );
+        check_proof(&declared, &declared, &proof)
+    }
+}

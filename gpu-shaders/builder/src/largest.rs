@@ -119,3 +119,101 @@ pub fn check(module: &naga::Module) -> Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use naga::back::{spv, wgsl};
+    use naga::front::{spv as from_spv, wgsl as from_wgsl};
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    /// What stands for `f32::MAX` in a text: WGSL cannot write that, and this stands nowhere else.
+    const MARK: f32 = 1.25e30;
+
+    /// The module of a text, with the largest number in the place of each mark.
+    fn planted(text: &str) -> Vec<u32> {
+        let module = from_wgsl::parse_str(text).expect("the text is WGSL");
+        let info = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
+        let info = info.expect("the text is valid");
+        let words = spv::write_vec(&module, &info, &spv::Options::default(), None);
+        let mut words = words.expect("naga writes it");
+        let mut count = 0;
+        for word in &mut words {
+            if *word == MARK.to_bits() {
+                (*word, count) = (f32::MAX.to_bits(), count + 1);
+            }
+        }
+        assert!(count > 0, "the text has no mark");
+        words
+    }
+
+    fn read(words: &[u32]) -> naga::Module {
+        let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let module = from_spv::parse_u8_slice(&bytes, &from_spv::Options::default());
+        module.expect("it is SPIR-V")
+    }
+
+    /// A kernel with this body.
+    fn kernel(body: &str) -> String {
+        format!(
+            "@group(0) @binding(0) var<storage, read_write> numbers: array<vec4<f32>>;
+             @compute @workgroup_size(64) fn kernel(@builtin(global_invocation_id) id: vec3<u32>) {{ {body} }}"
+        )
+    }
+
+    #[test]
+    fn largest_numbers_become_bits() -> Result<()> {
+        for (body, count) in [
+            ("numbers[id.x].x = min(numbers[id.y].x, 1.25e30);", 1),
+            ("numbers[id.x] = min(numbers[id.y], vec4(1.25e30));", 1),
+            (
+                "if id.y > 3u { numbers[id.x] = max(numbers[id.y], vec4(1.25e30, 1.0, 1.25e30, 2.0)); }",
+                2,
+            ),
+            (
+                "var kept = array(vec4(1.0), vec4(1.25e30)); numbers[id.x] = kept[id.y % 2u];",
+                1,
+            ),
+        ] {
+            let before = planted(&kernel(body));
+            assert!(check(&read(&before)).is_err(), "the check is blind: {body}");
+            let after = read(&as_bits(&before)?);
+            check(&after)?;
+            let info = Validator::new(ValidationFlags::all(), Capabilities::empty())
+                .validate(&after)
+                .expect("it is still valid");
+            let text = wgsl::write_string(&after, &info, wgsl::WriterFlags::empty())?;
+            let found = text.matches("bitcast<f32>(2139095039u)").count();
+            assert!(found >= 1 && found <= count, "{found}: {text}");
+            from_wgsl::parse_str(&text).expect("naga reads what it wrote");
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn modules_without_such_numbers_stay_as_they_are() -> Result<()> {
+        let mut words = planted(&kernel("numbers[id.x].x = 1.25e30;"));
+        for word in &mut words {
+            if *word == f32::MAX.to_bits() {
+                *word = MARK.to_bits();
+            }
+        }
+        check(&read(&words))?;
+        assert_eq!(as_bits(&words)?, words);
+        Ok(())
+    }
+
+    #[test]
+    fn what_cannot_be_moved_is_refused() {
+        let private =
+            "var<private> kept: f32 = 1.25e30;\n".to_owned() + &kernel("numbers[id.x].x = kept;");
+        let two = "fn second(x: f32) -> f32 { return min(x, 1.25e30); }\n".to_owned()
+            + &kernel("numbers[id.x].x = second(numbers[id.x].y);");
+        for (text, reason) in [(private, "a variable begins"), (two, "2 functions")] {
+            let message = as_bits(&planted(&text)).unwrap_err().to_string();
+            assert!(message.starts_with(reason), "{message}");
+        }
+        let whole = planted(&kernel("numbers[id.x].x = 1.25e30;"));
+        assert!(as_bits(&whole[..whole.len() - 1]).is_err());
+    }
+}

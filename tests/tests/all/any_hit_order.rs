@@ -44,12 +44,16 @@ fn counted<C: Collector>(
 fn any_hits_are_found_sooner_behind_the_farther_child() {
     let mesh = terrain(8.0, 64, 3);
     let bvh = build(&mesh, CodeBits::Bits30);
-    let toward_a_low_sun = |index: &[u32; 3]| {
+    let sun = Vec3::new(1.0, 0.15, 0.2).normalize();
+    // Shadow rays, from the middles of what faces the sun.
+    let shadow_ray = |index: &[u32; 3]| {
         let [a, b, c] = index.map(|i| Vec3::from_array(mesh.vertices[i as usize]));
-        let above = (a + b + c) / 3.0 + Vec3::Y * 1e-3;
-        Ray::new(above.to_array(), [1.0, 0.1, 0.3])
+        let normal = (b - a).cross(c - a).normalize();
+        let normal = normal * normal.y.signum();
+        let above = (a + b + c) / 3.0 + normal * 1e-3;
+        (normal.dot(sun) > 0.0).then(|| Ray::new(above.to_array(), sun.to_array()))
     };
-    let rays: Vec<Ray> = mesh.indices.iter().map(toward_a_low_sun).collect();
+    let rays: Vec<Ray> = mesh.indices.iter().filter_map(shadow_ray).collect();
     let farther = counted(&bvh, &rays, AnyHit::new, |any| any.found);
     let nearer = counted(
         &bvh,

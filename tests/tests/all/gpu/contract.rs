@@ -86,7 +86,7 @@ fn of_spirv(kernel: Kernel) -> Interface {
 }
 
 /// The kernel's module, translated to WGSL as wgpu translates it for browsers.
-fn wgsl(kernel: Kernel) -> String {
+pub(super) fn wgsl(kernel: Kernel) -> String {
     let module = parsed(kernel);
     let info = validated(kernel.name(), &module);
     match back::wgsl::write_string(&module, &info, back::wgsl::WriterFlags::empty()) {
