@@ -12,6 +12,9 @@ pub const RUN: u32 = 16;
 /// Items that a workgroup takes in `bounds`, `sort` and `scan`: a block.
 pub const BLOCK: u32 = LANES as u32 * RUN;
 
+/// Blocks of a `scan`, each of whose workgroups reads the sums of all blocks before its own.
+const MOST_SCAN_BLOCKS: u32 = 1 << 12;
+
 /// Hits that `trace_nearest` finds.
 pub const NEAREST_COUNT: usize = 8;
 
@@ -28,6 +31,38 @@ pub const fn dispatch(group_count: u32) -> [u32; 3] {
         GROUPS_PER_ROW
     };
     [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
+}
+
+/// Values that a lane takes in a `scan` of so many: [`RUN`], or more where the blocks would be too many.
+#[inline(always)]
+#[must_use]
+pub const fn scan_run(value_count: u32) -> u32 {
+    let run = value_count.div_ceil(MOST_SCAN_BLOCKS * LANES as u32);
+    if run > RUN { run } else { RUN }
+}
+
+/// Blocks of a `scan` of so many values, a workgroup each. At most 4096.
+#[inline(always)]
+#[must_use]
+pub const fn scan_block_count(value_count: u32) -> u32 {
+    value_count.div_ceil(scan_run(value_count) * LANES as u32)
+}
+
+/// Where the run of a lane begins in a list, for lanes that each take `run` items: at most `count`. `lane` is numbered over
+/// all workgroups.
+#[inline(always)]
+#[must_use]
+pub const fn run_begin(lane: u32, run: u32, count: u32) -> u32 {
+    let begin = lane.wrapping_mul(run);
+    if begin < count { begin } else { count }
+}
+
+/// How long the run is that begins there: at most `run`.
+#[inline(always)]
+#[must_use]
+pub const fn run_length(begin: u32, run: u32, count: u32) -> u32 {
+    let rest = count.wrapping_sub(begin);
+    if rest < run { rest } else { run }
 }
 
 /// Rows of a picture in a buffer begin at multiples of this many texels, so that they can be copied to textures.
@@ -77,6 +112,17 @@ mod tests {
     }
 
     #[test]
+    fn runs_of_a_scan_grow_where_its_blocks_would_be_too_many() {
+        let most = MOST_SCAN_BLOCKS * BLOCK;
+        assert_eq!([0, 1, most].map(scan_run), [RUN; 3]);
+        assert_eq!([0, 1, BLOCK, BLOCK + 1].map(scan_block_count), [0, 1, 1, 2]);
+        assert_eq!(scan_block_count(most), MOST_SCAN_BLOCKS);
+        assert_eq!(scan_run(most + 1), RUN + 1);
+        assert_eq!(scan_block_count(most + 1), 3856);
+        assert_eq!(scan_run(1 << 30), 4096);
+    }
+
+    #[test]
     fn rows_of_texels_may_be_padded() {
         assert_eq!([1, 64, 65, 1280].map(row_texels), [64, 64, 128, 1280]);
     }
@@ -90,6 +136,21 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_runs_of_a_scan_hold_every_value_once(count in prop_oneof![0u32..5000, (1u32 << 22)..(1 << 30)]) {
+            let run = scan_run(count);
+            let lanes = scan_block_count(count) * LANES as u32;
+            prop_assert!(lanes <= MOST_SCAN_BLOCKS * LANES as u32);
+            let mut end = 0;
+            for lane in 0..lanes {
+                let begin = run_begin(lane, run, count);
+                prop_assert_eq!(begin, end);
+                end += run_length(begin, run, count);
+            }
+            prop_assert_eq!(end, count);
+            prop_assert_eq!(run_length(run_begin(lanes, run, count), run, count), 0);
+        }
+
         #[test]
         fn two_words_add_like_one_of_64_bits(old: u32, amount: u32) {
             let sum = u64::from(old) + u64::from(amount);
