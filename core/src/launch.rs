@@ -6,13 +6,16 @@ pub const LANES: usize = 64;
 /// Digits that a pass of the sort tells apart: 8 bits.
 pub const DIGITS: usize = 256;
 
-/// Items that a lane takes in `bounds`, `sort` and `scan`.
+/// Items that a lane takes in `bounds` and `sort`.
 pub const RUN: u32 = 16;
 
-/// Items that a workgroup takes in `bounds`, `sort` and `scan`: a block.
+/// Items that a workgroup takes in `bounds` and `sort`: a block.
 pub const BLOCK: u32 = LANES as u32 * RUN;
 
-/// Blocks of a `scan`, each of whose workgroups reads the sums of all blocks before its own.
+/// Values that a lane takes in a `scan`, at least. A build scans few values: short runs spread them over more workgroups.
+const SCAN_RUN: u32 = 4;
+
+/// Blocks of a `scan`, at most. The workgroup of a block reads the sums of all blocks before its own.
 const MOST_SCAN_BLOCKS: u32 = 1 << 12;
 
 /// Hits that `trace_nearest` finds.
@@ -33,12 +36,12 @@ pub const fn dispatch(group_count: u32) -> [u32; 3] {
     [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
 }
 
-/// Values that a lane takes in a `scan` of so many: [`RUN`], or more where the blocks would be too many.
+/// Values that a lane takes in a `scan` of so many: 4, or more where there would be over 4096 blocks.
 #[inline(always)]
 #[must_use]
 pub const fn scan_run(value_count: u32) -> u32 {
     let run = value_count.div_ceil(MOST_SCAN_BLOCKS * LANES as u32);
-    if run > RUN { run } else { RUN }
+    if run > SCAN_RUN { run } else { SCAN_RUN }
 }
 
 /// Blocks of a `scan` of so many values, a workgroup each. At most 4096.
@@ -113,12 +116,11 @@ mod tests {
 
     #[test]
     fn runs_of_a_scan_grow_where_its_blocks_would_be_too_many() {
-        let most = MOST_SCAN_BLOCKS * BLOCK;
-        assert_eq!([0, 1, most].map(scan_run), [RUN; 3]);
-        assert_eq!([0, 1, BLOCK, BLOCK + 1].map(scan_block_count), [0, 1, 1, 2]);
-        assert_eq!(scan_block_count(most), MOST_SCAN_BLOCKS);
-        assert_eq!(scan_run(most + 1), RUN + 1);
-        assert_eq!(scan_block_count(most + 1), 3856);
+        assert_eq!([0, 1, 1 << 20].map(scan_run), [4; 3]);
+        assert_eq!([0, 1, 256, 257].map(scan_block_count), [0, 1, 1, 2]);
+        assert_eq!(scan_block_count(1 << 20), 4096);
+        assert_eq!(scan_run((1 << 20) + 1), 5);
+        assert_eq!(scan_block_count((1 << 20) + 1), 3277);
         assert_eq!(scan_run(1 << 30), 4096);
     }
 
@@ -137,7 +139,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_runs_of_a_scan_hold_every_value_once(count in prop_oneof![0u32..5000, (1u32 << 22)..(1 << 30)]) {
+        fn the_runs_of_a_scan_hold_every_value_once(count in prop_oneof![0u32..5000, (1u32 << 20)..(1 << 30)]) {
             let run = scan_run(count);
             let lanes = scan_block_count(count) * LANES as u32;
             prop_assert!(lanes <= MOST_SCAN_BLOCKS * LANES as u32);

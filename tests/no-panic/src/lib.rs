@@ -49,7 +49,7 @@ use slimbvh_core::sort::tile::{
 };
 use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
-use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
+use slimbvh_core::topology::{Codes30, Codes63, internal_node, is_kept, kept_nodes};
 use slimbvh_core::trace::{
     BruteForce, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords, LeafTriangles,
     NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair, TriangleRows,
@@ -144,7 +144,7 @@ pub fn connect(
         internal_node(i, &long, bits, before),
     ];
     let rank = rank(i, bits, before) ^ u32::from(is_set(i, bits));
-    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank
+    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank ^ u32::from(is_kept(i, &long))
 }
 
 #[unsafe(no_mangle)]

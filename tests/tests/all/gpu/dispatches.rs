@@ -72,10 +72,11 @@ fn dispatches_of_a_gpu_build_grow_with_the_logarithm_of_its_size() {
         (1, 21, 33),
         (512, 21, 33),
         (513, 22, 34),
-        (32 * 1024 + 1, 22, 34),
-        (32 * 1024 + 2, 23, 35),
+        (32 * 256 + 1, 22, 34),
+        (32 * 256 + 2, 23, 35),
         (512 * 128, 23, 35),
         (512 * 128 + 1, 24, 36),
+        (1 << 20, 24, 36),
     ] {
         let sums = CODE_BITS.map(|bits| sum(&dispatches(gpu, triangle_count, bits, false)));
         assert_eq!(sums, [short, long], "{triangle_count} triangles");

@@ -31,7 +31,7 @@ fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), S
     let total = [chain.triangles.len() as u32, 0, 0, 0];
     let stored = Dispatch {
         kernel: kept,
-        group_count: groups(words.len()),
+        group_count: groups(32 * words.len()),
         uniforms: &[&total],
         reads: &[codes],
         outputs: &[cast_slice(&words), cast_slice(&words)],

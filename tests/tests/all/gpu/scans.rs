@@ -2,7 +2,7 @@
 
 use super::SIZES;
 use slimbvh::gpu::{Compact, Gpu, Scan};
-use slimbvh_core::launch::{BLOCK, GROUPS_PER_ROW, LANES, dispatch, scan_run};
+use slimbvh_core::launch::{GROUPS_PER_ROW, LANES, dispatch, scan_block_count, scan_run};
 use slimbvh_tests::gpu::{contents, done, gpu, storage};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::random::Random;
@@ -63,14 +63,16 @@ fn scans_of_any_size_are_prefix_sums() {
     }
 }
 
-/// Lanes take more than [`slimbvh_core::launch::RUN`] values each.
+/// At the borders of one block, of one block sum a lane, and of as many blocks as there may be.
 #[test]
-fn scans_of_more_values_than_blocks_of_one_size_hold_are_prefix_sums() {
+fn scans_at_the_borders_of_their_blocks_are_prefix_sums() {
     let Some(gpu) = gpu() else { return };
     let mut scan = Scan::new();
-    let border = (1 << 12) * BLOCK;
-    assert_eq!(scan_run(border) + 1, scan_run(border + 1));
-    for count in [border - 1, border, border + 1, 2 * border + 777] {
+    let [block, most] = [scan_run(1) * LANES as u32, 1 << 20];
+    assert_eq!([block, block + 1].map(scan_block_count), [1, 2]);
+    assert_eq!(scan_run(most) + 1, scan_run(most + 1));
+    let borders = [block, 65 * block, 66 * block, most, 2 * most];
+    for count in borders.into_iter().flat_map(|n| [n - 1, n, n + 1]) {
         let result = check_scan(gpu, &mut scan, &words(count, 6));
         assert_eq!(result, Ok(()), "{count} values");
     }
