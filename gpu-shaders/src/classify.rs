@@ -2,12 +2,13 @@
 //! sorted list these are; and, after a scan, the list of them.
 
 use crate::compact::store_bits;
+use crate::group::barrier;
 use crate::trace::scaled_target;
 use crate::{LANES, thread_index};
 use glam::{UVec3, UVec4};
 use slimbvh_core::IndexedTriangles;
 use slimbvh_core::classify::{Sides, VisibleSet, is_in_set, packed_sides};
-use slimbvh_core::compact::{is_set, rank};
+use slimbvh_core::compact::{is_set, pack_lanes, rank};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::frustum::Frustum;
 use spirv_std_macros::spirv;
