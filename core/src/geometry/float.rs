@@ -131,7 +131,7 @@ pub const fn scale_by_power_of_two(x: f32, e: i32) -> f32 {
 #[inline(always)]
 #[must_use]
 pub const fn scale_to_normal(x: f32, e: i32) -> f32 {
-    let (sign, bits) = (x.to_bits() & 0x8000_0000, magnitude_bits(x));
+    let bits = magnitude_bits(x);
     let (significand, biased) = (significand(bits), (bits >> 23) as i32);
     // Nothing but zero has no bit at all, and comes out below the range.
     let left = significand.leading_zeros() as i32 - 8;
@@ -140,15 +140,35 @@ pub const fn scale_to_normal(x: f32, e: i32) -> f32 {
     } else {
         biased + (biased == 0) as i32 - left + e
     };
-    let inner = (to as u32) << 23 | (significand << (left & 31)) & 0x007f_ffff;
-    let magnitude = if to <= 0 || significand == 0 {
+    normal_or_end(x, significand << (left & 31), to)
+}
+
+/// [`scale_to_normal`] of a number that is not denormal.
+#[inline(always)]
+#[must_use]
+pub const fn normal_scaled_to_normal(x: f32, e: i32) -> f32 {
+    let bits = magnitude_bits(x);
+    let to = if bits >= INFINITY_BITS {
+        0xff
+    } else {
+        (bits >> 23) as i32 + e
+    };
+    normal_or_end(x, if bits == 0 { 0 } else { bits | 0x0080_0000 }, to)
+}
+
+/// The number with this sign, this significand, whose lowest 24 bits count, and this biased exponent; 0 below the normal range or
+/// where there is no significand, the largest number beyond.
+#[inline(always)]
+const fn normal_or_end(sign: f32, significand: u32, biased: i32) -> f32 {
+    let inner = (biased as u32) << 23 | significand & 0x007f_ffff;
+    let magnitude = if biased <= 0 || significand == 0 {
         0
-    } else if to >= 0xff {
+    } else if biased >= 0xff {
         f32::MAX.to_bits()
     } else {
         inner
     };
-    f32::from_bits(sign | magnitude)
+    f32::from_bits((sign.to_bits() & 0x8000_0000) | magnitude)
 }
 
 /// The 24 bits of a number's significand: the highest is 0 where it is no normal number.

@@ -1,8 +1,8 @@
 //! Rays, hits, and the form in which a ray is traced.
 
 use crate::geometry::float::{
-    INFINITY_BITS, PowerOfTwo, abs, exponent, magnitude_bits, max, power_of_two,
-    scale_by_power_of_two, scale_to_normal,
+    INFINITY_BITS, PowerOfTwo, abs, exponent, magnitude_bits, max, normal_scaled_to_normal,
+    power_of_two, scale_by_power_of_two, scale_to_normal,
 };
 use crate::geometry::lanes::Lanes;
 use crate::geometry::planes::{PlanePair, Planes};
@@ -138,32 +138,14 @@ impl PreparedRay {
     #[inline(always)]
     #[must_use]
     pub fn new(ray: &Ray, scene_exponent: i32) -> Self {
-        // Magnitudes compare like their bits. The largest of them is infinite or NaN if any is.
-        let [dx, dy, dz] = [
-            magnitude_bits(ray.direction[0]),
-            magnitude_bits(ray.direction[1]),
-            magnitude_bits(ray.direction[2]),
-        ];
-        let [ox, oy, oz] = [
-            magnitude_bits(ray.origin[0]),
-            magnitude_bits(ray.origin[1]),
-            magnitude_bits(ray.origin[2]),
-        ];
-        let longest = dx.max(dy).max(dz);
-        let largest = longest.max(ox).max(oy).max(oz);
-        let sane = (largest.max(magnitude_bits(ray.t_min)) < INFINITY_BITS)
-            & (magnitude_bits(ray.t_max) <= INFINITY_BITS)
-            & (longest > 0);
-        let direction_exponent = if sane {
-            exponent(f32::from_bits(longest))
-        } else {
-            0
-        };
+        let bits = Magnitudes::of(ray);
+        let longest = bits.longest();
+        let is_sane = bits.are_sane();
 
         // The longest axis comes last, so that shearing along it is well conditioned.
-        let last = if dx == longest {
+        let last = if bits.direction[0] == longest {
             0
-        } else if dy == longest {
+        } else if bits.direction[1] == longest {
             1
         } else {
             2
@@ -171,25 +153,36 @@ impl PreparedRay {
         let first = if last == 2 { 0 } else { last + 1 };
         let second = if first == 2 { 0 } else { first + 1 };
         let axes = [first, second, last];
-
-        let to_scene = PowerOfTwo::new(scene_exponent);
-        let to_unit = PowerOfTwo::new(-direction_exponent);
-        let axis = |axis: u32| {
-            let origin = to_scene.times(pick(ray.origin, axis));
-            Axis::new(origin, to_unit.times(pick(ray.direction, axis)))
+        let turned = |v| [pick(v, first), pick(v, second), pick(v, last)];
+        let ray = Ray {
+            origin: turned(ray.origin),
+            direction: turned(ray.direction),
+            ..*ray
         };
-        let (a, b, c) = (axis(first), axis(second), axis(last));
-        let farthest = max(max(abs(a.origin), abs(b.origin)), abs(c.origin));
-
-        let t_exponent = scene_exponent + direction_exponent;
-        let (t_min, t_max) = if sane & (farthest <= FARTHEST_ORIGIN) {
-            (
-                scale_to_normal(ray.t_min, t_exponent),
-                scale_to_normal(ray.t_max, t_exponent),
+        let Scaled {
+            origin,
+            direction,
+            t_min,
+            t_max,
+            direction_exponent,
+        } = if bits.are_ordinary(scene_exponent) {
+            Scaled::of_ordinary(&ray, longest, scene_exponent)
+        } else {
+            Scaled::of_any(
+                &ray,
+                if is_sane { longest } else { 1.0f32.to_bits() },
+                scene_exponent,
             )
+        };
+        let axis = |axis: usize| Axis::new(origin[axis], direction[axis]);
+        let (a, b, c) = (axis(0), axis(1), axis(2));
+        let farthest = max(max(abs(a.origin), abs(b.origin)), abs(c.origin));
+        let (t_min, t_max) = if is_sane & (farthest <= FARTHEST_ORIGIN) {
+            (t_min, t_max)
         } else {
             (1.0, 0.0)
         };
+        let t_exponent = scene_exponent + direction_exponent;
         Self {
             axes,
             origin: [a.origin, b.origin, c.origin],
@@ -219,6 +212,101 @@ impl PreparedRay {
     #[must_use]
     pub fn restore(&self, hit: Hit) -> Hit {
         restore(hit, self.t_exponent)
+    }
+}
+
+/// The bits of the magnitudes of a ray's numbers. They compare as the numbers do, infinity above all, NaN above that.
+struct Magnitudes {
+    origin: [u32; 3],
+    t_min: u32,
+    direction: [u32; 3],
+    t_max: u32,
+}
+
+impl Magnitudes {
+    #[inline(always)]
+    const fn of(ray: &Ray) -> Self {
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
+        Self {
+            origin: [magnitude_bits(ox), magnitude_bits(oy), magnitude_bits(oz)],
+            t_min: magnitude_bits(ray.t_min),
+            direction: [magnitude_bits(dx), magnitude_bits(dy), magnitude_bits(dz)],
+            t_max: magnitude_bits(ray.t_max),
+        }
+    }
+
+    /// The direction's largest.
+    #[inline(always)]
+    fn longest(&self) -> u32 {
+        let [x, y, z] = self.direction;
+        x.max(y).max(z)
+    }
+
+    /// Whether there is a direction, and no number is infinite or NaN, an infinite `t_max` aside.
+    #[inline(always)]
+    fn are_sane(&self) -> bool {
+        let [x, y, z] = self.origin;
+        let largest = self.longest().max(x).max(y).max(z).max(self.t_min);
+        (largest < INFINITY_BITS) & (self.t_max <= INFINITY_BITS) & (self.longest() > 0)
+    }
+
+    /// Whether [`Scaled::of_ordinary`] holds: no number is denormal, and one factor each scales the origin and the direction.
+    #[inline(always)]
+    fn are_ordinary(&self, scene_exponent: i32) -> bool {
+        // Zero comes out as the largest.
+        let key = |bits: u32| bits.wrapping_sub(1);
+        let least = |[x, y, z]: [u32; 3]| key(x).min(key(y)).min(key(z));
+        let ends = key(self.t_min).min(key(self.t_max));
+        let smallest = least(self.origin).min(least(self.direction)).min(ends);
+        (smallest >= key(f32::MIN_POSITIVE.to_bits()))
+            & (self.longest() < power_of_two(127).to_bits())
+            & (scene_exponent >= -126)
+            & (scene_exponent <= 127)
+    }
+}
+
+/// A ray's numbers in the scene's magnitude, and in that of directions.
+#[derive(Clone, Copy, Debug)]
+struct Scaled {
+    origin: [f32; 3],
+    direction: [f32; 3],
+    t_min: f32,
+    t_max: f32,
+    direction_exponent: i32,
+}
+
+impl Scaled {
+    /// Of any ray. `longest` is the direction's largest magnitude, finite.
+    #[inline(always)]
+    fn of_any(ray: &Ray, longest: u32, scene_exponent: i32) -> Self {
+        let direction_exponent = exponent(f32::from_bits(longest));
+        let t_exponent = scene_exponent + direction_exponent;
+        Self {
+            origin: PowerOfTwo::new(scene_exponent).times_each(ray.origin),
+            direction: PowerOfTwo::new(-direction_exponent).times_each(ray.direction),
+            t_min: scale_to_normal(ray.t_min, t_exponent),
+            t_max: scale_to_normal(ray.t_max, t_exponent),
+            direction_exponent,
+        }
+    }
+
+    /// [`Self::of_any`] where [`Magnitudes::are_ordinary`], on a straight way.
+    #[inline(always)]
+    fn of_ordinary(ray: &Ray, longest: u32, scene_exponent: i32) -> Self {
+        let direction_exponent = (longest >> 23) as i32 - 127;
+        let t_exponent = scene_exponent + direction_exponent;
+        let (to_scene, to_unit) = (
+            power_of_two(scene_exponent),
+            power_of_two(-direction_exponent),
+        );
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
+        Self {
+            origin: [ox * to_scene, oy * to_scene, oz * to_scene],
+            direction: [dx * to_unit, dy * to_unit, dz * to_unit],
+            t_min: normal_scaled_to_normal(ray.t_min, t_exponent),
+            t_max: normal_scaled_to_normal(ray.t_max, t_exponent),
+            direction_exponent,
+        }
     }
 }
 
@@ -289,4 +377,90 @@ impl<P: Planes<Numbers = L>, L: Lanes> Axis<P> {
 const fn pick(v: [f32; 3], axis: u32) -> f32 {
     let xy = if axis == 0 { v[0] } else { v[1] };
     if axis == 2 { v[2] } else { xy }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::array::uniform3;
+    use proptest::prelude::*;
+
+    /// Zeros, denormal and other small numbers, large ones, and those between; where a ray is ordinary, none is denormal.
+    fn number() -> impl Strategy<Value = f32> {
+        let bits = prop_oneof![
+            1 => Just(0),
+            1 => 1u32..0x0080_0000,
+            4 => 0x0080_0000u32..0x0100_0000,
+            24 => 0x0100_0000u32..0x7f00_0000,
+            4 => 0x7f00_0000u32..INFINITY_BITS,
+        ];
+        (bits, any::<bool>()).prop_map(|(bits, sign)| f32::from_bits(bits | u32::from(sign) << 31))
+    }
+
+    fn ray() -> impl Strategy<Value = Ray> {
+        let end = || prop_oneof![4 => number(), 1 => Just(f32::INFINITY)];
+        (uniform3(number()), number(), uniform3(number()), end()).prop_map(
+            |(origin, t_min, direction, t_max)| Ray {
+                origin,
+                t_min,
+                direction,
+                t_max,
+            },
+        )
+    }
+
+    fn bits(scaled: &Scaled) -> ([u32; 8], i32) {
+        let ([ox, oy, oz], [dx, dy, dz]) = (scaled.origin, scaled.direction);
+        let numbers = [ox, oy, oz, dx, dy, dz, scaled.t_min, scaled.t_max];
+        (numbers.map(f32::to_bits), scaled.direction_exponent)
+    }
+
+    /// Both ways of a sane ray, where both hold.
+    fn both(ray: &Ray, scene_exponent: i32) -> Option<[([u32; 8], i32); 2]> {
+        let magnitudes = Magnitudes::of(ray);
+        let longest = magnitudes.longest();
+        let ways = [
+            Scaled::of_ordinary(ray, longest, scene_exponent.clamp(-126, 127)),
+            Scaled::of_any(ray, longest, scene_exponent),
+        ];
+        let is_ordinary = magnitudes.are_sane() && magnitudes.are_ordinary(scene_exponent);
+        is_ordinary.then(|| ways.map(|scaled| bits(&scaled)))
+    }
+
+    proptest! {
+        #[test]
+        fn ordinary_rays_are_scaled_as_any(ray in ray(), scene_exponent in -150..=150i32) {
+            if let Some([straight, general]) = both(&ray, scene_exponent) {
+                prop_assert_eq!(straight, general);
+            }
+        }
+
+        #[test]
+        fn nothing_denormal_is_ordinary(ray in ray(), place in 0..8usize, denormal in 1u32..0x0080_0000) {
+            let mut numbers: [f32; 8] = bytemuck::cast(ray);
+            numbers[place] = f32::from_bits(denormal);
+            prop_assert!(!Magnitudes::of(&bytemuck::cast(numbers)).are_ordinary(0));
+        }
+    }
+
+    #[test]
+    fn what_most_rays_are_is_ordinary() {
+        let ray = Ray::new([0.0, -3.0, 1e-20], [0.0, 1.0, -0.5]);
+        let unbounded = Ray {
+            t_max: f32::INFINITY,
+            ..ray
+        };
+        for ray in [ray, unbounded] {
+            let [straight, general] = both(&ray, -3).expect("it is ordinary");
+            assert_eq!(straight, general);
+        }
+        // Each is where the straight way would go wrong.
+        for (ray, scene_exponent) in [
+            (Ray::new([0.0; 3], [f32::MAX, 0.0, 0.0]), 0),
+            (ray, 128),
+            (ray, -127),
+        ] {
+            assert!(both(&ray, scene_exponent).is_none());
+        }
+    }
 }

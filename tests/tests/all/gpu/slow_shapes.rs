@@ -1,23 +1,16 @@
 //! Shapes of code that cost a GPU much are in no module: private arrays, which become memory that each thread clears, and
 //! checks that leave a kernel early, which become branches out of all its loops. No GPU or driver is needed to see them.
-//!
-//! `slow_shapes_not_yet.txt` lists the kernels that still have one, a line `kernel: shape` each. It must be exact: a kernel that
-//! is clean must leave it.
 
 use naga::{Block, Function, GlobalVariable, Module, Statement, Type, TypeInner, front};
 use slimbvh::gpu::Kernel;
 use std::collections::BTreeSet;
 use std::fmt::{Display, Formatter};
-use std::path::Path;
 
 /// The largest private array, in bytes: the eight nearest hits of a ray.
 const LARGEST: u32 = 128;
 
 /// The functions that users' WGSL calls, as a kernel's name.
 const CALLED: &str = "call_trace";
-
-/// The list, from the folder of this package.
-const NOT_YET: &str = "tests/all/gpu/slow_shapes_not_yet.txt";
 
 /// A shape that costs much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -137,8 +130,8 @@ fn parsed(text: &str) -> Module {
     }
 }
 
-/// The lines of the list that hold for the committed modules.
-fn lines() -> BTreeSet<String> {
+/// The shapes that kernels have and may not have, a line `kernel: shape` each.
+fn slow_shapes() -> Vec<String> {
     let mut modules: Vec<(&str, Module)> = Vec::new();
     for kernel in Kernel::ALL {
         let options = front::spv::Options::default();
@@ -148,11 +141,11 @@ fn lines() -> BTreeSet<String> {
         }
     }
     modules.push((CALLED, parsed(&slimbvh::gpu::wgsl(0))));
-    let mut lines = BTreeSet::new();
+    let mut lines = Vec::new();
     for (kernel, module) in &modules {
         for shape in shapes(module) {
             if shape != Shape::PrivateArray || !may_have_private_arrays(kernel) {
-                lines.insert(format!("{kernel}: {shape}"));
+                lines.push(format!("{kernel}: {shape}"));
             }
         }
     }
@@ -160,23 +153,9 @@ fn lines() -> BTreeSet<String> {
 }
 
 #[test]
-fn only_listed_kernels_have_slow_shapes() {
-    let found = lines();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(NOT_YET);
-    let listed = std::fs::read_to_string(path).expect("there is a list, if an empty one");
-    let listed: BTreeSet<String> = listed.lines().map(str::to_owned).collect();
-    let show = |lines: Vec<&String>| {
-        lines
-            .iter()
-            .map(|line| format!("  {line}\n"))
-            .collect::<String>()
-    };
-    let new = show(found.difference(&listed).collect());
-    let clean = show(listed.difference(&found).collect());
-    assert!(
-        new.is_empty() && clean.is_empty(),
-        "new slow shapes:\n{new}no longer there, to be taken from {NOT_YET}:\n{clean}"
-    );
+fn no_kernel_has_slow_shapes() {
+    let lines = slow_shapes();
+    assert!(lines.is_empty(), "{}", lines.join("\n"));
 }
 
 /// A kernel with this body.
