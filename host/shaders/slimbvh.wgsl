@@ -39,16 +39,24 @@ struct SlimbvhTypeG {
 }
 
 struct SlimbvhTypeH {
+    member: array<f32, 3>,
+    member_1: array<f32, 3>,
+    member_2: f32,
+    member_3: f32,
+    member_4: i32,
+}
+
+struct SlimbvhTypeI {
     member: SlimbvhTypeC,
     member_1: f32,
 }
 
-struct SlimbvhTypeI {
-    member: SlimbvhTypeH,
+struct SlimbvhTypeJ {
+    member: SlimbvhTypeI,
     member_1: bool,
 }
 
-struct SlimbvhTypeJ {
+struct SlimbvhTypeK {
     member: f32,
     member_1: f32,
     member_2: f32,
@@ -69,869 +77,935 @@ var<private> slimbvh_hit: SlimbvhTypeB;
 fn slimbvh_trace() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_251_: i32;
-    var phi_252_: i32;
-    var phi_262_: bool;
+    var phi_266_: u32;
     var phi_272_: u32;
-    var phi_273_: u32;
-    var phi_275_: bool;
-    var phi_280_: u32;
-    var phi_293_: i32;
-    var phi_313_: i32;
-    var phi_738_: i32;
-    var phi_760_: u32;
-    var phi_761_: u32;
-    var phi_796_: i32;
-    var phi_818_: u32;
+    var phi_278_: u32;
+    var phi_543_: i32;
+    var phi_554_: i32;
+    var phi_668_: i32;
+    var phi_797_: i32;
     var phi_819_: u32;
-    var phi_827_: f32;
-    var phi_828_: f32;
-    var phi_842_: SlimbvhTypeI;
-    var phi_856_: SlimbvhTypeI;
-    var phi_859_: u32;
-    var phi_861_: u32;
-    var phi_863_: u32;
-    var phi_872_: u32;
-    var phi_875_: u32;
+    var phi_820_: u32;
+    var phi_821_: bool;
+    var phi_855_: i32;
     var phi_877_: u32;
-    var phi_1156_: u32;
-    var phi_1131_: u32;
-    var phi_1157_: u32;
-    var phi_1158_: u32;
-    var phi_873_: u32;
-    var phi_876_: u32;
     var phi_878_: u32;
+    var phi_879_: bool;
+    var phi_440_: i32;
+    var phi_446_: u32;
+    var phi_465_: u32;
+    var phi_466_: u32;
+    var phi_467_: bool;
+    var phi_485_: i32;
+    var phi_491_: u32;
+    var phi_510_: u32;
+    var phi_511_: u32;
+    var phi_512_: bool;
+    var phi_889_: SlimbvhTypeH;
+    var phi_1084_: SlimbvhTypeJ;
+    var phi_1098_: SlimbvhTypeJ;
+    var phi_1101_: u32;
+    var phi_1103_: u32;
+    var phi_1105_: u32;
+    var phi_1114_: u32;
+    var phi_1117_: u32;
+    var phi_1119_: u32;
+    var phi_1398_: u32;
+    var phi_1373_: u32;
+    var phi_1399_: u32;
+    var phi_1400_: u32;
+    var phi_1115_: u32;
+    var phi_1118_: u32;
+    var phi_1120_: u32;
     var local_2: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_1174_: SlimbvhTypeI;
-    var phi_1177_: SlimbvhTypeA;
-    var phi_1178_: SlimbvhTypeA;
-    var phi_1200_: SlimbvhTypeA;
-    var phi_1279_: array<vec4<f32>, 3>;
-    var phi_1280_: array<vec4<f32>, 3>;
-    var phi_1354_: array<vec4<f32>, 3>;
-    var phi_1355_: array<vec4<f32>, 3>;
-    var phi_1378_: array<f32, 3>;
-    var phi_1379_: array<f32, 3>;
-    var phi_1393_: array<f32, 3>;
-    var phi_1394_: array<f32, 3>;
-    var phi_1408_: array<f32, 3>;
-    var phi_1409_: array<f32, 3>;
-    var phi_1725_: f32;
-    var phi_1726_: f32;
-    var phi_1727_: f32;
-    var phi_1728_: f32;
-    var phi_1729_: vec3<f32>;
-    var phi_1730_: vec3<f32>;
-    var phi_1731_: vec3<f32>;
-    var phi_1732_: vec3<f32>;
-    var phi_1911_: f32;
-    var phi_1937_: SlimbvhTypeJ;
-    var phi_1938_: SlimbvhTypeJ;
-    var phi_1941_: SlimbvhTypeJ;
-    var phi_1942_: SlimbvhTypeJ;
-    var phi_1943_: bool;
-    var phi_1947_: SlimbvhTypeJ;
-    var phi_1956_: SlimbvhTypeC;
-    var phi_1981_: bool;
-    var phi_1982_: bool;
-    var phi_1989_: SlimbvhTypeI;
-    var phi_1995_: SlimbvhTypeI;
-    var phi_1996_: SlimbvhTypeI;
-    var phi_1997_: SlimbvhTypeI;
-    var phi_1175_: SlimbvhTypeI;
+    var phi_1416_: SlimbvhTypeJ;
+    var phi_1419_: SlimbvhTypeA;
+    var phi_1420_: SlimbvhTypeA;
+    var phi_1442_: SlimbvhTypeA;
+    var phi_1521_: array<vec4<f32>, 3>;
+    var phi_1522_: array<vec4<f32>, 3>;
+    var phi_1596_: array<vec4<f32>, 3>;
+    var phi_1597_: array<vec4<f32>, 3>;
+    var phi_1620_: array<f32, 3>;
+    var phi_1621_: array<f32, 3>;
+    var phi_1635_: array<f32, 3>;
+    var phi_1636_: array<f32, 3>;
+    var phi_1650_: array<f32, 3>;
+    var phi_1651_: array<f32, 3>;
+    var phi_1967_: f32;
+    var phi_1968_: f32;
+    var phi_1969_: f32;
+    var phi_1970_: f32;
+    var phi_1971_: vec3<f32>;
+    var phi_1972_: vec3<f32>;
+    var phi_1973_: vec3<f32>;
+    var phi_1974_: vec3<f32>;
+    var phi_2153_: f32;
+    var phi_2179_: SlimbvhTypeK;
+    var phi_2180_: SlimbvhTypeK;
+    var phi_2183_: SlimbvhTypeK;
+    var phi_2184_: SlimbvhTypeK;
+    var phi_2185_: bool;
+    var phi_2189_: SlimbvhTypeK;
+    var phi_2198_: SlimbvhTypeC;
+    var phi_2223_: bool;
+    var phi_2224_: bool;
+    var phi_2231_: SlimbvhTypeJ;
+    var phi_2237_: SlimbvhTypeJ;
+    var phi_2238_: SlimbvhTypeJ;
+    var phi_2239_: SlimbvhTypeJ;
+    var phi_1417_: SlimbvhTypeJ;
     var local_5: u32;
-    var local_6: SlimbvhTypeI;
-    var phi_2022_: u32;
-    var phi_2029_: SlimbvhTypeI;
-    var phi_2030_: u32;
-    var phi_2031_: u32;
-    var phi_857_: SlimbvhTypeI;
-    var phi_860_: u32;
-    var phi_862_: u32;
-    var phi_864_: u32;
-    var local_7: SlimbvhTypeI;
-    var phi_2065_: f32;
-    var phi_2067_: f32;
-    var phi_2068_: bool;
-    var phi_2069_: f32;
-    var phi_2070_: bool;
-    var phi_2323_: u32;
-    var phi_2341_: bool;
-    var phi_2344_: bool;
-    var phi_2357_: f32;
-    var phi_2358_: f32;
-    var phi_2363_: f32;
-    var phi_2364_: f32;
-    var phi_2365_: bool;
-    var phi_2373_: f32;
-    var phi_2085_: f32;
-    var phi_2086_: f32;
-    var phi_2098_: f32;
-    var phi_2103_: SlimbvhTypeC;
-    var local_8: SlimbvhTypeI;
+    var local_6: SlimbvhTypeJ;
+    var phi_2264_: u32;
+    var phi_2271_: SlimbvhTypeJ;
+    var phi_2272_: u32;
+    var phi_2273_: u32;
+    var phi_1099_: SlimbvhTypeJ;
+    var phi_1102_: u32;
+    var phi_1104_: u32;
+    var phi_1106_: u32;
+    var local_7: SlimbvhTypeJ;
+    var phi_2307_: f32;
+    var phi_2309_: f32;
+    var phi_2310_: bool;
+    var phi_2311_: f32;
+    var phi_2312_: bool;
+    var phi_2595_: u32;
+    var phi_2613_: bool;
+    var phi_2616_: bool;
+    var phi_2629_: f32;
+    var phi_2630_: f32;
+    var phi_2635_: f32;
+    var phi_2636_: f32;
+    var phi_2637_: bool;
+    var phi_2645_: f32;
+    var phi_2327_: f32;
+    var phi_2328_: f32;
+    var phi_2340_: f32;
+    var phi_2345_: SlimbvhTypeC;
+    var local_8: SlimbvhTypeJ;
     var local_9: u32;
     var local_10: u32;
     var local_11: u32;
 
-    let _e69 = SlimbvhTypeC(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e71 = arrayLength((&slimbvh_nodes.member));
-    let _e78 = slimbvh_origin.member;
-    let _e84 = slimbvh_origin.member[3u];
-    let _e85 = slimbvh_direction.member;
-    let _e91 = slimbvh_direction.member[3u];
-    let _e94 = slimbvh_exponent.member[0u];
-    let _e95 = bitcast<i32>(_e94);
-    let _e97 = (bitcast<u32>(_e85.x) & 2147483647u);
-    let _e99 = (bitcast<u32>(_e85.y) & 2147483647u);
-    let _e101 = (bitcast<u32>(_e85.z) & 2147483647u);
-    let _e103 = (bitcast<u32>(_e78.x) & 2147483647u);
-    let _e105 = (bitcast<u32>(_e78.y) & 2147483647u);
-    let _e107 = (bitcast<u32>(_e78.z) & 2147483647u);
-    let _e109 = select(_e99, _e97, (_e99 < _e97));
-    let _e111 = select(_e101, _e109, (_e101 < _e109));
-    let _e113 = select(_e103, _e111, (_e103 < _e111));
-    let _e115 = select(_e105, _e113, (_e105 < _e113));
-    let _e117 = select(_e107, _e115, (_e107 < _e115));
-    let _e118 = bitcast<u32>(_e84);
-    let _e119 = (_e118 & 2147483647u);
-    let _e123 = bitcast<u32>(_e91);
-    let _e124 = (_e123 & 2147483647u);
-    let _e128 = (((select(_e119, _e117, (_e119 < _e117)) < 2139095040u) && (_e124 <= 2139095040u)) && (_e111 > 0u));
-    if _e128 {
-        let _e131 = (bitcast<u32>(bitcast<f32>(_e111)) & 2147483647u);
-        if (_e131 >= 8388608u) {
-            phi_251_ = (bitcast<i32>((_e131 >> bitcast<u32>(23i))) - 127i);
+    let _e72 = SlimbvhTypeC(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e74 = arrayLength((&slimbvh_nodes.member));
+    let _e81 = slimbvh_origin.member;
+    let _e87 = slimbvh_origin.member[3u];
+    let _e88 = slimbvh_direction.member;
+    let _e94 = slimbvh_direction.member[3u];
+    let _e97 = slimbvh_exponent.member[0u];
+    let _e98 = bitcast<i32>(_e97);
+    let _e100 = (bitcast<u32>(_e81.x) & 2147483647u);
+    let _e102 = (bitcast<u32>(_e81.y) & 2147483647u);
+    let _e104 = (bitcast<u32>(_e81.z) & 2147483647u);
+    let _e105 = bitcast<u32>(_e87);
+    let _e106 = (_e105 & 2147483647u);
+    let _e108 = (bitcast<u32>(_e88.x) & 2147483647u);
+    let _e110 = (bitcast<u32>(_e88.y) & 2147483647u);
+    let _e112 = (bitcast<u32>(_e88.z) & 2147483647u);
+    let _e113 = bitcast<u32>(_e94);
+    let _e114 = (_e113 & 2147483647u);
+    let _e116 = select(_e110, _e108, (_e110 < _e108));
+    let _e118 = select(_e112, _e116, (_e112 < _e116));
+    let _e120 = select(_e100, _e118, (_e100 < _e118));
+    let _e122 = select(_e102, _e120, (_e102 < _e120));
+    let _e124 = select(_e104, _e122, (_e104 < _e122));
+    let _e131 = (((select(_e106, _e124, (_e106 < _e124)) < 2139095040u) && (_e114 <= 2139095040u)) && (_e118 > 0u));
+    if (_e108 == _e118) {
+        phi_266_ = 0u;
+    } else {
+        phi_266_ = select(2u, 1u, (_e110 == _e118));
+    }
+    let _e136 = phi_266_;
+    let _e137 = (_e136 == 2u);
+    if _e137 {
+        phi_272_ = 0u;
+    } else {
+        phi_272_ = (_e136 + 1u);
+    }
+    let _e140 = phi_272_;
+    let _e141 = (_e140 == 2u);
+    if _e141 {
+        phi_278_ = 0u;
+    } else {
+        phi_278_ = (_e140 + 1u);
+    }
+    let _e144 = phi_278_;
+    let _e145 = (_e140 == 0u);
+    let _e147 = select(select(_e81.y, _e81.x, _e145), _e81.z, _e141);
+    let _e148 = (_e144 == 0u);
+    let _e150 = (_e144 == 2u);
+    let _e151 = select(select(_e81.y, _e81.x, _e148), _e81.z, _e150);
+    let _e152 = (_e136 == 0u);
+    let _e154 = select(select(_e81.y, _e81.x, _e152), _e81.z, _e137);
+    let _e156 = select(select(_e88.y, _e88.x, _e145), _e88.z, _e141);
+    let _e158 = select(select(_e88.y, _e88.x, _e148), _e88.z, _e150);
+    let _e160 = select(select(_e88.y, _e88.x, _e152), _e88.z, _e137);
+    let _e161 = (_e106 - 1u);
+    let _e162 = (_e114 - 1u);
+    let _e164 = select(_e161, _e162, (_e162 < _e161));
+    let _e165 = (_e100 - 1u);
+    let _e166 = (_e102 - 1u);
+    let _e168 = select(_e165, _e166, (_e166 < _e165));
+    let _e169 = (_e104 - 1u);
+    let _e171 = select(_e168, _e169, (_e169 < _e168));
+    let _e172 = (_e108 - 1u);
+    let _e173 = (_e110 - 1u);
+    let _e175 = select(_e172, _e173, (_e173 < _e172));
+    let _e176 = (_e112 - 1u);
+    let _e178 = select(_e175, _e176, (_e176 < _e175));
+    let _e180 = select(_e171, _e178, (_e178 < _e171));
+    if ((((select(_e180, _e164, (_e164 < _e180)) >= 8388607u) && (_e118 < 2130706432u)) && (_e98 >= -126i)) && (_e98 <= 127i)) {
+        let _e445 = bitcast<i32>((_e118 >> bitcast<u32>(23i)));
+        let _e446 = (_e445 - 127i);
+        let _e447 = (_e98 + _e446);
+        let _e452 = bitcast<f32>((bitcast<u32>((_e98 + 127i)) << bitcast<u32>(23i)));
+        let _e457 = bitcast<f32>((bitcast<u32>((254i - _e445)) << bitcast<u32>(23i)));
+        if (_e106 >= 2139095040u) {
+            phi_440_ = 255i;
         } else {
-            phi_251_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e131)), 32u, (_e131 == 0u))));
+            phi_440_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) + _e447);
         }
-        let _e145 = phi_251_;
-        phi_252_ = _e145;
-    } else {
-        phi_252_ = 0i;
-    }
-    let _e147 = phi_252_;
-    let _e148 = (_e97 == _e111);
-    if _e148 {
-        phi_262_ = true;
-    } else {
-        phi_262_ = (_e99 == _e111);
-    }
-    let _e151 = phi_262_;
-    let _e152 = select(1u, 0u, _e148);
-    if _e151 {
-        let _e153 = (_e152 + 1u);
-        phi_272_ = _e153;
-        phi_273_ = _e153;
-        phi_275_ = select(true, false, (_e153 == 2u));
-    } else {
-        phi_272_ = u32();
-        phi_273_ = 0u;
-        phi_275_ = true;
-    }
-    let _e157 = phi_272_;
-    let _e159 = phi_273_;
-    let _e161 = phi_275_;
-    if _e161 {
-        phi_280_ = (_e159 + 1u);
-    } else {
-        phi_280_ = 0u;
-    }
-    let _e165 = phi_280_;
-    let _e166 = select(_e157, _e159, _e161);
-    let _e167 = select(_e152, select(2u, _e152, _e151), _e161);
-    if (_e95 < -126i) {
-        phi_293_ = -126i;
-    } else {
-        phi_293_ = select(_e95, 127i, (_e95 > 127i));
-    }
-    let _e172 = phi_293_;
-    let _e177 = bitcast<f32>((bitcast<u32>((_e172 + 127i)) << bitcast<u32>(23i)));
-    let _e183 = bitcast<f32>((bitcast<u32>(((_e95 - _e172) + 127i)) << bitcast<u32>(23i)));
-    let _e184 = -(_e147);
-    if (_e184 < -126i) {
-        phi_313_ = -126i;
-    } else {
-        phi_313_ = select(_e184, 127i, (_e184 > 127i));
-    }
-    let _e189 = phi_313_;
-    let _e194 = bitcast<f32>((bitcast<u32>((_e189 + 127i)) << bitcast<u32>(23i)));
-    let _e200 = bitcast<f32>((bitcast<u32>(((_e184 - _e189) + 127i)) << bitcast<u32>(23i)));
-    let _e201 = (_e166 == 0u);
-    let _e203 = (_e166 == 2u);
-    let _e204 = select(select(_e78.y, _e78.x, _e201), _e78.z, _e203);
-    let _e205 = bitcast<u32>(_e204);
-    let _e207 = ((_e205 & 2139095040u) != 0u);
-    let _e221 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e205 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e205 & 2147483648u))), _e204, _e207) * _e177) * select(0.00000011920929f, 1f, _e207)) * _e183);
-    let _e223 = select(select(_e85.y, _e85.x, _e201), _e85.z, _e203);
-    let _e224 = bitcast<u32>(_e223);
-    let _e226 = ((_e224 & 2139095040u) != 0u);
-    let _e240 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e224 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e224 & 2147483648u))), _e223, _e226) * _e194) * select(0.00000011920929f, 1f, _e226)) * _e200);
-    let _e244 = (bitcast<f32>((bitcast<u32>(_e240) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e247 = bitcast<f32>((bitcast<u32>(_e221) & 2147483647u));
-    let _e248 = (_e247 * 0.00000011920929f);
-    let _e251 = select(select(0.00000000000011368684f, _e248, (_e248 > 0.00000000000011368684f)), 0f, _e244);
-    let _e252 = select(0f, _e240, _e244);
-    let _e253 = (_e221 + _e251);
-    let _e254 = (_e221 - _e251);
-    let _e256 = select(38685626000000000000000000f, (1f / _e240), _e244);
-    let _e257 = (_e165 == 0u);
-    let _e259 = (_e165 == 2u);
-    let _e260 = select(select(_e78.y, _e78.x, _e257), _e78.z, _e259);
-    let _e261 = bitcast<u32>(_e260);
-    let _e263 = ((_e261 & 2139095040u) != 0u);
-    let _e277 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e261 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e261 & 2147483648u))), _e260, _e263) * _e177) * select(0.00000011920929f, 1f, _e263)) * _e183);
-    let _e279 = select(select(_e85.y, _e85.x, _e257), _e85.z, _e259);
-    let _e280 = bitcast<u32>(_e279);
-    let _e282 = ((_e280 & 2139095040u) != 0u);
-    let _e296 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e280 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e280 & 2147483648u))), _e279, _e282) * _e194) * select(0.00000011920929f, 1f, _e282)) * _e200);
-    let _e300 = (bitcast<f32>((bitcast<u32>(_e296) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e303 = bitcast<f32>((bitcast<u32>(_e277) & 2147483647u));
-    let _e304 = (_e303 * 0.00000011920929f);
-    let _e307 = select(select(0.00000000000011368684f, _e304, (_e304 > 0.00000000000011368684f)), 0f, _e300);
-    let _e308 = select(0f, _e296, _e300);
-    let _e309 = (_e277 + _e307);
-    let _e310 = (_e277 - _e307);
-    let _e312 = select(38685626000000000000000000f, (1f / _e296), _e300);
-    let _e313 = (_e167 == 0u);
-    let _e315 = (_e167 == 2u);
-    let _e316 = select(select(_e78.y, _e78.x, _e313), _e78.z, _e315);
-    let _e317 = bitcast<u32>(_e316);
-    let _e319 = ((_e317 & 2139095040u) != 0u);
-    let _e333 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e316, _e319) * _e177) * select(0.00000011920929f, 1f, _e319)) * _e183);
-    let _e335 = select(select(_e85.y, _e85.x, _e313), _e85.z, _e315);
-    let _e336 = bitcast<u32>(_e335);
-    let _e338 = ((_e336 & 2139095040u) != 0u);
-    let _e352 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e336 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e336 & 2147483648u))), _e335, _e338) * _e194) * select(0.00000011920929f, 1f, _e338)) * _e200);
-    let _e356 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e359 = bitcast<f32>((bitcast<u32>(_e333) & 2147483647u));
-    let _e360 = (_e359 * 0.00000011920929f);
-    let _e363 = select(select(0.00000000000011368684f, _e360, (_e360 > 0.00000000000011368684f)), 0f, _e356);
-    let _e364 = select(0f, _e352, _e356);
-    let _e365 = (_e333 + _e363);
-    let _e366 = (_e333 - _e363);
-    let _e368 = select(38685626000000000000000000f, (1f / _e352), _e356);
-    let _e370 = select(_e303, _e247, (_e247 > _e303));
-    let _e373 = (_e95 + _e147);
-    if (_e128 && (select(_e359, _e370, (_e370 > _e359)) <= 1099511600000f)) {
-        let _e383 = ((_e119 & 8388607u) | (select(0u, 1u, ((_e119 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e386 = bitcast<i32>((_e119 >> bitcast<u32>(23i)));
-        let _e390 = (_e383 == 0u);
-        let _e393 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e383)), 32u, _e390)) - 8i);
-        if (_e386 == 255i) {
-            phi_738_ = 255i;
+        let _e472 = phi_440_;
+        if (_e106 == 0u) {
+            phi_446_ = 0u;
         } else {
-            phi_738_ = (((_e386 + select(0i, 1i, (_e386 == 0i))) - _e393) + _e373);
+            phi_446_ = (_e106 | 8388608u);
         }
-        let _e401 = phi_738_;
-        let _e411 = (_e401 <= 0i);
-        if _e411 {
-            phi_761_ = u32();
+        let _e476 = phi_446_;
+        if (_e472 <= 0i) {
+            phi_466_ = u32();
+            phi_467_ = true;
         } else {
-            if _e390 {
-                phi_760_ = u32();
+            let _e483 = (_e476 == 0u);
+            if _e483 {
+                phi_465_ = u32();
             } else {
-                phi_760_ = select(((bitcast<u32>(_e401) << bitcast<u32>(23i)) | ((_e383 << bitcast<u32>(((_e393 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e401 >= 255i));
+                phi_465_ = select(((bitcast<u32>(_e472) << bitcast<u32>(23i)) | (_e476 & 8388607u)), 2139095039u, (_e472 >= 255i));
             }
-            let _e415 = phi_760_;
-            phi_761_ = _e415;
+            let _e487 = phi_465_;
+            phi_466_ = _e487;
+            phi_467_ = _e483;
         }
-        let _e417 = phi_761_;
-        let _e429 = ((_e124 & 8388607u) | (select(0u, 1u, ((_e124 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e432 = bitcast<i32>((_e124 >> bitcast<u32>(23i)));
-        let _e436 = (_e429 == 0u);
-        let _e439 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e429)), 32u, _e436)) - 8i);
-        if (_e432 == 255i) {
-            phi_796_ = 255i;
+        let _e489 = phi_466_;
+        let _e491 = phi_467_;
+        if (_e114 >= 2139095040u) {
+            phi_485_ = 255i;
         } else {
-            phi_796_ = (((_e432 + select(0i, 1i, (_e432 == 0i))) - _e439) + _e373);
+            phi_485_ = (bitcast<i32>((_e114 >> bitcast<u32>(23i))) + _e447);
         }
-        let _e447 = phi_796_;
-        let _e457 = (_e447 <= 0i);
-        if _e457 {
-            phi_819_ = u32();
+        let _e502 = phi_485_;
+        if (_e114 == 0u) {
+            phi_491_ = 0u;
         } else {
-            if _e436 {
-                phi_818_ = u32();
+            phi_491_ = (_e114 | 8388608u);
+        }
+        let _e506 = phi_491_;
+        if (_e502 <= 0i) {
+            phi_511_ = u32();
+            phi_512_ = true;
+        } else {
+            let _e513 = (_e506 == 0u);
+            if _e513 {
+                phi_510_ = u32();
             } else {
-                phi_818_ = select(((bitcast<u32>(_e447) << bitcast<u32>(23i)) | ((_e429 << bitcast<u32>(((_e439 & 31i) & 31i))) & 8388607u)), 2139095039u, (_e447 >= 255i));
+                phi_510_ = select(((bitcast<u32>(_e502) << bitcast<u32>(23i)) | (_e506 & 8388607u)), 2139095039u, (_e502 >= 255i));
             }
-            let _e461 = phi_818_;
-            phi_819_ = _e461;
+            let _e517 = phi_510_;
+            phi_511_ = _e517;
+            phi_512_ = _e513;
         }
-        let _e463 = phi_819_;
-        phi_827_ = bitcast<f32>(((_e123 & 2147483648u) | select(_e463, 0u, select(_e436, true, _e457))));
-        phi_828_ = bitcast<f32>(((_e118 & 2147483648u) | select(_e417, 0u, select(_e390, true, _e411))));
+        let _e519 = phi_511_;
+        let _e521 = phi_512_;
+        phi_889_ = SlimbvhTypeH(array<f32, 3>((_e147 * _e452), (_e151 * _e452), (_e154 * _e452)), array<f32, 3>((_e156 * _e457), (_e158 * _e457), (_e160 * _e457)), bitcast<f32>(((_e105 & 2147483648u) | select(_e489, 0u, _e491))), bitcast<f32>(((_e113 & 2147483648u) | select(_e519, 0u, _e521))), _e446);
     } else {
-        phi_827_ = 0f;
-        phi_828_ = 1f;
+        let _e193 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e118, _e131))) & 2147483647u);
+        if (_e193 >= 8388608u) {
+            phi_543_ = (bitcast<i32>((_e193 >> bitcast<u32>(23i))) - 127i);
+        } else {
+            phi_543_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e193)), 32u, (_e193 == 0u))));
+        }
+        let _e207 = phi_543_;
+        let _e208 = (_e98 + _e207);
+        if (_e98 < -126i) {
+            phi_554_ = -126i;
+        } else {
+            phi_554_ = select(_e98, 127i, (_e98 > 127i));
+        }
+        let _e213 = phi_554_;
+        let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
+        let _e224 = bitcast<f32>((bitcast<u32>(((_e98 - _e213) + 127i)) << bitcast<u32>(23i)));
+        let _e225 = bitcast<u32>(_e147);
+        let _e227 = ((_e225 & 2139095040u) != 0u);
+        let _e242 = bitcast<u32>(_e151);
+        let _e244 = ((_e242 & 2139095040u) != 0u);
+        let _e259 = bitcast<u32>(_e154);
+        let _e261 = ((_e259 & 2139095040u) != 0u);
+        let _e277 = -(_e207);
+        if (_e277 < -126i) {
+            phi_668_ = -126i;
+        } else {
+            phi_668_ = select(_e277, 127i, (_e277 > 127i));
+        }
+        let _e282 = phi_668_;
+        let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
+        let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
+        let _e294 = bitcast<u32>(_e156);
+        let _e296 = ((_e294 & 2139095040u) != 0u);
+        let _e311 = bitcast<u32>(_e158);
+        let _e313 = ((_e311 & 2139095040u) != 0u);
+        let _e328 = bitcast<u32>(_e160);
+        let _e330 = ((_e328 & 2139095040u) != 0u);
+        let _e352 = ((_e106 & 8388607u) | (select(0u, 1u, ((_e106 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e355 = bitcast<i32>((_e106 >> bitcast<u32>(23i)));
+        let _e362 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e352)), 32u, (_e352 == 0u))) - 8i);
+        if (_e355 == 255i) {
+            phi_797_ = 255i;
+        } else {
+            phi_797_ = (((_e355 + select(0i, 1i, (_e355 == 0i))) - _e362) + _e208);
+        }
+        let _e370 = phi_797_;
+        let _e374 = (_e352 << bitcast<u32>(((_e362 & 31i) & 31i)));
+        if (_e370 <= 0i) {
+            phi_820_ = u32();
+            phi_821_ = true;
+        } else {
+            let _e381 = (_e374 == 0u);
+            if _e381 {
+                phi_819_ = u32();
+            } else {
+                phi_819_ = select(((bitcast<u32>(_e370) << bitcast<u32>(23i)) | (_e374 & 8388607u)), 2139095039u, (_e370 >= 255i));
+            }
+            let _e385 = phi_819_;
+            phi_820_ = _e385;
+            phi_821_ = _e381;
+        }
+        let _e387 = phi_820_;
+        let _e389 = phi_821_;
+        let _e400 = ((_e114 & 8388607u) | (select(0u, 1u, ((_e114 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e403 = bitcast<i32>((_e114 >> bitcast<u32>(23i)));
+        let _e410 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e400)), 32u, (_e400 == 0u))) - 8i);
+        if (_e403 == 255i) {
+            phi_855_ = 255i;
+        } else {
+            phi_855_ = (((_e403 + select(0i, 1i, (_e403 == 0i))) - _e410) + _e208);
+        }
+        let _e418 = phi_855_;
+        let _e422 = (_e400 << bitcast<u32>(((_e410 & 31i) & 31i)));
+        if (_e418 <= 0i) {
+            phi_878_ = u32();
+            phi_879_ = true;
+        } else {
+            let _e429 = (_e422 == 0u);
+            if _e429 {
+                phi_877_ = u32();
+            } else {
+                phi_877_ = select(((bitcast<u32>(_e418) << bitcast<u32>(23i)) | (_e422 & 8388607u)), 2139095039u, (_e418 >= 255i));
+            }
+            let _e433 = phi_877_;
+            phi_878_ = _e433;
+            phi_879_ = _e429;
+        }
+        let _e435 = phi_878_;
+        let _e437 = phi_879_;
+        phi_889_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e225 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e225 & 2147483648u))), _e147, _e227) * _e218) * select(0.00000011920929f, 1f, _e227)) * _e224), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e242 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e242 & 2147483648u))), _e151, _e244) * _e218) * select(0.00000011920929f, 1f, _e244)) * _e224), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e259 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e259 & 2147483648u))), _e154, _e261) * _e218) * select(0.00000011920929f, 1f, _e261)) * _e224)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e156, _e296) * _e287) * select(0.00000011920929f, 1f, _e296)) * _e293), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e158, _e313) * _e287) * select(0.00000011920929f, 1f, _e313)) * _e293), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e328 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e328 & 2147483648u))), _e160, _e330) * _e287) * select(0.00000011920929f, 1f, _e330)) * _e293)), bitcast<f32>(((_e105 & 2147483648u) | select(_e387, 0u, _e389))), bitcast<f32>(((_e113 & 2147483648u) | select(_e435, 0u, _e437))), _e207);
     }
-    let _e469 = phi_827_;
-    let _e471 = phi_828_;
-    let _e472 = slimbvh_any_will_do.member;
-    if (_e472 == 1u) {
-        phi_842_ = SlimbvhTypeI(SlimbvhTypeH(_e69, _e469), true);
+    let _e528 = phi_889_;
+    let _e543 = (bitcast<f32>((bitcast<u32>(_e528.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e546 = bitcast<f32>((bitcast<u32>(_e528.member[0]) & 2147483647u));
+    let _e547 = (_e546 * 0.00000011920929f);
+    let _e550 = select(select(0.00000000000011368684f, _e547, (_e547 > 0.00000000000011368684f)), 0f, _e543);
+    let _e551 = select(0f, _e528.member_1[0], _e543);
+    let _e552 = (_e528.member[0] + _e550);
+    let _e553 = (_e528.member[0] - _e550);
+    let _e555 = select(38685626000000000000000000f, (1f / _e528.member_1[0]), _e543);
+    let _e559 = (bitcast<f32>((bitcast<u32>(_e528.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e562 = bitcast<f32>((bitcast<u32>(_e528.member[1]) & 2147483647u));
+    let _e563 = (_e562 * 0.00000011920929f);
+    let _e566 = select(select(0.00000000000011368684f, _e563, (_e563 > 0.00000000000011368684f)), 0f, _e559);
+    let _e567 = select(0f, _e528.member_1[1], _e559);
+    let _e568 = (_e528.member[1] + _e566);
+    let _e569 = (_e528.member[1] - _e566);
+    let _e571 = select(38685626000000000000000000f, (1f / _e528.member_1[1]), _e559);
+    let _e575 = (bitcast<f32>((bitcast<u32>(_e528.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e578 = bitcast<f32>((bitcast<u32>(_e528.member[2]) & 2147483647u));
+    let _e579 = (_e578 * 0.00000011920929f);
+    let _e582 = select(select(0.00000000000011368684f, _e579, (_e579 > 0.00000000000011368684f)), 0f, _e575);
+    let _e583 = select(0f, _e528.member_1[2], _e575);
+    let _e584 = (_e528.member[2] + _e582);
+    let _e585 = (_e528.member[2] - _e582);
+    let _e587 = select(38685626000000000000000000f, (1f / _e528.member_1[2]), _e575);
+    let _e589 = select(_e562, _e546, (_e546 > _e562));
+    let _e593 = (_e131 && (select(_e578, _e589, (_e589 > _e578)) <= 1099511600000f));
+    let _e594 = select(0f, _e528.member_3, _e593);
+    let _e595 = select(1f, _e528.member_2, _e593);
+    let _e597 = slimbvh_any_will_do.member;
+    if (_e597 == 1u) {
+        phi_1084_ = SlimbvhTypeJ(SlimbvhTypeI(_e72, _e594), true);
     } else {
-        phi_842_ = SlimbvhTypeI(SlimbvhTypeH(_e69, _e469), false);
+        phi_1084_ = SlimbvhTypeJ(SlimbvhTypeI(_e72, _e594), false);
     }
-    let _e479 = phi_842_;
+    let _e604 = phi_1084_;
     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    phi_856_ = _e479;
-    phi_859_ = 0u;
-    phi_861_ = select(4294967295u, 0u, (_e471 <= _e469));
-    phi_863_ = (_e71 + 1u);
+    phi_1098_ = _e604;
+    phi_1101_ = 0u;
+    phi_1103_ = select(4294967295u, 0u, (_e595 <= _e594));
+    phi_1105_ = (_e74 + 1u);
     loop {
-        let _e487 = phi_856_;
-        let _e489 = phi_859_;
-        let _e491 = phi_861_;
-        let _e493 = phi_863_;
-        local_7 = _e487;
-        let _e494 = (_e491 <= 2147483647u);
-        if _e494 {
-            phi_872_ = _e489;
-            phi_875_ = _e491;
-            phi_877_ = _e493;
+        let _e612 = phi_1098_;
+        let _e614 = phi_1101_;
+        let _e616 = phi_1103_;
+        let _e618 = phi_1105_;
+        local_7 = _e612;
+        let _e619 = (_e616 <= 2147483647u);
+        if _e619 {
+            phi_1114_ = _e614;
+            phi_1117_ = _e616;
+            phi_1119_ = _e618;
             loop {
-                let _e496 = phi_872_;
-                let _e498 = phi_875_;
-                let _e500 = phi_877_;
-                local_3 = _e496;
-                local_4 = _e496;
-                local_5 = _e498;
-                local_9 = _e496;
-                local_10 = _e498;
-                local_11 = _e500;
-                let _e501 = (_e498 <= 2147483647u);
-                let _e504 = (_e501 && !((_e496 >= _e71)));
-                local_2 = _e501;
-                if _e504 {
-                    let _e509 = slimbvh_nodes.member[_e496][3u][0u];
-                    let _e514 = slimbvh_nodes.member[_e496][3u][1u];
-                    let _e519 = slimbvh_nodes.member[_e496][((_e166 & 3u) % 4u)];
-                    let _e524 = slimbvh_nodes.member[_e496][((_e165 & 3u) % 4u)];
-                    let _e529 = slimbvh_nodes.member[_e496][((_e167 & 3u) % 4u)];
-                    let _e530 = bitcast<u32>(_e509);
-                    let _e531 = bitcast<u32>(_e514);
-                    let _e542 = ((_e519.x - _e253) * _e256);
-                    let _e543 = ((_e519.y - _e253) * _e256);
-                    let _e544 = ((_e519.z - _e254) * _e256);
-                    let _e545 = ((_e519.w - _e254) * _e256);
-                    let _e554 = ((_e524.x - _e309) * _e312);
-                    let _e555 = ((_e524.y - _e309) * _e312);
-                    let _e556 = ((_e524.z - _e310) * _e312);
-                    let _e557 = ((_e524.w - _e310) * _e312);
-                    let _e566 = ((_e529.x - _e365) * _e368);
-                    let _e567 = ((_e529.y - _e365) * _e368);
-                    let _e568 = ((_e529.z - _e366) * _e368);
-                    let _e569 = ((_e529.w - _e366) * _e368);
-                    let _e570 = min(_e566, _e568);
-                    let _e571 = min(_e567, _e569);
-                    let _e572 = max(_e566, _e568);
-                    let _e573 = max(_e567, _e569);
-                    let _e598 = max(max(max(min(_e542, _e544), min(_e554, _e556)), _e570), _e471);
-                    let _e599 = max(max(max(min(_e543, _e545), min(_e555, _e557)), _e571), _e471);
-                    let _e602 = (_e598 <= min((min(min(max(_e542, _e544), max(_e554, _e556)), _e572) + (max(_e572, -(_e570)) * 0.0000019073523f)), _e487.member.member_1));
-                    let _e603 = (_e599 <= min((min(min(max(_e543, _e545), max(_e555, _e557)), _e573) + (max(_e573, -(_e571)) * 0.0000019073523f)), _e487.member.member_1));
-                    if (_e602 || _e603) {
-                        let _e617 = (_e602 && ((_e598 <= _e599) || !(_e603)));
-                        if (_e602 && _e603) {
-                            let _e622 = (_e498 % 128u);
-                            local_1[_e622] = select(_e530, _e531, _e617);
-                            local[_e622] = select(_e598, _e599, _e617);
-                            phi_1131_ = (_e498 + 1u);
+                let _e621 = phi_1114_;
+                let _e623 = phi_1117_;
+                let _e625 = phi_1119_;
+                local_3 = _e621;
+                local_4 = _e621;
+                local_5 = _e623;
+                local_9 = _e621;
+                local_10 = _e623;
+                local_11 = _e625;
+                let _e626 = (_e623 <= 2147483647u);
+                let _e629 = (_e626 && !((_e621 >= _e74)));
+                local_2 = _e626;
+                if _e629 {
+                    let _e634 = slimbvh_nodes.member[_e621][3u][0u];
+                    let _e639 = slimbvh_nodes.member[_e621][3u][1u];
+                    let _e644 = slimbvh_nodes.member[_e621][((_e140 & 3u) % 4u)];
+                    let _e649 = slimbvh_nodes.member[_e621][((_e144 & 3u) % 4u)];
+                    let _e654 = slimbvh_nodes.member[_e621][((_e136 & 3u) % 4u)];
+                    let _e655 = bitcast<u32>(_e634);
+                    let _e656 = bitcast<u32>(_e639);
+                    let _e667 = ((_e644.x - _e552) * _e555);
+                    let _e668 = ((_e644.y - _e552) * _e555);
+                    let _e669 = ((_e644.z - _e553) * _e555);
+                    let _e670 = ((_e644.w - _e553) * _e555);
+                    let _e679 = ((_e649.x - _e568) * _e571);
+                    let _e680 = ((_e649.y - _e568) * _e571);
+                    let _e681 = ((_e649.z - _e569) * _e571);
+                    let _e682 = ((_e649.w - _e569) * _e571);
+                    let _e691 = ((_e654.x - _e584) * _e587);
+                    let _e692 = ((_e654.y - _e584) * _e587);
+                    let _e693 = ((_e654.z - _e585) * _e587);
+                    let _e694 = ((_e654.w - _e585) * _e587);
+                    let _e695 = min(_e691, _e693);
+                    let _e696 = min(_e692, _e694);
+                    let _e697 = max(_e691, _e693);
+                    let _e698 = max(_e692, _e694);
+                    let _e723 = max(max(max(min(_e667, _e669), min(_e679, _e681)), _e695), _e595);
+                    let _e724 = max(max(max(min(_e668, _e670), min(_e680, _e682)), _e696), _e595);
+                    let _e727 = (_e723 <= min((min(min(max(_e667, _e669), max(_e679, _e681)), _e697) + (max(_e697, -(_e695)) * 0.0000019073523f)), _e612.member.member_1));
+                    let _e728 = (_e724 <= min((min(min(max(_e668, _e670), max(_e680, _e682)), _e698) + (max(_e698, -(_e696)) * 0.0000019073523f)), _e612.member.member_1));
+                    if (_e727 || _e728) {
+                        let _e742 = (_e727 && ((_e723 <= _e724) || !(_e728)));
+                        if (_e727 && _e728) {
+                            let _e747 = (_e623 % 128u);
+                            local_1[_e747] = select(_e655, _e656, _e742);
+                            local[_e747] = select(_e723, _e724, _e742);
+                            phi_1373_ = (_e623 + 1u);
                         } else {
-                            phi_1131_ = _e498;
+                            phi_1373_ = _e623;
                         }
-                        let _e627 = phi_1131_;
-                        phi_1157_ = select(_e531, _e530, _e617);
-                        phi_1158_ = _e627;
+                        let _e752 = phi_1373_;
+                        phi_1399_ = select(_e656, _e655, _e742);
+                        phi_1400_ = _e752;
                     } else {
-                        let _e606 = (_e498 - 1u);
-                        let _e607 = (_e606 % 128u);
-                        let _e609 = local[_e607];
-                        if (_e609 <= _e487.member.member_1) {
-                            let _e612 = local_1[_e607];
-                            phi_1156_ = _e612;
+                        let _e731 = (_e623 - 1u);
+                        let _e732 = (_e731 % 128u);
+                        let _e734 = local[_e732];
+                        if (_e734 <= _e612.member.member_1) {
+                            let _e737 = local_1[_e732];
+                            phi_1398_ = _e737;
                         } else {
-                            phi_1156_ = 2147483648u;
+                            phi_1398_ = 2147483648u;
                         }
-                        let _e614 = phi_1156_;
-                        phi_1157_ = _e614;
-                        phi_1158_ = _e606;
+                        let _e739 = phi_1398_;
+                        phi_1399_ = _e739;
+                        phi_1400_ = _e731;
                     }
-                    let _e629 = phi_1157_;
-                    let _e631 = phi_1158_;
-                    let _e632 = (_e500 - 1u);
-                    phi_873_ = _e629;
-                    phi_876_ = select(_e631, 4294967295u, (_e632 == 0u));
-                    phi_878_ = _e632;
+                    let _e754 = phi_1399_;
+                    let _e756 = phi_1400_;
+                    let _e757 = (_e625 - 1u);
+                    phi_1115_ = _e754;
+                    phi_1118_ = select(_e756, 4294967295u, (_e757 == 0u));
+                    phi_1120_ = _e757;
                 } else {
-                    phi_873_ = u32();
-                    phi_876_ = u32();
-                    phi_878_ = u32();
+                    phi_1115_ = u32();
+                    phi_1118_ = u32();
+                    phi_1120_ = u32();
                 }
-                let _e636 = phi_873_;
-                let _e638 = phi_876_;
-                let _e640 = phi_878_;
+                let _e761 = phi_1115_;
+                let _e763 = phi_1118_;
+                let _e765 = phi_1120_;
                 continue;
                 continuing {
-                    phi_872_ = _e636;
-                    phi_875_ = _e638;
-                    phi_877_ = _e640;
-                    break if !(_e504);
+                    phi_1114_ = _e761;
+                    phi_1117_ = _e763;
+                    phi_1119_ = _e765;
+                    break if !(_e629);
                 }
             }
-            let _e643 = local_2;
-            if _e643 {
-                let _e645 = local_3;
-                let _e648 = local_4;
-                phi_1174_ = _e487;
-                phi_1177_ = SlimbvhTypeA(0u, ((_e648 >> bitcast<u32>(28u)) & 7u));
+            let _e768 = local_2;
+            if _e768 {
+                let _e770 = local_3;
+                let _e773 = local_4;
+                phi_1416_ = _e612;
+                phi_1419_ = SlimbvhTypeA(0u, ((_e773 >> bitcast<u32>(28u)) & 7u));
                 loop {
-                    let _e654 = phi_1174_;
-                    let _e656 = phi_1177_;
-                    local_6 = _e654;
-                    local_8 = _e654;
-                    if (_e656.member < _e656.member_1) {
-                        phi_1178_ = SlimbvhTypeA((_e656.member + 1u), _e656.member_1);
-                        phi_1200_ = SlimbvhTypeA(1u, _e656.member);
+                    let _e779 = phi_1416_;
+                    let _e781 = phi_1419_;
+                    local_6 = _e779;
+                    local_8 = _e779;
+                    if (_e781.member < _e781.member_1) {
+                        phi_1420_ = SlimbvhTypeA((_e781.member + 1u), _e781.member_1);
+                        phi_1442_ = SlimbvhTypeA(1u, _e781.member);
                     } else {
-                        phi_1178_ = _e656;
-                        phi_1200_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
+                        phi_1420_ = _e781;
+                        phi_1442_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
                     }
-                    let _e669 = phi_1178_;
-                    let _e671 = phi_1200_;
-                    let _e675 = (bitcast<i32>(_e671.member) != 0i);
-                    if _e675 {
-                        let _e676 = ((_e645 & 268435455u) + _e671.member_1);
-                        let _e677 = (_e676 / 2u);
-                        let _e678 = (_e676 % 2u);
-                        let _e679 = (_e677 >= arrayLength((&slimbvh_triangles.member)));
-                        if _e679 {
-                            phi_1280_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                    let _e794 = phi_1420_;
+                    let _e796 = phi_1442_;
+                    let _e800 = (bitcast<i32>(_e796.member) != 0i);
+                    if _e800 {
+                        let _e801 = ((_e770 & 268435455u) + _e796.member_1);
+                        let _e802 = (_e801 / 2u);
+                        let _e803 = (_e801 % 2u);
+                        let _e804 = (_e802 >= arrayLength((&slimbvh_triangles.member)));
+                        if _e804 {
+                            phi_1522_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e680 = (2u * _e678);
-                            let _e684 = slimbvh_triangles.member[_e677][_e680];
-                            let _e689 = slimbvh_triangles.member[_e677][(_e680 + 1u)];
-                            let _e694 = slimbvh_triangles.member[_e677][(_e680 + 2u)];
-                            if (_e678 == 0u) {
-                                phi_1279_ = array<vec4<f32>, 3>(_e684, _e689, _e694);
+                            let _e805 = (2u * _e803);
+                            let _e809 = slimbvh_triangles.member[_e802][_e805];
+                            let _e814 = slimbvh_triangles.member[_e802][(_e805 + 1u)];
+                            let _e819 = slimbvh_triangles.member[_e802][(_e805 + 2u)];
+                            if (_e803 == 0u) {
+                                phi_1521_ = array<vec4<f32>, 3>(_e809, _e814, _e819);
                             } else {
-                                phi_1279_ = array<vec4<f32>, 3>(vec4<f32>(_e684.z, _e684.w, _e689.x, _e689.y), vec4<f32>(_e689.z, _e689.w, _e694.x, _e694.y), vec4<f32>(_e694.z, _e694.w, 0f, 0f));
+                                phi_1521_ = array<vec4<f32>, 3>(vec4<f32>(_e809.z, _e809.w, _e814.x, _e814.y), vec4<f32>(_e814.z, _e814.w, _e819.x, _e819.y), vec4<f32>(_e819.z, _e819.w, 0f, 0f));
                             }
-                            let _e712 = phi_1279_;
-                            phi_1280_ = _e712;
+                            let _e837 = phi_1521_;
+                            phi_1522_ = _e837;
                         }
-                        let _e714 = phi_1280_;
-                        let _e717 = bitcast<u32>(_e714[2].y);
-                        if _e679 {
-                            phi_1355_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e839 = phi_1522_;
+                        let _e842 = bitcast<u32>(_e839[2].y);
+                        if _e804 {
+                            phi_1597_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e718 = (2u * _e678);
-                            let _e722 = slimbvh_triangles.member[_e677][_e718];
-                            let _e727 = slimbvh_triangles.member[_e677][(_e718 + 1u)];
-                            let _e732 = slimbvh_triangles.member[_e677][(_e718 + 2u)];
-                            if (_e678 == 0u) {
-                                phi_1354_ = array<vec4<f32>, 3>(_e722, _e727, _e732);
+                            let _e843 = (2u * _e803);
+                            let _e847 = slimbvh_triangles.member[_e802][_e843];
+                            let _e852 = slimbvh_triangles.member[_e802][(_e843 + 1u)];
+                            let _e857 = slimbvh_triangles.member[_e802][(_e843 + 2u)];
+                            if (_e803 == 0u) {
+                                phi_1596_ = array<vec4<f32>, 3>(_e847, _e852, _e857);
                             } else {
-                                phi_1354_ = array<vec4<f32>, 3>(vec4<f32>(_e722.z, _e722.w, _e727.x, _e727.y), vec4<f32>(_e727.z, _e727.w, _e732.x, _e732.y), vec4<f32>(_e732.z, _e732.w, 0f, 0f));
+                                phi_1596_ = array<vec4<f32>, 3>(vec4<f32>(_e847.z, _e847.w, _e852.x, _e852.y), vec4<f32>(_e852.z, _e852.w, _e857.x, _e857.y), vec4<f32>(_e857.z, _e857.w, 0f, 0f));
                             }
-                            let _e750 = phi_1354_;
-                            phi_1355_ = _e750;
+                            let _e875 = phi_1596_;
+                            phi_1597_ = _e875;
                         }
-                        let _e752 = phi_1355_;
-                        if _e201 {
-                            phi_1379_ = array<f32, 3>(_e752[0].x, _e752[0].y, _e752[0].z);
+                        let _e877 = phi_1597_;
+                        if _e145 {
+                            phi_1621_ = array<f32, 3>(_e877[0].x, _e877[0].y, _e877[0].z);
                         } else {
-                            if (_e166 == 1u) {
-                                phi_1378_ = array<f32, 3>(_e752[0].y, _e752[0].z, _e752[0].x);
+                            if (_e140 == 1u) {
+                                phi_1620_ = array<f32, 3>(_e877[0].y, _e877[0].z, _e877[0].x);
                             } else {
-                                phi_1378_ = array<f32, 3>(_e752[0].z, _e752[0].x, _e752[0].y);
+                                phi_1620_ = array<f32, 3>(_e877[0].z, _e877[0].x, _e877[0].y);
                             }
-                            let _e775 = phi_1378_;
-                            phi_1379_ = _e775;
+                            let _e900 = phi_1620_;
+                            phi_1621_ = _e900;
                         }
-                        let _e778 = phi_1379_;
-                        if _e201 {
-                            phi_1394_ = array<f32, 3>(_e752[0].w, _e752[1].x, _e752[1].y);
+                        let _e903 = phi_1621_;
+                        if _e145 {
+                            phi_1636_ = array<f32, 3>(_e877[0].w, _e877[1].x, _e877[1].y);
                         } else {
-                            if (_e166 == 1u) {
-                                phi_1393_ = array<f32, 3>(_e752[1].x, _e752[1].y, _e752[0].w);
+                            if (_e140 == 1u) {
+                                phi_1635_ = array<f32, 3>(_e877[1].x, _e877[1].y, _e877[0].w);
                             } else {
-                                phi_1393_ = array<f32, 3>(_e752[1].y, _e752[0].w, _e752[1].x);
+                                phi_1635_ = array<f32, 3>(_e877[1].y, _e877[0].w, _e877[1].x);
                             }
-                            let _e783 = phi_1393_;
-                            phi_1394_ = _e783;
+                            let _e908 = phi_1635_;
+                            phi_1636_ = _e908;
                         }
-                        let _e786 = phi_1394_;
-                        if _e201 {
-                            phi_1409_ = array<f32, 3>(_e752[1].z, _e752[1].w, _e752[2].x);
+                        let _e911 = phi_1636_;
+                        if _e145 {
+                            phi_1651_ = array<f32, 3>(_e877[1].z, _e877[1].w, _e877[2].x);
                         } else {
-                            if (_e166 == 1u) {
-                                phi_1408_ = array<f32, 3>(_e752[1].w, _e752[2].x, _e752[1].z);
+                            if (_e140 == 1u) {
+                                phi_1650_ = array<f32, 3>(_e877[1].w, _e877[2].x, _e877[1].z);
                             } else {
-                                phi_1408_ = array<f32, 3>(_e752[2].x, _e752[1].z, _e752[1].w);
+                                phi_1650_ = array<f32, 3>(_e877[2].x, _e877[1].z, _e877[1].w);
                             }
-                            let _e791 = phi_1408_;
-                            phi_1409_ = _e791;
+                            let _e916 = phi_1650_;
+                            phi_1651_ = _e916;
                         }
-                        let _e794 = phi_1409_;
-                        let _e808 = (_e778[2] - _e333);
-                        let _e811 = (((_e778[0] - _e221) * _e364) - (_e808 * _e252));
-                        let _e814 = (((_e778[1] - _e277) * _e364) - (_e808 * _e308));
-                        let _e817 = (_e786[2] - _e333);
-                        let _e820 = (((_e786[0] - _e221) * _e364) - (_e817 * _e252));
-                        let _e823 = (((_e786[1] - _e277) * _e364) - (_e817 * _e308));
-                        let _e826 = (_e794[2] - _e333);
-                        let _e829 = (((_e794[0] - _e221) * _e364) - (_e826 * _e252));
-                        let _e832 = (((_e794[1] - _e277) * _e364) - (_e826 * _e308));
-                        let _e833 = (_e829 * _e823);
-                        let _e834 = (_e832 * _e820);
-                        let _e835 = (_e811 * _e832);
-                        let _e836 = (_e814 * _e829);
-                        let _e837 = (_e820 * _e814);
-                        let _e838 = (_e823 * _e811);
-                        let _e843 = (((_e833 >= _e834) && (_e835 >= _e836)) && (_e837 >= _e838));
-                        let _e849 = (_e843 || (((_e833 <= _e834) && (_e835 <= _e836)) && (_e837 <= _e838)));
-                        if _e849 {
-                            let _e851 = select(-1f, 1f, _e843);
-                            let _e853 = ((_e833 - _e834) * _e851);
-                            let _e855 = select(0f, _e853, (_e853 > 0f));
-                            let _e857 = ((_e835 - _e836) * _e851);
-                            let _e859 = select(0f, _e857, (_e857 > 0f));
-                            let _e861 = ((_e837 - _e838) * _e851);
-                            let _e863 = select(0f, _e861, (_e861 > 0f));
-                            let _e865 = ((_e855 + _e859) + _e863);
-                            let _e880 = ((min(min(_e778[0], _e786[0]), _e794[0]) - _e253) * _e256);
-                            let _e881 = ((max(max(_e778[0], _e786[0]), _e794[0]) - _e254) * _e256);
-                            let _e884 = ((min(min(_e778[1], _e786[1]), _e794[1]) - _e309) * _e312);
-                            let _e885 = ((max(max(_e778[1], _e786[1]), _e794[1]) - _e310) * _e312);
-                            let _e888 = ((min(min(_e778[2], _e786[2]), _e794[2]) - _e365) * _e368);
-                            let _e889 = ((max(max(_e778[2], _e786[2]), _e794[2]) - _e366) * _e368);
-                            let _e890 = min(_e888, _e889);
-                            let _e891 = max(_e888, _e889);
-                            let _e895 = max(max(min(_e880, _e881), min(_e884, _e885)), _e890);
-                            let _e899 = min(min(max(_e880, _e881), max(_e884, _e885)), _e891);
-                            let _e904 = max(_e895, _e471);
-                            let _e926 = (((((_e849 && (_e865 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e811, _e820), _e829) <= 0f) && (max(max(_e811, _e820), _e829) >= 0f))) && ((min(min(_e814, _e823), _e832) <= 0f) && (max(max(_e814, _e823), _e832) >= 0f))) && (_e904 <= (_e899 + (max(_e891, -(_e890)) * 0.0000019073523f)))) && (_e904 <= _e654.member.member_1));
-                            if _e926 {
-                                let _e931 = (_e786[0] - _e778[0]);
-                                let _e932 = (_e786[1] - _e778[1]);
-                                let _e933 = (_e786[2] - _e778[2]);
-                                let _e934 = vec3<f32>(_e931, _e932, _e933);
-                                let _e935 = (_e794[0] - _e786[0]);
-                                let _e936 = (_e794[1] - _e786[1]);
-                                let _e937 = (_e794[2] - _e786[2]);
-                                let _e938 = vec3<f32>(_e935, _e936, _e937);
-                                let _e939 = (_e778[0] - _e794[0]);
-                                let _e940 = (_e778[1] - _e794[1]);
-                                let _e941 = (_e778[2] - _e794[2]);
-                                let _e942 = vec3<f32>(_e939, _e940, _e941);
-                                let _e953 = max(max(bitcast<f32>((bitcast<u32>(_e931) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e932) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e933) & 2147483647u)));
-                                let _e964 = max(max(bitcast<f32>((bitcast<u32>(_e935) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e936) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e937) & 2147483647u)));
-                                let _e977 = max(max(_e953, _e964), max(max(bitcast<f32>((bitcast<u32>(_e939) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e940) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e941) & 2147483647u))));
-                                if (_e953 == _e977) {
-                                    phi_1725_ = _e823;
-                                    phi_1726_ = _e820;
-                                    phi_1727_ = _e814;
-                                    phi_1728_ = _e811;
-                                    phi_1729_ = vec3<f32>(_e778[0], _e778[1], _e778[2]);
-                                    phi_1730_ = _e942;
-                                    phi_1731_ = _e938;
-                                    phi_1732_ = _e934;
+                        let _e919 = phi_1651_;
+                        let _e933 = (_e903[2] - _e528.member[2]);
+                        let _e936 = (((_e903[0] - _e528.member[0]) * _e583) - (_e933 * _e551));
+                        let _e939 = (((_e903[1] - _e528.member[1]) * _e583) - (_e933 * _e567));
+                        let _e942 = (_e911[2] - _e528.member[2]);
+                        let _e945 = (((_e911[0] - _e528.member[0]) * _e583) - (_e942 * _e551));
+                        let _e948 = (((_e911[1] - _e528.member[1]) * _e583) - (_e942 * _e567));
+                        let _e951 = (_e919[2] - _e528.member[2]);
+                        let _e954 = (((_e919[0] - _e528.member[0]) * _e583) - (_e951 * _e551));
+                        let _e957 = (((_e919[1] - _e528.member[1]) * _e583) - (_e951 * _e567));
+                        let _e958 = (_e954 * _e948);
+                        let _e959 = (_e957 * _e945);
+                        let _e960 = (_e936 * _e957);
+                        let _e961 = (_e939 * _e954);
+                        let _e962 = (_e945 * _e939);
+                        let _e963 = (_e948 * _e936);
+                        let _e968 = (((_e958 >= _e959) && (_e960 >= _e961)) && (_e962 >= _e963));
+                        let _e974 = (_e968 || (((_e958 <= _e959) && (_e960 <= _e961)) && (_e962 <= _e963)));
+                        if _e974 {
+                            let _e976 = select(-1f, 1f, _e968);
+                            let _e978 = ((_e958 - _e959) * _e976);
+                            let _e980 = select(0f, _e978, (_e978 > 0f));
+                            let _e982 = ((_e960 - _e961) * _e976);
+                            let _e984 = select(0f, _e982, (_e982 > 0f));
+                            let _e986 = ((_e962 - _e963) * _e976);
+                            let _e988 = select(0f, _e986, (_e986 > 0f));
+                            let _e990 = ((_e980 + _e984) + _e988);
+                            let _e1005 = ((min(min(_e903[0], _e911[0]), _e919[0]) - _e552) * _e555);
+                            let _e1006 = ((max(max(_e903[0], _e911[0]), _e919[0]) - _e553) * _e555);
+                            let _e1009 = ((min(min(_e903[1], _e911[1]), _e919[1]) - _e568) * _e571);
+                            let _e1010 = ((max(max(_e903[1], _e911[1]), _e919[1]) - _e569) * _e571);
+                            let _e1013 = ((min(min(_e903[2], _e911[2]), _e919[2]) - _e584) * _e587);
+                            let _e1014 = ((max(max(_e903[2], _e911[2]), _e919[2]) - _e585) * _e587);
+                            let _e1015 = min(_e1013, _e1014);
+                            let _e1016 = max(_e1013, _e1014);
+                            let _e1020 = max(max(min(_e1005, _e1006), min(_e1009, _e1010)), _e1015);
+                            let _e1024 = min(min(max(_e1005, _e1006), max(_e1009, _e1010)), _e1016);
+                            let _e1029 = max(_e1020, _e595);
+                            let _e1051 = (((((_e974 && (_e990 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e936, _e945), _e954) <= 0f) && (max(max(_e936, _e945), _e954) >= 0f))) && ((min(min(_e939, _e948), _e957) <= 0f) && (max(max(_e939, _e948), _e957) >= 0f))) && (_e1029 <= (_e1024 + (max(_e1016, -(_e1015)) * 0.0000019073523f)))) && (_e1029 <= _e779.member.member_1));
+                            if _e1051 {
+                                let _e1056 = (_e911[0] - _e903[0]);
+                                let _e1057 = (_e911[1] - _e903[1]);
+                                let _e1058 = (_e911[2] - _e903[2]);
+                                let _e1059 = vec3<f32>(_e1056, _e1057, _e1058);
+                                let _e1060 = (_e919[0] - _e911[0]);
+                                let _e1061 = (_e919[1] - _e911[1]);
+                                let _e1062 = (_e919[2] - _e911[2]);
+                                let _e1063 = vec3<f32>(_e1060, _e1061, _e1062);
+                                let _e1064 = (_e903[0] - _e919[0]);
+                                let _e1065 = (_e903[1] - _e919[1]);
+                                let _e1066 = (_e903[2] - _e919[2]);
+                                let _e1067 = vec3<f32>(_e1064, _e1065, _e1066);
+                                let _e1078 = max(max(bitcast<f32>((bitcast<u32>(_e1056) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1058) & 2147483647u)));
+                                let _e1089 = max(max(bitcast<f32>((bitcast<u32>(_e1060) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u)));
+                                let _e1102 = max(max(_e1078, _e1089), max(max(bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1065) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u))));
+                                if (_e1078 == _e1102) {
+                                    phi_1967_ = _e948;
+                                    phi_1968_ = _e945;
+                                    phi_1969_ = _e939;
+                                    phi_1970_ = _e936;
+                                    phi_1971_ = vec3<f32>(_e903[0], _e903[1], _e903[2]);
+                                    phi_1972_ = _e1067;
+                                    phi_1973_ = _e1063;
+                                    phi_1974_ = _e1059;
                                 } else {
-                                    let _e979 = (_e964 == _e977);
-                                    let _e984 = vec3(_e979);
-                                    phi_1725_ = select(_e814, _e832, _e979);
-                                    phi_1726_ = select(_e811, _e829, _e979);
-                                    phi_1727_ = select(_e832, _e823, _e979);
-                                    phi_1728_ = select(_e829, _e820, _e979);
-                                    phi_1729_ = select(vec3<f32>(_e794[0], _e794[1], _e794[2]), vec3<f32>(_e786[0], _e786[1], _e786[2]), _e984);
-                                    phi_1730_ = select(_e938, _e934, _e984);
-                                    phi_1731_ = select(_e934, _e942, _e984);
-                                    phi_1732_ = select(_e942, _e938, _e984);
+                                    let _e1104 = (_e1089 == _e1102);
+                                    let _e1109 = vec3(_e1104);
+                                    phi_1967_ = select(_e939, _e957, _e1104);
+                                    phi_1968_ = select(_e936, _e954, _e1104);
+                                    phi_1969_ = select(_e957, _e948, _e1104);
+                                    phi_1970_ = select(_e954, _e945, _e1104);
+                                    phi_1971_ = select(vec3<f32>(_e919[0], _e919[1], _e919[2]), vec3<f32>(_e911[0], _e911[1], _e911[2]), _e1109);
+                                    phi_1972_ = select(_e1063, _e1059, _e1109);
+                                    phi_1973_ = select(_e1059, _e1067, _e1109);
+                                    phi_1974_ = select(_e1067, _e1063, _e1109);
                                 }
-                                let _e990 = phi_1725_;
-                                let _e992 = phi_1726_;
-                                let _e994 = phi_1727_;
-                                let _e996 = phi_1728_;
-                                let _e998 = phi_1729_;
-                                let _e1000 = phi_1730_;
-                                let _e1002 = phi_1731_;
-                                let _e1004 = phi_1732_;
-                                let _e1011 = ((_e1002.y * _e1000.z) - (_e1000.y * _e1002.z));
-                                let _e1016 = ((_e1002.z * _e1000.x) - (_e1000.z * _e1002.x));
-                                let _e1019 = ((_e1002.x * _e1000.y) - (_e1000.x * _e1002.y));
-                                let _e1022 = ((_e855 >= _e859) && (_e855 >= _e863));
-                                let _e1023 = (_e859 >= _e863);
-                                let _e1037 = (((_e1011 * (select(select(_e794[0], _e786[0], _e1023), _e778[0], _e1022) - _e221)) + (_e1016 * (select(select(_e794[1], _e786[1], _e1023), _e778[1], _e1022) - _e277))) + (_e1019 * (select(select(_e794[2], _e786[2], _e1023), _e778[2], _e1022) - _e333)));
-                                let _e1042 = (((_e1011 * _e252) + (_e1016 * _e308)) + (_e1019 * _e364));
-                                let _e1043 = (_e992 - _e996);
-                                let _e1044 = (_e990 - _e994);
-                                let _e1047 = ((_e1043 * _e1043) + (_e1044 * _e1044));
-                                let _e1054 = (-(((_e996 * _e1043) + (_e994 * _e1044))) / select(0.000000000000000000000000000000000000011754944f, _e1047, (_e1047 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e1056 = select(1f, _e1054, (_e1054 < 1f));
-                                let _e1058 = select(0f, _e1056, (_e1056 > 0f));
-                                let _e1067 = ((_e998.x + (_e1004.x * _e1058)) - _e221);
-                                let _e1070 = ((_e998.y + (_e1004.y * _e1058)) - _e277);
-                                let _e1073 = ((_e998.z + (_e1004.z * _e1058)) - _e333);
-                                let _e1138 = ((bitcast<f32>((bitcast<u32>(((((_e1011 * _e1067) + (_e1016 * _e1070)) + (_e1019 * _e1073)) - _e1037)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1070) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u))), _e977)) * max(max(bitcast<f32>((bitcast<u32>(_e1011) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1016) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1019) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1042) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1002.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1002.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1002.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1000.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1000.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1000.z) & 2147483647u)))))));
-                                let _e1139 = (_e1037 / _e1042);
-                                if (_e926 && !(_e1138)) {
-                                    let _e1142 = (_e1073 / _e364);
-                                    let _e1150 = (((_e1011 * (_e1067 - (_e252 * _e1142))) + (_e1016 * (_e1070 - (_e308 * _e1142)))) / _e1042);
-                                    phi_1911_ = select(select(_e1142, (_e1142 + _e1150), (bitcast<f32>((bitcast<u32>(_e1150) & 2147483647u)) <= _e977)), _e1139, _e1138);
+                                let _e1115 = phi_1967_;
+                                let _e1117 = phi_1968_;
+                                let _e1119 = phi_1969_;
+                                let _e1121 = phi_1970_;
+                                let _e1123 = phi_1971_;
+                                let _e1125 = phi_1972_;
+                                let _e1127 = phi_1973_;
+                                let _e1129 = phi_1974_;
+                                let _e1136 = ((_e1127.y * _e1125.z) - (_e1125.y * _e1127.z));
+                                let _e1141 = ((_e1127.z * _e1125.x) - (_e1125.z * _e1127.x));
+                                let _e1144 = ((_e1127.x * _e1125.y) - (_e1125.x * _e1127.y));
+                                let _e1147 = ((_e980 >= _e984) && (_e980 >= _e988));
+                                let _e1148 = (_e984 >= _e988);
+                                let _e1162 = (((_e1136 * (select(select(_e919[0], _e911[0], _e1148), _e903[0], _e1147) - _e528.member[0])) + (_e1141 * (select(select(_e919[1], _e911[1], _e1148), _e903[1], _e1147) - _e528.member[1]))) + (_e1144 * (select(select(_e919[2], _e911[2], _e1148), _e903[2], _e1147) - _e528.member[2])));
+                                let _e1167 = (((_e1136 * _e551) + (_e1141 * _e567)) + (_e1144 * _e583));
+                                let _e1168 = (_e1117 - _e1121);
+                                let _e1169 = (_e1115 - _e1119);
+                                let _e1172 = ((_e1168 * _e1168) + (_e1169 * _e1169));
+                                let _e1179 = (-(((_e1121 * _e1168) + (_e1119 * _e1169))) / select(0.000000000000000000000000000000000000011754944f, _e1172, (_e1172 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e1181 = select(1f, _e1179, (_e1179 < 1f));
+                                let _e1183 = select(0f, _e1181, (_e1181 > 0f));
+                                let _e1192 = ((_e1123.x + (_e1129.x * _e1183)) - _e528.member[0]);
+                                let _e1195 = ((_e1123.y + (_e1129.y * _e1183)) - _e528.member[1]);
+                                let _e1198 = ((_e1123.z + (_e1129.z * _e1183)) - _e528.member[2]);
+                                let _e1263 = ((bitcast<f32>((bitcast<u32>(((((_e1136 * _e1192) + (_e1141 * _e1195)) + (_e1144 * _e1198)) - _e1162)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u))), _e1102)) * max(max(bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1167) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1127.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1127.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1127.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1125.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1125.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1125.z) & 2147483647u)))))));
+                                let _e1264 = (_e1162 / _e1167);
+                                if (_e1051 && !(_e1263)) {
+                                    let _e1267 = (_e1198 / _e583);
+                                    let _e1275 = (((_e1136 * (_e1192 - (_e551 * _e1267))) + (_e1141 * (_e1195 - (_e567 * _e1267)))) / _e1167);
+                                    phi_2153_ = select(select(_e1267, (_e1267 + _e1275), (bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u)) <= _e1102)), _e1264, _e1263);
                                 } else {
-                                    phi_1911_ = _e1139;
+                                    phi_2153_ = _e1264;
                                 }
-                                let _e1159 = phi_1911_;
-                                let _e1161 = select(_e899, _e1159, (_e1159 < _e899));
-                                let _e1163 = select(_e895, _e1161, (_e1161 > _e895));
-                                let _e1166 = select(_e1163, 0f, (bitcast<u32>(_e1163) == 2147483648u));
-                                let _e1167 = (1f / _e865);
-                                phi_1937_ = SlimbvhTypeJ(_e1166, (_e859 * _e1167), (_e863 * _e1167), ((_e926 && (_e1166 >= _e471)) && (_e1166 <= _e654.member.member_1)));
-                                phi_1938_ = SlimbvhTypeJ();
+                                let _e1284 = phi_2153_;
+                                let _e1286 = select(_e1024, _e1284, (_e1284 < _e1024));
+                                let _e1288 = select(_e1020, _e1286, (_e1286 > _e1020));
+                                let _e1291 = select(_e1288, 0f, (bitcast<u32>(_e1288) == 2147483648u));
+                                let _e1292 = (1f / _e990);
+                                phi_2179_ = SlimbvhTypeK(_e1291, (_e984 * _e1292), (_e988 * _e1292), ((_e1051 && (_e1291 >= _e595)) && (_e1291 <= _e779.member.member_1)));
+                                phi_2180_ = SlimbvhTypeK();
                             } else {
-                                phi_1937_ = SlimbvhTypeJ();
-                                phi_1938_ = SlimbvhTypeJ(0f, 0f, 0f, _e926);
+                                phi_2179_ = SlimbvhTypeK();
+                                phi_2180_ = SlimbvhTypeK(0f, 0f, 0f, _e1051);
                             }
-                            let _e1176 = phi_1937_;
-                            let _e1178 = phi_1938_;
-                            phi_1941_ = _e1176;
-                            phi_1942_ = _e1178;
-                            phi_1943_ = select(true, false, _e926);
+                            let _e1301 = phi_2179_;
+                            let _e1303 = phi_2180_;
+                            phi_2183_ = _e1301;
+                            phi_2184_ = _e1303;
+                            phi_2185_ = select(true, false, _e1051);
                         } else {
-                            phi_1941_ = SlimbvhTypeJ();
-                            phi_1942_ = SlimbvhTypeJ(0f, 0f, 0f, _e849);
-                            phi_1943_ = true;
+                            phi_2183_ = SlimbvhTypeK();
+                            phi_2184_ = SlimbvhTypeK(0f, 0f, 0f, _e974);
+                            phi_2185_ = true;
                         }
-                        let _e1181 = phi_1941_;
-                        let _e1183 = phi_1942_;
-                        let _e1185 = phi_1943_;
-                        if _e1185 {
-                            phi_1947_ = _e1183;
+                        let _e1306 = phi_2183_;
+                        let _e1308 = phi_2184_;
+                        let _e1310 = phi_2185_;
+                        if _e1310 {
+                            phi_2189_ = _e1308;
                         } else {
-                            phi_1947_ = _e1181;
+                            phi_2189_ = _e1306;
                         }
-                        let _e1187 = phi_1947_;
-                        if _e1187.member_3 {
-                            phi_1956_ = SlimbvhTypeC(_e1187.member, _e1187.member_1, _e1187.member_2, _e717);
+                        let _e1312 = phi_2189_;
+                        if _e1312.member_3 {
+                            phi_2198_ = SlimbvhTypeC(_e1312.member, _e1312.member_1, _e1312.member_2, _e842);
                         } else {
-                            phi_1956_ = _e69;
+                            phi_2198_ = _e72;
                         }
-                        let _e1194 = phi_1956_;
-                        if (_e1194.member_3 != 4294967295u) {
-                            if (_e717 != 4294967295u) {
-                                if (_e1194.member < _e654.member.member.member) {
-                                    phi_1982_ = true;
+                        let _e1319 = phi_2198_;
+                        if (_e1319.member_3 != 4294967295u) {
+                            if (_e842 != 4294967295u) {
+                                if (_e1319.member < _e779.member.member.member) {
+                                    phi_2224_ = true;
                                 } else {
-                                    if (_e1194.member == _e654.member.member.member) {
-                                        phi_1981_ = (_e1194.member_3 < _e654.member.member.member_3);
+                                    if (_e1319.member == _e779.member.member.member) {
+                                        phi_2223_ = (_e1319.member_3 < _e779.member.member.member_3);
                                     } else {
-                                        phi_1981_ = false;
+                                        phi_2223_ = false;
                                     }
-                                    let _e1209 = phi_1981_;
-                                    phi_1982_ = _e1209;
+                                    let _e1334 = phi_2223_;
+                                    phi_2224_ = _e1334;
                                 }
-                                let _e1211 = phi_1982_;
-                                if _e1211 {
-                                    phi_1989_ = SlimbvhTypeI(SlimbvhTypeH(_e1194, _e1194.member), _e654.member_1);
+                                let _e1336 = phi_2224_;
+                                if _e1336 {
+                                    phi_2231_ = SlimbvhTypeJ(SlimbvhTypeI(_e1319, _e1319.member), _e779.member_1);
                                 } else {
-                                    phi_1989_ = _e654;
+                                    phi_2231_ = _e779;
                                 }
-                                let _e1217 = phi_1989_;
-                                if _e1217.member_1 {
-                                    phi_1995_ = SlimbvhTypeI(SlimbvhTypeH(_e1217.member.member, bitcast<f32>(4286578687u)), _e1217.member_1);
+                                let _e1342 = phi_2231_;
+                                if _e1342.member_1 {
+                                    phi_2237_ = SlimbvhTypeJ(SlimbvhTypeI(_e1342.member.member, bitcast<f32>(4286578687u)), _e1342.member_1);
                                 } else {
-                                    phi_1995_ = _e1217;
+                                    phi_2237_ = _e1342;
                                 }
-                                let _e1226 = phi_1995_;
-                                phi_1996_ = _e1226;
+                                let _e1351 = phi_2237_;
+                                phi_2238_ = _e1351;
                             } else {
-                                phi_1996_ = _e654;
+                                phi_2238_ = _e779;
                             }
-                            let _e1228 = phi_1996_;
-                            phi_1997_ = _e1228;
+                            let _e1353 = phi_2238_;
+                            phi_2239_ = _e1353;
                         } else {
-                            phi_1997_ = _e654;
+                            phi_2239_ = _e779;
                         }
-                        let _e1230 = phi_1997_;
-                        phi_1175_ = _e1230;
+                        let _e1355 = phi_2239_;
+                        phi_1417_ = _e1355;
                     } else {
-                        phi_1175_ = SlimbvhTypeI();
+                        phi_1417_ = SlimbvhTypeJ();
                     }
-                    let _e1232 = phi_1175_;
+                    let _e1357 = phi_1417_;
                     continue;
                     continuing {
-                        phi_1174_ = _e1232;
-                        phi_1177_ = _e669;
-                        break if !(_e675);
+                        phi_1416_ = _e1357;
+                        phi_1419_ = _e794;
+                        break if !(_e800);
                     }
                 }
-                let _e1235 = local_5;
-                let _e1236 = (_e1235 - 1u);
-                let _e1237 = (_e1236 % 128u);
-                let _e1239 = local[_e1237];
-                let _e1241 = local_6;
-                if (_e1239 <= _e1241.member.member_1) {
-                    let _e1246 = local_1[_e1237];
-                    phi_2022_ = _e1246;
+                let _e1360 = local_5;
+                let _e1361 = (_e1360 - 1u);
+                let _e1362 = (_e1361 % 128u);
+                let _e1364 = local[_e1362];
+                let _e1366 = local_6;
+                if (_e1364 <= _e1366.member.member_1) {
+                    let _e1371 = local_1[_e1362];
+                    phi_2264_ = _e1371;
                 } else {
-                    phi_2022_ = 2147483648u;
+                    phi_2264_ = 2147483648u;
                 }
-                let _e1248 = phi_2022_;
-                let _e1477 = local_8;
-                phi_2029_ = _e1477;
-                phi_2030_ = _e1248;
-                phi_2031_ = select(_e1236, 4294967295u, (_e471 > _e1241.member.member_1));
+                let _e1373 = phi_2264_;
+                let _e1610 = local_8;
+                phi_2271_ = _e1610;
+                phi_2272_ = _e1373;
+                phi_2273_ = select(_e1361, 4294967295u, (_e595 > _e1366.member.member_1));
             } else {
-                phi_2029_ = _e487;
-                let _e1480 = local_9;
-                phi_2030_ = _e1480;
-                let _e1483 = local_10;
-                phi_2031_ = _e1483;
+                phi_2271_ = _e612;
+                let _e1613 = local_9;
+                phi_2272_ = _e1613;
+                let _e1616 = local_10;
+                phi_2273_ = _e1616;
             }
-            let _e1252 = phi_2029_;
-            let _e1254 = phi_2030_;
-            let _e1256 = phi_2031_;
-            phi_857_ = _e1252;
-            phi_860_ = _e1254;
-            phi_862_ = _e1256;
-            let _e1489 = local_11;
-            phi_864_ = _e1489;
+            let _e1377 = phi_2271_;
+            let _e1379 = phi_2272_;
+            let _e1381 = phi_2273_;
+            phi_1099_ = _e1377;
+            phi_1102_ = _e1379;
+            phi_1104_ = _e1381;
+            let _e1622 = local_11;
+            phi_1106_ = _e1622;
         } else {
-            phi_857_ = SlimbvhTypeI();
-            phi_860_ = u32();
-            phi_862_ = u32();
-            phi_864_ = u32();
+            phi_1099_ = SlimbvhTypeJ();
+            phi_1102_ = u32();
+            phi_1104_ = u32();
+            phi_1106_ = u32();
         }
-        let _e1258 = phi_857_;
-        let _e1260 = phi_860_;
-        let _e1262 = phi_862_;
-        let _e1264 = phi_864_;
+        let _e1383 = phi_1099_;
+        let _e1385 = phi_1102_;
+        let _e1387 = phi_1104_;
+        let _e1389 = phi_1106_;
         continue;
         continuing {
-            phi_856_ = _e1258;
-            phi_859_ = _e1260;
-            phi_861_ = _e1262;
-            phi_863_ = _e1264;
-            break if !(_e494);
+            phi_1098_ = _e1383;
+            phi_1101_ = _e1385;
+            phi_1103_ = _e1387;
+            phi_1105_ = _e1389;
+            break if !(_e619);
         }
     }
-    let _e1267 = local_7;
-    if (_e1267.member.member.member_3 != 4294967295u) {
-        let _e1273 = -(_e373);
-        let _e1274 = bitcast<u32>(_e1267.member.member.member);
-        let _e1278 = (bitcast<i32>((_e1274 >> bitcast<u32>(23i))) & 255i);
-        let _e1279 = (_e1278 + _e1273);
-        if (_e1278 == 255i) {
-            phi_2086_ = _e1267.member.member.member;
+    let _e1392 = local_7;
+    if (_e1392.member.member.member_3 != 4294967295u) {
+        let _e1398 = -((_e98 + _e528.member_4));
+        let _e1399 = bitcast<u32>(_e1392.member.member.member);
+        let _e1403 = (bitcast<i32>((_e1399 >> bitcast<u32>(23i))) & 255i);
+        let _e1404 = (_e1403 + _e1398);
+        if (_e1403 == 255i) {
+            phi_2328_ = _e1392.member.member.member;
         } else {
-            if (_e1278 > 0i) {
-                if (_e1279 > 0i) {
-                    let _e1283 = (_e1279 < 255i);
-                    if _e1283 {
-                        phi_2065_ = bitcast<f32>((_e1274 + bitcast<u32>((_e1273 << bitcast<u32>(23i)))));
+            if (_e1403 > 0i) {
+                if (_e1404 > 0i) {
+                    let _e1408 = (_e1404 < 255i);
+                    if _e1408 {
+                        phi_2307_ = bitcast<f32>((_e1399 + bitcast<u32>((_e1398 << bitcast<u32>(23i)))));
                     } else {
-                        phi_2065_ = f32();
+                        phi_2307_ = f32();
                     }
-                    let _e1290 = phi_2065_;
-                    phi_2067_ = _e1290;
-                    phi_2068_ = select(true, false, _e1283);
+                    let _e1415 = phi_2307_;
+                    phi_2309_ = _e1415;
+                    phi_2310_ = select(true, false, _e1408);
                 } else {
-                    phi_2067_ = f32();
-                    phi_2068_ = true;
+                    phi_2309_ = f32();
+                    phi_2310_ = true;
                 }
-                let _e1293 = phi_2067_;
-                let _e1295 = phi_2068_;
-                phi_2069_ = _e1293;
-                phi_2070_ = _e1295;
+                let _e1418 = phi_2309_;
+                let _e1420 = phi_2310_;
+                phi_2311_ = _e1418;
+                phi_2312_ = _e1420;
             } else {
-                phi_2069_ = f32();
-                phi_2070_ = true;
+                phi_2311_ = f32();
+                phi_2312_ = true;
             }
-            let _e1297 = phi_2069_;
-            let _e1299 = phi_2070_;
-            if _e1299 {
-                let _e1300 = (_e1274 & 2147483648u);
-                let _e1307 = ((_e1274 & 8388607u) | (select(0u, 1u, ((_e1274 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e1311 = (_e1307 == 0u);
-                if _e1311 {
-                    phi_2373_ = bitcast<f32>(_e1300);
+            let _e1422 = phi_2311_;
+            let _e1424 = phi_2312_;
+            if _e1424 {
+                let _e1425 = (_e1399 & 2147483648u);
+                let _e1432 = ((_e1399 & 8388607u) | (select(0u, 1u, ((_e1399 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e1436 = (_e1432 == 0u);
+                if _e1436 {
+                    phi_2645_ = bitcast<f32>(_e1425);
                 } else {
-                    let _e1316 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1307)), 32u, _e1311) - 8u);
-                    let _e1319 = (_e1307 << bitcast<u32>((_e1316 & 31u)));
-                    let _e1321 = ((_e1279 + select(0i, 1i, (_e1278 == 0i))) - bitcast<i32>(_e1316));
-                    if (_e1321 >= 255i) {
-                        phi_2363_ = bitcast<f32>((_e1300 | 2139095040u));
-                        phi_2364_ = f32();
-                        phi_2365_ = true;
+                    let _e1441 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1432)), 32u, _e1436) - 8u);
+                    let _e1444 = (_e1432 << bitcast<u32>((_e1441 & 31u)));
+                    let _e1446 = ((_e1404 + select(0i, 1i, (_e1403 == 0i))) - bitcast<i32>(_e1441));
+                    if (_e1446 >= 255i) {
+                        phi_2635_ = bitcast<f32>((_e1425 | 2139095040u));
+                        phi_2636_ = f32();
+                        phi_2637_ = true;
                     } else {
-                        let _e1323 = (_e1321 > 0i);
-                        if _e1323 {
-                            phi_2357_ = bitcast<f32>(((_e1300 | (bitcast<u32>(_e1321) << bitcast<u32>(23i))) | (_e1319 & 8388607u)));
-                            phi_2358_ = f32();
+                        let _e1448 = (_e1446 > 0i);
+                        if _e1448 {
+                            phi_2629_ = bitcast<f32>(((_e1425 | (bitcast<u32>(_e1446) << bitcast<u32>(23i))) | (_e1444 & 8388607u)));
+                            phi_2630_ = f32();
                         } else {
-                            if (_e1321 < -24i) {
-                                phi_2323_ = 26u;
+                            if (_e1446 < -24i) {
+                                phi_2595_ = 26u;
                             } else {
-                                phi_2323_ = bitcast<u32>((1i - _e1321));
+                                phi_2595_ = bitcast<u32>((1i - _e1446));
                             }
-                            let _e1328 = phi_2323_;
-                            let _e1329 = (_e1328 & 31u);
-                            let _e1331 = (_e1319 >> bitcast<u32>(_e1329));
-                            let _e1335 = (_e1319 & ((1u << bitcast<u32>(_e1329)) - 1u));
-                            let _e1339 = (1u << bitcast<u32>(((_e1328 - 1u) & 31u)));
-                            if (_e1335 > _e1339) {
-                                phi_2344_ = true;
+                            let _e1453 = phi_2595_;
+                            let _e1454 = (_e1453 & 31u);
+                            let _e1456 = (_e1444 >> bitcast<u32>(_e1454));
+                            let _e1460 = (_e1444 & ((1u << bitcast<u32>(_e1454)) - 1u));
+                            let _e1464 = (1u << bitcast<u32>(((_e1453 - 1u) & 31u)));
+                            if (_e1460 > _e1464) {
+                                phi_2616_ = true;
                             } else {
-                                if (_e1335 == _e1339) {
-                                    phi_2341_ = ((_e1331 & 1u) == 1u);
+                                if (_e1460 == _e1464) {
+                                    phi_2613_ = ((_e1456 & 1u) == 1u);
                                 } else {
-                                    phi_2341_ = false;
+                                    phi_2613_ = false;
                                 }
-                                let _e1345 = phi_2341_;
-                                phi_2344_ = _e1345;
+                                let _e1470 = phi_2613_;
+                                phi_2616_ = _e1470;
                             }
-                            let _e1347 = phi_2344_;
-                            phi_2357_ = f32();
-                            phi_2358_ = bitcast<f32>((_e1300 | (_e1331 + select(0u, 1u, _e1347))));
+                            let _e1472 = phi_2616_;
+                            phi_2629_ = f32();
+                            phi_2630_ = bitcast<f32>((_e1425 | (_e1456 + select(0u, 1u, _e1472))));
                         }
-                        let _e1360 = phi_2357_;
-                        let _e1362 = phi_2358_;
-                        phi_2363_ = _e1360;
-                        phi_2364_ = _e1362;
-                        phi_2365_ = _e1323;
+                        let _e1485 = phi_2629_;
+                        let _e1487 = phi_2630_;
+                        phi_2635_ = _e1485;
+                        phi_2636_ = _e1487;
+                        phi_2637_ = _e1448;
                     }
-                    let _e1366 = phi_2363_;
-                    let _e1368 = phi_2364_;
-                    let _e1370 = phi_2365_;
-                    phi_2373_ = select(_e1368, _e1366, _e1370);
+                    let _e1491 = phi_2635_;
+                    let _e1493 = phi_2636_;
+                    let _e1495 = phi_2637_;
+                    phi_2645_ = select(_e1493, _e1491, _e1495);
                 }
-                let _e1374 = phi_2373_;
-                phi_2085_ = _e1374;
+                let _e1499 = phi_2645_;
+                phi_2327_ = _e1499;
             } else {
-                phi_2085_ = _e1297;
+                phi_2327_ = _e1422;
             }
-            let _e1376 = phi_2085_;
-            phi_2086_ = _e1376;
+            let _e1501 = phi_2327_;
+            phi_2328_ = _e1501;
         }
-        let _e1378 = phi_2086_;
-        let _e1379 = bitcast<u32>(_e1378);
-        if ((_e1379 & 2147483647u) >= 2139095040u) {
-            phi_2098_ = bitcast<f32>(((_e1379 & 2147483648u) | 2139095039u));
+        let _e1503 = phi_2328_;
+        let _e1504 = bitcast<u32>(_e1503);
+        if ((_e1504 & 2147483647u) >= 2139095040u) {
+            phi_2340_ = bitcast<f32>(((_e1504 & 2147483648u) | 2139095039u));
         } else {
-            phi_2098_ = _e1378;
+            phi_2340_ = _e1503;
         }
-        let _e1386 = phi_2098_;
-        phi_2103_ = SlimbvhTypeC(_e1386, _e1267.member.member.member_1, _e1267.member.member.member_2, _e1267.member.member.member_3);
+        let _e1511 = phi_2340_;
+        phi_2345_ = SlimbvhTypeC(_e1511, _e1392.member.member.member_1, _e1392.member.member.member_2, _e1392.member.member.member_3);
     } else {
-        phi_2103_ = _e69;
+        phi_2345_ = _e72;
     }
-    let _e1391 = phi_2103_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1391.member), bitcast<u32>(_e1391.member_1), bitcast<u32>(_e1391.member_2), _e1391.member_3);
+    let _e1516 = phi_2345_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1516.member), bitcast<u32>(_e1516.member_1), bitcast<u32>(_e1516.member_2), _e1516.member_3);
     return;
 }
 
