@@ -51,6 +51,9 @@ plant union-of-boxes core/src/build/refit.rs \
 plant odd-end-of-a-range core/src/build/refit.rs \
   'if low & 1 == 1' 'if low & 1 == 0' \
   slimbvh-tests trees::
+plant odd-end-of-a-level core/src/build/refit.rs \
+  'if left + 1 < below.count' 'if left < below.count' \
+  slimbvh-core refit::
 plant number-rounded-to-nearest core/src/codec/lattice_node.rs \
   '(inner as u32 >> shift) & ((1 << BITS) - 1)' '((inner as u32 + ((1 << shift) >> 1)) >> shift) & ((1 << BITS) - 1)' \
   slimbvh-core lattice_node::

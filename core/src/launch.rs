@@ -6,11 +6,17 @@ pub const LANES: usize = 64;
 /// Digits that a pass of the sort tells apart: 8 bits.
 pub const DIGITS: usize = 256;
 
-/// Items that a lane takes in `bounds`, `sort` and `scan`.
+/// Items that a lane takes in `bounds` and `sort`.
 pub const RUN: u32 = 16;
 
-/// Items that a workgroup takes in `bounds`, `sort` and `scan`: a block.
+/// Items that a workgroup takes in `bounds` and `sort`: a block.
 pub const BLOCK: u32 = LANES as u32 * RUN;
+
+/// Values that a lane takes in a `scan`, at least. A build scans few values: short runs spread them over more workgroups.
+const SCAN_RUN: u32 = 4;
+
+/// Blocks of a `scan`, at most. The workgroup of a block reads the sums of all blocks before its own.
+const MOST_SCAN_BLOCKS: u32 = 1 << 12;
 
 /// Hits that `trace_nearest` finds.
 pub const NEAREST_COUNT: usize = 8;
@@ -28,6 +34,38 @@ pub const fn dispatch(group_count: u32) -> [u32; 3] {
         GROUPS_PER_ROW
     };
     [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
+}
+
+/// Values that a lane takes in a `scan` of so many: 4, or more where there would be over 4096 blocks.
+#[inline(always)]
+#[must_use]
+pub const fn scan_run(value_count: u32) -> u32 {
+    let run = value_count.div_ceil(MOST_SCAN_BLOCKS * LANES as u32);
+    if run > SCAN_RUN { run } else { SCAN_RUN }
+}
+
+/// Blocks of a `scan` of so many values, a workgroup each. At most 4096.
+#[inline(always)]
+#[must_use]
+pub const fn scan_block_count(value_count: u32) -> u32 {
+    value_count.div_ceil(scan_run(value_count) * LANES as u32)
+}
+
+/// Where the run of a lane begins in a list, for lanes that each take `run` items: at most `count`. `lane` is numbered over
+/// all workgroups.
+#[inline(always)]
+#[must_use]
+pub const fn run_begin(lane: u32, run: u32, count: u32) -> u32 {
+    let begin = lane.wrapping_mul(run);
+    if begin < count { begin } else { count }
+}
+
+/// How long the run is that begins there: at most `run`.
+#[inline(always)]
+#[must_use]
+pub const fn run_length(begin: u32, run: u32, count: u32) -> u32 {
+    let rest = count.wrapping_sub(begin);
+    if rest < run { rest } else { run }
 }
 
 /// Rows of a picture in a buffer begin at multiples of this many texels, so that they can be copied to textures.
@@ -77,6 +115,16 @@ mod tests {
     }
 
     #[test]
+    fn runs_of_a_scan_grow_where_its_blocks_would_be_too_many() {
+        assert_eq!([0, 1, 1 << 20].map(scan_run), [4; 3]);
+        assert_eq!([0, 1, 256, 257].map(scan_block_count), [0, 1, 1, 2]);
+        assert_eq!(scan_block_count(1 << 20), 4096);
+        assert_eq!(scan_run((1 << 20) + 1), 5);
+        assert_eq!(scan_block_count((1 << 20) + 1), 3277);
+        assert_eq!(scan_run(1 << 30), 4096);
+    }
+
+    #[test]
     fn rows_of_texels_may_be_padded() {
         assert_eq!([1, 64, 65, 1280].map(row_texels), [64, 64, 128, 1280]);
     }
@@ -90,6 +138,21 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_runs_of_a_scan_hold_every_value_once(count in prop_oneof![0u32..5000, (1u32 << 20)..(1 << 30)]) {
+            let run = scan_run(count);
+            let lanes = scan_block_count(count) * LANES as u32;
+            prop_assert!(lanes <= MOST_SCAN_BLOCKS * LANES as u32);
+            let mut end = 0;
+            for lane in 0..lanes {
+                let begin = run_begin(lane, run, count);
+                prop_assert_eq!(begin, end);
+                end += run_length(begin, run, count);
+            }
+            prop_assert_eq!(end, count);
+            prop_assert_eq!(run_length(run_begin(lanes, run, count), run, count), 0);
+        }
+
         #[test]
         fn two_words_add_like_one_of_64_bits(old: u32, amount: u32) {
             let sum = u64::from(old) + u64::from(amount);

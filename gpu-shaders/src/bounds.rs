@@ -1,10 +1,10 @@
 //! Stage `bounds`.
 
 use crate::group::barrier;
-use crate::{LANE_STEPS, group_index, run_begin, run_length};
+use crate::{LANE_STEPS, group_index, lane_index};
 use glam::{UVec3, UVec4, Vec3};
 use slimbvh_core::bounds::{reduce_step, run_bounds, scene_exponent, unite};
-use slimbvh_core::launch::LANES;
+use slimbvh_core::launch::{LANES, RUN, run_begin, run_length};
 use slimbvh_core::morton::MortonGrid;
 use slimbvh_core::{Aabb, IndexedTriangles};
 use spirv_std_macros::spirv;
@@ -21,8 +21,8 @@ pub fn bounds(
 ) {
     let triangles = IndexedTriangles { vertices, indices };
     let count = indices.len() as u32;
-    let first = run_begin(group, lane, count);
-    let own = run_bounds(first, run_length(first, count), &triangles);
+    let first = run_begin(lane_index(group, lane), RUN, count);
+    let own = run_bounds(first, run_length(first, RUN, count), &triangles);
     reduce(lane, own, boxes);
     let block = group_index(group) as usize;
     if lane == 0 && block < blocks.len() {

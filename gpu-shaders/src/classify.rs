@@ -1,6 +1,7 @@
 //! Stage `classify`: which triangles are in a target's set, in the mesh's order, as memory likes it; which items of the
 //! sorted list these are; and, after a scan, the list of them.
 
+use crate::compact::store_bits;
 use crate::group::barrier;
 use crate::trace::scaled_target;
 use crate::{LANES, thread_index};
@@ -124,26 +125,6 @@ pub fn classify_compact_63(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] set: &mut [[u32; 3]],
 ) {
     store_item(thread_index(id), items, bits, before, set);
-}
-
-/// Lanes 0 and 32 store the words of their 32 lanes.
-#[inline(always)]
-fn store_bits(
-    id: UVec3,
-    lane: u32,
-    flag: u32,
-    flags: &mut [u32; LANES],
-    bits: &mut [u32],
-    counts: &mut [u32],
-) {
-    flags[lane as usize % LANES] = flag;
-    barrier();
-    let word = (thread_index(id) / 32) as usize;
-    if lane & 31 == 0 && word < bits.len() && word < counts.len() {
-        let packed = pack_lanes(lane, flags);
-        bits[word] = packed;
-        counts[word] = packed.count_ones();
-    }
 }
 
 /// A frustum from its words, in the scene's magnitude.

@@ -1,8 +1,10 @@
 //! Compaction, with a scan of the counts between its two dispatches.
 
+use crate::group::barrier;
 use crate::thread_index;
 use glam::UVec3;
-use slimbvh_core::compact::{is_set, rank};
+use slimbvh_core::compact::{is_set, pack_lanes, rank};
+use slimbvh_core::launch::LANES;
 use spirv_std_macros::spirv;
 
 /// One thread per word of 32 bits. Reads the bits. Stores how many of the word are set.
@@ -33,5 +35,25 @@ pub fn compact(
         if to < indices.len() {
             indices[to] = i;
         }
+    }
+}
+
+/// Stores the flags of a workgroup's threads, each 0 or 1, as the bits of words, and how many of each word are set.
+#[inline(always)]
+pub(crate) fn store_bits(
+    id: UVec3,
+    lane: u32,
+    flag: u32,
+    flags: &mut [u32; LANES],
+    bits: &mut [u32],
+    counts: &mut [u32],
+) {
+    flags[lane as usize % LANES] = flag;
+    barrier();
+    let word = (thread_index(id) / 32) as usize;
+    if lane & 31 == 0 && word < bits.len() && word < counts.len() {
+        let packed = pack_lanes(lane, flags);
+        bits[word] = packed;
+        counts[word] = packed.count_ones();
     }
 }

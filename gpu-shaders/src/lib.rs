@@ -15,7 +15,7 @@
 
 use glam::{UVec3, UVec4};
 use group::atomic_add;
-use slimbvh_core::launch::{self, BLOCK, LANES, RUN};
+use slimbvh_core::launch::{self, LANES};
 use slimbvh_core::tile::Tiles;
 
 pub mod bounds;
@@ -50,18 +50,10 @@ const fn group_index(group: UVec3) -> u32 {
     launch::group_index(group.x, group.y)
 }
 
-/// Where the run of a lane begins, at most `count`.
+/// A lane's number among all workgroups.
 #[inline(always)]
-fn run_begin(group: UVec3, lane: u32, count: u32) -> u32 {
-    let begin = group_index(group) * BLOCK + lane * RUN;
-    if begin < count { begin } else { count }
-}
-
-/// How long the run of a lane is, at most RUN.
-#[inline(always)]
-fn run_length(begin: u32, count: u32) -> u32 {
-    let rest = count - begin;
-    if rest < RUN { rest } else { RUN }
+const fn lane_index(group: UVec3, lane: u32) -> u32 {
+    group_index(group) * LANES as u32 + lane
 }
 
 /// Where a thread's pixel lies in a picture, for `params` of samples a pixel, the picture's width and height, and the number

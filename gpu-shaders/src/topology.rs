@@ -1,42 +1,51 @@
 //! Stage `topology`: which nodes are kept, a scan of their counts, then the nodes.
 
+use crate::compact::store_bits;
 use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::Node;
 use slimbvh_core::compact::{is_set, rank};
-use slimbvh_core::topology::{Codes30, Codes63, SortedCodes, internal_node, kept_nodes};
+use slimbvh_core::launch::LANES;
+use slimbvh_core::topology::{Codes30, Codes63, SortedCodes, internal_node, is_kept};
 use spirv_std_macros::spirv;
 
-/// One thread per 32 nodes. Reads how many codes there are, and the sorted codes. Stores a bit for each node that is kept, and how many are.
+/// One thread per node. Reads how many codes there are, and the sorted codes. Stores a bit for each node that is kept, and
+/// how many each word has.
 #[spirv(compute(threads(64)))]
 pub fn topology_kept_30(
     #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] codes: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] counts: &mut [u32],
+    #[spirv(workgroup)] flags: &mut [u32; LANES],
 ) {
     let codes = Codes30 {
         codes,
         count: total.x,
     };
-    store_kept(thread_index(id), &codes, bits, counts);
+    let flag = is_kept(thread_index(id), &codes) as u32;
+    store_bits(id, lane, flag, flags, bits, counts);
 }
 
 /// As [`topology_kept_30`], of codes of two words.
 #[spirv(compute(threads(64)))]
 pub fn topology_kept_63(
     #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(local_invocation_index)] lane: u32,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] codes: &[[u32; 2]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] bits: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] counts: &mut [u32],
+    #[spirv(workgroup)] flags: &mut [u32; LANES],
 ) {
     let codes = Codes63 {
         codes,
         count: total.x,
     };
-    store_kept(thread_index(id), &codes, bits, counts);
+    let flag = is_kept(thread_index(id), &codes) as u32;
+    store_bits(id, lane, flag, flags, bits, counts);
 }
 
 /// One thread per code. Reads how many codes there are, the sorted codes, the bits of the kept nodes and the prefix sums of their counts. Stores
@@ -86,16 +95,6 @@ pub fn topology_nodes_63(
         nodes,
         splits,
     );
-}
-
-#[inline(always)]
-fn store_kept<C: SortedCodes>(word: u32, codes: &C, bits: &mut [u32], counts: &mut [u32]) {
-    let i = word as usize;
-    if i < bits.len() && i < counts.len() {
-        let kept = kept_nodes(word, codes);
-        bits[i] = kept;
-        counts[i] = kept.count_ones();
-    }
 }
 
 #[inline(always)]

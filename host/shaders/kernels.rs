@@ -36,7 +36,6 @@ kernels! {
         refit_rounded,
         refit_splits,
         scan_apply,
-        scan_blocks,
         scan_sums,
         shade_light,
         shade_reached,

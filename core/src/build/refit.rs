@@ -1,7 +1,7 @@
-//! Stage `refit`: every node's boxes from its triangles, in one dispatch over a pyramid of boxes.
+//! Stage `refit`: every node's boxes from its triangles, each node on its own, over a pyramid of boxes.
 //!
 //! Level 0 of the pyramid holds the box of each [`GROUP_SIZE`] triangles in leaf order, each further level that of two
-//! entries of the level below. A node covers a run of leaves, so its children's boxes are unions of few entries: no
+//! entries of the level below; the last entry of an odd level goes up alone. A node covers a run of leaves, so its children's boxes are unions of few entries: no
 //! order among the nodes, no atomics. `min` and `max` are exact, so any grouping gives the same bits.
 
 use crate::build::node::{Node, NodeRef};
@@ -17,6 +17,65 @@ pub const GROUP_SIZE: u32 = 8;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(transparent)]
 pub struct PyramidBox(pub [f32; 8]);
+
+impl PyramidBox {
+    /// The box of no triangles.
+    pub const EMPTY: Self = Self([
+        f32::MAX,
+        f32::MAX,
+        f32::MAX,
+        0.0,
+        -f32::MAX,
+        -f32::MAX,
+        -f32::MAX,
+        0.0,
+    ]);
+}
+
+/// A level of the pyramid, whose levels lie one after the other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Level {
+    /// Its first entry in the pyramid.
+    pub begin: u32,
+    /// How many entries it has; 0 above the top.
+    pub count: u32,
+}
+
+impl Level {
+    /// Level 0 over this many triangles.
+    #[inline(always)]
+    #[must_use]
+    pub const fn lowest(triangle_count: u32) -> Self {
+        Self {
+            begin: 0,
+            count: triangle_count.div_ceil(GROUP_SIZE),
+        }
+    }
+
+    /// The next level.
+    #[inline(always)]
+    #[must_use]
+    pub const fn above(self) -> Self {
+        Self {
+            begin: self.begin + self.count,
+            count: if self.count > 1 {
+                self.count.div_ceil(2)
+            } else {
+                0
+            },
+        }
+    }
+}
+
+/// How many entries all levels have together, over this many triangles.
+#[must_use]
+pub const fn pyramid_size(triangle_count: u32) -> u32 {
+    let mut level = Level::lowest(triangle_count);
+    while level.count > 0 {
+        level = level.above();
+    }
+    level.begin
+}
 
 /// A box in vectors of four, the last lane unused.
 #[derive(Clone, Copy)]
@@ -57,7 +116,11 @@ impl WideBox {
 
     #[inline(always)]
     pub(crate) fn of_entry(i: u32, pyramid: &[PyramidBox]) -> Self {
-        let PyramidBox(p) = crate::load(pyramid, i, PyramidBox([0.0; 8]));
+        Self::of(crate::load(pyramid, i, PyramidBox([0.0; 8])))
+    }
+
+    #[inline(always)]
+    fn of(PyramidBox(p): PyramidBox) -> Self {
         Self {
             min: Vec4::new(p[0], p[1], p[2], p[3]),
             max: Vec4::new(p[4], p[5], p[6], p[7]),
@@ -69,13 +132,6 @@ impl WideBox {
         let (a, b) = (self.min, self.max);
         PyramidBox([a.x, a.y, a.z, 0.0, b.x, b.y, b.z, 0.0])
     }
-}
-
-/// How many entries level 0 has.
-#[inline(always)]
-#[must_use]
-pub const fn group_count(triangle_count: u32) -> u32 {
-    triangle_count.div_ceil(GROUP_SIZE)
 }
 
 /// One thread per entry of level 0. Reads its triangles. Returns their box.
@@ -95,16 +151,40 @@ pub fn group_bounds(group: u32, triangles: &[LeafTriangle]) -> PyramidBox {
 /// One thread per entry of a further level. Reads two entries of the level below. Returns their union.
 #[inline(always)]
 #[must_use]
-pub fn parent_bounds(entry: u32, below: &[PyramidBox]) -> PyramidBox {
+pub fn parent_bounds(entry: u32, below: Level, pyramid: &[PyramidBox]) -> PyramidBox {
     let left = 2 * entry;
-    let right = if left + 1 < below.len() as u32 {
+    let right = if left + 1 < below.count {
         left + 1
     } else {
         left
     };
-    WideBox::of_entry(left, below)
-        .union(WideBox::of_entry(right, below))
+    WideBox::of_entry(below.begin + left, pyramid)
+        .union(WideBox::of_entry(below.begin + right, pyramid))
         .entry()
+}
+
+/// Workgroup step, where each lane begins with a box: at each step with `distance` = 1, 2, 4 … LANES/2 every lane below
+/// LANES / 2 / `distance` stores this at `2 * distance * lane`. After it these places hold the boxes of the next level, in
+/// order. Returns the union of two neighbours.
+#[inline(always)]
+#[must_use]
+pub fn pair_step<const LANES: usize>(
+    lane: u32,
+    distance: u32,
+    boxes: &[PyramidBox; LANES],
+) -> PyramidBox {
+    let left = pair_place(lane, distance);
+    let right = left + distance;
+    WideBox::of(boxes[left as usize % LANES])
+        .union(WideBox::of(boxes[right as usize % LANES]))
+        .entry()
+}
+
+/// Where a lane stores the result of [`pair_step`].
+#[inline(always)]
+#[must_use]
+pub const fn pair_place(lane: u32, distance: u32) -> u32 {
+    2 * distance * lane
 }
 
 /// The box of the triangles `first..=last`. `pyramid` holds all levels, one after the other.
@@ -149,24 +229,22 @@ fn wide_range_bounds(
     }
 
     // Climb: an odd end is taken at its level, even ends are covered by their parents.
-    let mut level_begin = 0;
-    let mut level_count = group_count(triangles.len() as u32);
+    let mut level = Level::lowest(triangles.len() as u32);
     for _ in 0..32u32 {
         if low >= high {
             break;
         }
         if low & 1 == 1 {
-            bounds = bounds.union(WideBox::of_entry(level_begin + low, pyramid));
+            bounds = bounds.union(WideBox::of_entry(level.begin + low, pyramid));
             low += 1;
         }
         if high & 1 == 1 {
             high -= 1;
-            bounds = bounds.union(WideBox::of_entry(level_begin + high, pyramid));
+            bounds = bounds.union(WideBox::of_entry(level.begin + high, pyramid));
         }
         low /= 2;
         high /= 2;
-        level_begin += level_count;
-        level_count = level_count.div_ceil(2);
+        level = level.above();
     }
     bounds
 }
@@ -205,6 +283,44 @@ pub fn refit_node(
 mod tests {
     use super::*;
     use crate::build::topology::{Codes30, internal_node, kept_nodes};
+    use proptest::prelude::*;
+    use std::vec::Vec;
+
+    #[test]
+    fn odd_levels_go_up_alone_to_one_entry() {
+        let mut level = Level::lowest(8 * 5 + 1);
+        let mut levels = Vec::new();
+        while level.count > 0 {
+            levels.push((level.begin, level.count));
+            level = level.above();
+        }
+        assert_eq!(levels, [(0, 6), (6, 3), (9, 2), (11, 1)]);
+        assert_eq!([0, 1, 8, 9, 41].map(pyramid_size), [0, 1, 1, 3, 12]);
+    }
+
+    proptest! {
+        #[test]
+        fn the_steps_of_a_workgroup_make_the_levels_above(values in proptest::collection::vec(-1f32..1.0, 1..=64)) {
+            let boxed = |x: f32| PyramidBox([x, -x, x / 2.0, 0.0, x, 1.0, 2.0 * x, 0.0]);
+            let mut pyramid: Vec<PyramidBox> = values.iter().map(|&x| boxed(x)).collect();
+            let mut level = Level { begin: 0, count: pyramid.len() as u32 };
+            let mut boxes = [PyramidBox::EMPTY; 64];
+            boxes[..pyramid.len()].copy_from_slice(&pyramid);
+            for step in 0..6 {
+                let (distance, lanes) = (1 << step, 32 >> step);
+                for lane in 0..lanes {
+                    boxes[pair_place(lane, distance) as usize] = pair_step(lane, distance, &boxes);
+                }
+                let next = level.above();
+                for entry in 0..next.count {
+                    pyramid.push(parent_bounds(entry, level, &pyramid));
+                    prop_assert_eq!(boxes[pair_place(entry, distance) as usize], pyramid[pyramid.len() - 1]);
+                }
+                level = next;
+            }
+            prop_assert_eq!(level.count, u32::from(values.len() > 32));
+        }
+    }
 
     #[test]
     fn a_node_over_nothing_stays_as_it_is() {

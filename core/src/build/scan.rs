@@ -3,6 +3,9 @@
 //! Each lane owns a run of values. Phase 1: every lane adds its run up ([`run_sum`]). Phase 2: the lanes' sums are
 //! scanned by doubling ([`doubling_step`]). Phase 3: every lane rewrites its run, beginning with the sum of all lanes
 //! before it ([`run_scan`]). A workgroup of one lane skips phase 2.
+//!
+//! Where several workgroups scan a block each, all store their block's sum first. Then the lanes of a workgroup add up the
+//! sums of the blocks before its own ([`strided_sum`]), where its first lane begins.
 
 /// Phase 1. Reads `values[first..first + count]`. Returns their wrapping sum.
 #[inline]
@@ -11,6 +14,20 @@ pub fn run_sum(values: &[u32], first: u32, count: u32) -> u32 {
     let mut sum = 0u32;
     for i in first..first + count {
         sum = sum.wrapping_add(crate::load(values, i, 0));
+    }
+    sum
+}
+
+/// Reads every `stride`-th of `values[..end]` from `first` on. Returns their wrapping sum. Lanes side by side, each of
+/// which takes its number for `first` and the number of lanes for `stride`, read values side by side.
+#[inline]
+#[must_use]
+pub fn strided_sum(values: &[u32], first: u32, end: u32, stride: u32) -> u32 {
+    let mut sum = 0u32;
+    let mut i = first;
+    while i < end {
+        sum = sum.wrapping_add(crate::load(values, i, 0));
+        i = i.wrapping_add(stride);
     }
     sum
 }
@@ -73,6 +90,14 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn strided_sums_add_up_to_the_sum(values in proptest::collection::vec(any::<u32>(), 0..300), end in 0u32..400) {
+            let end_in_list = values.len().min(end as usize);
+            let sum = values[..end_in_list].iter().fold(0u32, |sum, v| sum.wrapping_add(*v));
+            let parts = (0..64).map(|lane| strided_sum(&values, lane, end, 64));
+            prop_assert_eq!(parts.fold(0u32, u32::wrapping_add), sum);
+        }
+
         #[test]
         fn any_number_of_lanes_gives_the_prefix_sums(values in proptest::collection::vec(0u32..1000, 0..300)) {
             let expected: std::vec::Vec<u32> = values.iter().scan(0, |sum, &v| { let before = *sum; *sum += v; Some(before) }).collect();

@@ -117,28 +117,31 @@ fn orient<C: SortedCodes>(codes: &C, i: u32) -> (i32, i32) {
     }
 }
 
-/// One thread per 32 nodes. Reads the codes. Returns a bit for each node of `32·word …` that covers more than
-/// [`LEAF_SIZE`] leaves. Where there are no more codes than that, the first node is kept all the same: there is a root.
+/// One thread per node. Reads the codes. Returns whether node i covers more than [`LEAF_SIZE`] leaves. Where there are no
+/// more codes than that, the first node is kept all the same: there is a root.
+#[inline(always)]
+#[must_use]
+pub fn is_kept<C: SortedCodes>(i: u32, codes: &C) -> bool {
+    if codes.count() <= LEAF_SIZE {
+        return i == 0;
+    }
+    let (direction, outside) = orient(codes, i);
+    let reaches = prefix_at(codes, i, direction * LEAF_SIZE as i32) > outside;
+    i + 1 < codes.count() && reaches
+}
+
+/// The nodes that are kept of 32, from `32·word` on, as the bits of a word.
 #[inline]
 #[must_use]
 pub fn kept_nodes<C: SortedCodes>(word: u32, codes: &C) -> u32 {
-    if codes.count() <= LEAF_SIZE {
-        return (word == 0) as u32;
-    }
     let mut bits = 0;
-    let first = word * 32;
     for bit in 0..32u32 {
-        let i = first + bit;
-        if i + 1 < codes.count() {
-            let (direction, outside) = orient(codes, i);
-            let reaches = prefix_at(codes, i, direction * LEAF_SIZE as i32) > outside;
-            bits |= (reaches as u32) << bit;
-        }
+        bits |= (is_kept(word * 32 + bit, codes) as u32) << bit;
     }
     bits
 }
 
-/// One thread per kept node. Reads the codes, what [`kept_nodes`] returned and the exclusive prefix sums of its bit
+/// One thread per kept node. Reads the codes, the bits of [`kept_nodes`] and the exclusive prefix sums of its bit
 /// counts. Returns the node with its children and its run of leaves,
 /// without boxes, and the last leaf of its left child.
 #[inline]

@@ -3,33 +3,27 @@
 use super::BLOCK;
 use super::topology::Connections;
 use rayon::prelude::*;
-use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
+use slimbvh_core::refit::{
+    Level, PyramidBox, group_bounds, parent_bounds, pyramid_size, refit_node,
+};
 use slimbvh_core::{LeafTriangle, Node};
 
 /// Boxes of groups, of pairs of groups, and so on up to one box.
 pub fn fill_pyramid(triangles: &[LeafTriangle], pyramid: &mut Vec<PyramidBox>) {
-    let mut level_count = group_count(triangles.len() as u32) as usize;
-    pyramid.resize(pyramid_size(level_count), PyramidBox::default());
-    let (level, mut rest) = pyramid.split_at_mut(level_count);
-    fill(level, |i| group_bounds(i, triangles));
-    let mut below = &*level;
-    while level_count > 1 {
-        level_count = level_count.div_ceil(2);
-        let (level, after) = rest.split_at_mut(level_count);
-        fill(level, |i| parent_bounds(i, below));
-        (below, rest) = (level, after);
+    let triangle_count = triangles.len() as u32;
+    pyramid.resize(pyramid_size(triangle_count) as usize, PyramidBox::default());
+    let mut level = Level::lowest(triangle_count);
+    fill(&mut pyramid[..level.count as usize], |i| {
+        group_bounds(i, triangles)
+    });
+    while level.count > 1 {
+        let below = level;
+        level = level.above();
+        let (made, rest) = pyramid.split_at_mut(level.begin as usize);
+        fill(&mut rest[..level.count as usize], |i| {
+            parent_bounds(i, below, made)
+        });
     }
-}
-
-/// Entries of the level of this size and all above it.
-fn pyramid_size(level_count: usize) -> usize {
-    let mut size = level_count;
-    let mut level = level_count;
-    while level > 1 {
-        level = level.div_ceil(2);
-        size += level;
-    }
-    size
 }
 
 /// Nodes with the boxes of their children.

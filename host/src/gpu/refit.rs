@@ -4,9 +4,15 @@ use super::buffer::Range;
 use super::build::pyramid_bytes;
 use super::bvh::Built;
 use super::coding::Coding;
-use super::program::{Groups, Recorder, Uniform, threads};
+use super::program::{Groups, Recorder, Uniform, groups};
 use super::{Builder, Gpu, Kernel};
-use slimbvh_core::refit::{PyramidBox, group_count};
+use slimbvh_core::launch::LANES;
+use slimbvh_core::refit::{Level, PyramidBox};
+
+const BOX_BYTES: u64 = size_of::<PyramidBox>() as u64;
+
+/// Levels of the pyramid that a workgroup makes: that of its lanes, and one for each time that these are halved.
+const LEVELS: u32 = 1 + LANES.ilog2();
 
 impl Builder {
     /// Records both children's boxes of each node.
@@ -17,45 +23,13 @@ impl Builder {
         bvh: &Built,
         finds_splits: bool,
     ) {
-        const BOX_BYTES: u64 = size_of::<PyramidBox>() as u64;
         let splits = &self.splits(gpu, bvh);
-        let scratch = &mut self.scratch;
         recorder.stage("refit");
-        let node_groups = &scratch.node_groups.range(gpu, 12);
+        let node_groups = &self.scratch.node_groups.range(gpu, 12);
         recorder.copy(&bvh.total.part(4, 12), node_groups);
         let each_node = || Groups::Indirect(node_groups.clone());
 
-        let pyramid = &scratch
-            .pyramid
-            .range(gpu, pyramid_bytes(bvh.triangle_count));
-        let mut level_count = group_count(bvh.triangle_count);
-        let [even, odd] = &mut scratch.levels;
-        let even = even.range(gpu, u64::from(level_count) * BOX_BYTES);
-        let odd = odd.range(gpu, u64::from(level_count.div_ceil(2)) * BOX_BYTES);
-        recorder.dispatch(
-            Kernel::refit_groups,
-            &[],
-            &[&bvh.triangles],
-            &[&even, &pyramid.touching(even.size)],
-            threads(level_count),
-        );
-        let (mut below, mut level) = (even, odd);
-        let mut begin = 0;
-        while level_count > 1 {
-            begin += level_count;
-            below = below.part(0, u64::from(level_count) * BOX_BYTES);
-            level_count = level_count.div_ceil(2);
-            level = level.part(0, u64::from(level_count) * BOX_BYTES);
-            recorder.dispatch(
-                Kernel::refit_parents,
-                &[Uniform::Params([begin, 0, 0, 0])],
-                &[&below],
-                &[&level, &pyramid.touching(level.size)],
-                threads(level_count),
-            );
-            std::mem::swap(&mut below, &mut level);
-        }
-
+        let pyramid = &self.record_pyramid(gpu, recorder, bvh);
         let total = Uniform::Stored(&bvh.total);
         if finds_splits {
             let kernel = Kernel::refit_splits;
@@ -72,6 +46,36 @@ impl Builder {
             let kernel = Kernel::refit_nodes;
             recorder.update(kernel, &[total], from, &[&bvh.nodes], each_node());
         }
+    }
+
+    /// Records the boxes of all levels of the pyramid, [`LEVELS`] a dispatch.
+    fn record_pyramid(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) -> Range {
+        let bytes = pyramid_bytes(bvh.triangle_count);
+        let pyramid = self.scratch.pyramid.range(gpu, bytes);
+        let entries = |count: u32| pyramid.touching(u64::from(count) * BOX_BYTES);
+        let mut level = Level::lowest(bvh.triangle_count);
+        let mut below = None;
+        while level.count > 0 {
+            let groups = groups(level.count.div_ceil(LANES as u32));
+            let (begin, mut highest) = (level.begin, level);
+            for _ in 0..LEVELS {
+                (highest, level) = (level, level.above());
+            }
+            let made = &entries(level.begin - begin);
+            match below {
+                None => {
+                    let kernel = Kernel::refit_groups;
+                    recorder.dispatch(kernel, &[], &[&bvh.triangles], &[made], groups);
+                }
+                Some(Level { begin, count }) => {
+                    recorder.read(&entries(count));
+                    let params = Uniform::Params([begin, count, 0, 0]);
+                    recorder.dispatch(Kernel::refit_parents, &[params], &[], &[made], groups);
+                }
+            }
+            below = Some(highest);
+        }
+        pyramid
     }
 
     /// A range for the last triangle of each node's left child.

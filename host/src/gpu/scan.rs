@@ -4,7 +4,7 @@ use super::buffer::{Range, Slot};
 use super::mesh::check_storage;
 use super::program::{Recorder, groups};
 use super::{Frame, Gpu, GpuError, Kernel};
-use slimbvh_core::launch::BLOCK;
+use slimbvh_core::launch::scan_block_count;
 
 /// Bytes of `[sum, x, y, z]`.
 pub const TOTAL_BYTES: u64 = 16;
@@ -61,12 +61,15 @@ impl Scan {
         values: &Range,
         total: &Range,
     ) {
-        let block_count = values.size.div_ceil(4 * u64::from(BLOCK)) as u32;
+        let block_count = scan_block_count((values.size / 4) as u32);
         let blocks = &self.blocks.range(gpu, 4 * u64::from(block_count));
-        let each = || groups(block_count);
-        recorder.dispatch(Kernel::scan_sums, &[], &[values], &[blocks], each());
-        recorder.update(Kernel::scan_blocks, &[], &[], &[blocks, total], groups(1));
-        recorder.update(Kernel::scan_apply, &[], &[blocks], &[values], each());
+        let each_block = || groups(block_count);
+        if block_count > 1 {
+            recorder.dispatch(Kernel::scan_sums, &[], &[values], &[blocks], each_block());
+        }
+        recorder.read(values);
+        let to = &[values, total];
+        recorder.dispatch(Kernel::scan_apply, &[], &[blocks], to, each_block());
     }
 
     pub(super) fn bytes(&self) -> u64 {

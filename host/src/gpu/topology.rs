@@ -27,7 +27,7 @@ impl Builder {
             &[total],
             &[codes],
             &[kept, before],
-            threads(word_count),
+            threads(count),
         );
         self.scratch.scan.record(gpu, recorder, before, &bvh.total);
         recorder.dispatch(

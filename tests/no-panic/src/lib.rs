@@ -30,13 +30,15 @@ use slimbvh_core::encode::{
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
 use slimbvh_core::lanes::Each;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::launch::carries;
+use slimbvh_core::launch::{carries, run_begin, run_length, scan_block_count, scan_run};
 use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::orientation::{Orientation, Target};
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::refit::{PyramidBox, group_bounds, parent_bounds, refit_node};
+use slimbvh_core::refit::{
+    Level, PyramidBox, group_bounds, pair_place, pair_step, parent_bounds, pyramid_size, refit_node,
+};
 use slimbvh_core::sampling::Draw;
-use slimbvh_core::scan::{doubling_step, run_scan, run_sum};
+use slimbvh_core::scan::{doubling_step, run_scan, run_sum, strided_sum};
 use slimbvh_core::shade::{
     Environment, Light, Material, Path, Shadow, ambient_light, direct_light_or_dark, mean_radiance,
 };
@@ -47,7 +49,7 @@ use slimbvh_core::sort::tile::{
 };
 use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
-use slimbvh_core::topology::{Codes30, Codes63, internal_node, kept_nodes};
+use slimbvh_core::topology::{Codes30, Codes63, internal_node, is_kept, kept_nodes};
 use slimbvh_core::trace::{
     BruteForce, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords, LeafTriangles,
     NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair, TriangleRows,
@@ -105,13 +107,15 @@ pub fn sort_and_scan(
     sums: &[u32; 64],
 ) -> u32 {
     let digit = digit::<256>(key, lane);
-    let run = DigitRun::EMPTY.with(digit);
-    put(lane, packed(run.digit, lane), from);
+    let digits = DigitRun::EMPTY.with(digit);
+    put(lane, packed(digits.digit, lane), from);
     clear(lane, counters);
     let item = of_run(lane, key, from);
     let rank = take(round_digit(item, key), lane, counters);
     put(rank, item, to);
-    let sum = run_sum(values, key, lane);
+    let run = scan_run(key);
+    let begin = run_begin(lane, run, key);
+    let sum = run_sum(values, begin, run_length(begin, run, key));
     let after = run_scan(values, key, lane, sum);
     lane_scan(lane, sum, lane_sum(lane, counters), counters);
     packed_digit(word(key, to))
@@ -120,7 +124,9 @@ pub fn sort_and_scan(
         ^ after
         ^ total_place(digit, lane, key)
         ^ u32::from(carries(sum, rank))
-        ^ u32::from(is_first(lane, to) && run.ends_at(digit))
+        ^ u32::from(is_first(lane, to) && digits.ends_at(digit))
+        ^ strided_sum(values, lane, key, 64)
+        ^ scan_block_count(key)
 }
 
 #[unsafe(no_mangle)]
@@ -138,7 +144,7 @@ pub fn connect(
         internal_node(i, &long, bits, before),
     ];
     let rank = rank(i, bits, before) ^ u32::from(is_set(i, bits));
-    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank
+    kept_nodes(i, &short) ^ kept_nodes(i, &long) ^ rank ^ u32::from(is_kept(i, &long))
 }
 
 #[unsafe(no_mangle)]
@@ -165,12 +171,13 @@ pub fn cluster(
 pub fn refit(
     i: u32,
     triangles: &[LeafTriangle],
-    pyramid: &[PyramidBox],
-    to: Out<(PyramidBox, PyramidBox, Node)>,
-) {
+    (pyramid, boxes): (&[PyramidBox], &[PyramidBox; 64]),
+    to: Out<(PyramidBox, PyramidBox, PyramidBox, Node)>,
+) -> u32 {
     *to = (
         group_bounds(i, triangles),
-        parent_bounds(i, pyramid),
+        parent_bounds(i, Level::lowest(i).above(), pyramid),
+        pair_step(i, 8, boxes),
         refit_node(
             Node {
                 last: i,
@@ -181,6 +188,7 @@ pub fn refit(
             pyramid,
         ),
     );
+    pair_place(i, 8) ^ pyramid_size(i)
 }
 
 /// One thread's part of stage `encode` on a lattice.

@@ -7,6 +7,7 @@ mod chain;
 mod codecs;
 mod contract;
 mod decisions;
+mod dispatches;
 mod generated;
 mod kernels;
 mod limits;

@@ -4,7 +4,7 @@ use super::super::buffer::Slot;
 use super::super::encode::Encoder;
 use super::super::scan::Scan;
 use super::super::sort::Sort;
-use slimbvh_core::refit::{PyramidBox, group_count};
+use slimbvh_core::refit::{PyramidBox, pyramid_size};
 use wgpu::BufferUsages;
 
 /// Buffers between the stages.
@@ -26,7 +26,6 @@ pub struct Scratch {
     pub scan: Scan,
     pub splits: Slot,
     pub pyramid: Slot,
-    pub levels: [Slot; 2],
     pub node_groups: Slot,
     pub item_groups: Slot,
     pub encoder: Encoder,
@@ -52,10 +51,6 @@ impl Scratch {
             scan: Scan::new(),
             splits: Slot::storage("slimbvh splits"),
             pyramid: Slot::storage("slimbvh pyramid"),
-            levels: [
-                Slot::storage("slimbvh even levels"),
-                Slot::storage("slimbvh odd levels"),
-            ],
             node_groups: Slot::new("slimbvh node dispatch", state),
             item_groups: Slot::new("slimbvh item dispatch", state),
             encoder: Encoder::new(),
@@ -72,8 +67,6 @@ impl Scratch {
             &self.kept_before,
             &self.splits,
             &self.pyramid,
-            &self.levels[0],
-            &self.levels[1],
             &self.node_groups,
             &self.item_groups,
             &self.exponent,
@@ -88,13 +81,7 @@ impl Scratch {
     }
 }
 
-/// Bytes of all levels of the pyramid.
+/// Bytes of all levels of the pyramid, and at least one entry.
 pub fn pyramid_bytes(triangle_count: u32) -> u64 {
-    let mut level = group_count(triangle_count).max(1);
-    let mut entries = u64::from(level);
-    while level > 1 {
-        level = level.div_ceil(2);
-        entries += u64::from(level);
-    }
-    entries * size_of::<PyramidBox>() as u64
+    u64::from(pyramid_size(triangle_count).max(1)) * size_of::<PyramidBox>() as u64
 }

@@ -7,7 +7,7 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::BLOCK;
 use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::refit::{PyramidBox, group_bounds, group_count, parent_bounds, refit_node};
+use slimbvh_core::refit::{GROUP_SIZE, PyramidBox, refit_node};
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::topology::{Codes30, Codes63, SortedCodes, internal_node, kept_nodes};
 use slimbvh_core::{Aabb, LeafTriangle, Node};
@@ -32,8 +32,8 @@ pub struct Chain {
     /// Nodes without boxes, and the last triangle of each left child.
     pub bare_nodes: Vec<Node>,
     pub splits: Vec<u32>,
-    /// Levels of the pyramid, from the largest to the root's.
-    pub levels: Vec<Vec<PyramidBox>>,
+    /// All levels of the pyramid.
+    pub pyramid: Vec<PyramidBox>,
     pub nodes: Vec<Node>,
 }
 
@@ -84,7 +84,7 @@ impl Chain {
             before: Vec::new(),
             bare_nodes: Vec::new(),
             splits: Vec::new(),
-            levels: Vec::new(),
+            pyramid: Vec::new(),
             nodes: Vec::new(),
         };
         let codes = chain.codes.clone();
@@ -113,26 +113,11 @@ impl Chain {
     }
 
     fn fit(&mut self) {
-        let groups = group_count(self.triangles.len() as u32);
-        let mut level: Vec<_> = (0..groups)
-            .map(|group| group_bounds(group, &self.triangles))
-            .collect();
-        while level.len() > 1 {
-            let parents = (0..level.len().div_ceil(2) as u32).map(|i| parent_bounds(i, &level));
-            let parents = parents.collect();
-            self.levels.push(std::mem::replace(&mut level, parents));
-        }
-        self.levels.push(level);
-        let pyramid = self.pyramid();
+        self.pyramid = pyramid(&self.triangles);
         let nodes = self.bare_nodes.iter().zip(&self.splits);
         self.nodes = nodes
-            .map(|(&node, &split)| refit_node(node, split, &self.triangles, &pyramid))
+            .map(|(&node, &split)| refit_node(node, split, &self.triangles, &self.pyramid))
             .collect();
-    }
-
-    /// All levels in one list.
-    pub fn pyramid(&self) -> Vec<PyramidBox> {
-        self.levels.concat()
     }
 
     /// The uniforms of the kernels.
@@ -140,11 +125,38 @@ impl Chain {
         [self.exponent as u32, 0, 0, 0]
     }
 
-    /// The number of nodes with the dispatch that `scan_blocks` stores beside it.
+    /// The number of nodes with the dispatch that `scan_apply` stores beside it.
     pub fn total_uniform(&self) -> [u32; 4] {
         let count = self.nodes.len() as u32;
         let [x, y, z] = slimbvh_core::launch::dispatch(count.div_ceil(64));
         [count, x, y, z]
+    }
+}
+
+/// All levels of the pyramid, each entry from its triangles alone, in plain loops.
+pub fn pyramid(triangles: &[LeafTriangle]) -> Vec<PyramidBox> {
+    let corners = |leaf: &LeafTriangle| {
+        let v = leaf.vertices;
+        [[v[0], v[1], v[2]], [v[3], v[4], v[5]], [v[6], v[7], v[8]]]
+    };
+    let bounds = |run: &[LeafTriangle]| {
+        let mut bounds = PyramidBox::EMPTY;
+        for corner in run.iter().flat_map(corners) {
+            for (axis, x) in corner.into_iter().enumerate() {
+                bounds.0[axis] = bounds.0[axis].min(x);
+                bounds.0[4 + axis] = bounds.0[4 + axis].max(x);
+            }
+        }
+        bounds
+    };
+    let mut pyramid = Vec::new();
+    let mut run = GROUP_SIZE as usize;
+    loop {
+        pyramid.extend(triangles.chunks(run).map(bounds));
+        if run >= triangles.len() {
+            return pyramid;
+        }
+        run *= 2;
     }
 }
 

@@ -1,16 +1,17 @@
 //! Kernels of the build from `topology` on, each alone: its outputs equal the results of core's function, to the bit.
 
-use super::chain::{Chain, is_short};
+use super::chain::{Chain, is_short, pyramid};
 use bytemuck::{Zeroable, bytes_of, cast_slice};
 use proptest::prelude::*;
 use slimbvh::CodeBits;
 use slimbvh::gpu::{Gpu, Kernel};
-use slimbvh_core::Node;
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::refit::PyramidBox;
+use slimbvh_core::refit::{Level, PyramidBox};
 use slimbvh_core::topology::{Codes30, internal_node};
+use slimbvh_core::{LeafTriangle, Node};
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
 use slimbvh_tests::parity::same_bits;
+use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::large_mesh;
 use slimbvh_tests::{CODE_BITS, cases};
 
@@ -30,7 +31,7 @@ fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), S
     let total = [chain.triangles.len() as u32, 0, 0, 0];
     let stored = Dispatch {
         kernel: kept,
-        group_count: groups(words.len()),
+        group_count: groups(32 * words.len()),
         uniforms: &[&total],
         reads: &[codes],
         outputs: &[cast_slice(&words), cast_slice(&words)],
@@ -67,43 +68,52 @@ fn check_topology(gpu: &Gpu, chain: &Chain, code_bits: CodeBits) -> Result<(), S
     same_bits(&answers::<u32>(&stored[1]), &splits)
 }
 
-fn check_pyramid(gpu: &Gpu, chain: &Chain) -> Result<(), String> {
-    let nothing = |count: usize| vec![PyramidBox::zeroed(); count];
-    let mut pyramid = nothing(chain.pyramid().len());
-    let mut begin = 0;
-    for (depth, level) in chain.levels.iter().enumerate() {
-        let params = [begin as u32, 0, 0, 0];
-        let uniforms: [&[u32]; 1] = [&params];
-        let (kernel, uniforms, below): (_, &[&[u32]], &[u8]) = if depth == 0 {
-            (Kernel::refit_groups, &[], cast_slice(&chain.triangles))
-        } else {
-            let below = &chain.levels[depth - 1];
-            (Kernel::refit_parents, &uniforms, cast_slice(below))
-        };
+/// Compares the pyramid over triangles, seven levels a dispatch. A dispatch stores no other level.
+fn check_pyramid(
+    gpu: &Gpu,
+    triangles: &[LeafTriangle],
+    expected: &[PyramidBox],
+) -> Result<(), String> {
+    let mut pyramid = vec![PyramidBox::zeroed(); expected.len()];
+    let mut level = Level::lowest(triangles.len() as u32);
+    let mut below = None;
+    while level.count > 0 {
+        let params: [u32; 4] =
+            below.map_or([0; 4], |below: Level| [below.begin, below.count, 0, 0]);
+        let (uniforms, reads): ([&[u32]; 1], [&[u8]; 1]) = ([&params], [cast_slice(triangles)]);
+        let is_lowest = below.is_none();
         let stored = Dispatch {
-            kernel,
-            group_count: groups(level.len()),
-            uniforms,
-            reads: &[below],
-            outputs: &[cast_slice(&nothing(level.len())), cast_slice(&pyramid)],
+            kernel: if is_lowest {
+                Kernel::refit_groups
+            } else {
+                Kernel::refit_parents
+            },
+            group_count: groups(level.count as usize),
+            uniforms: if is_lowest { &[] } else { &uniforms },
+            reads: if is_lowest { &reads } else { &[] },
+            outputs: &[cast_slice(&pyramid)],
         }
         .run(gpu);
-        same_bits(&answers::<PyramidBox>(&stored[0]), level)?;
-        pyramid = answers(&stored[1]);
-        begin += level.len();
+        for _ in 0..7 {
+            (below, level) = (Some(level), level.above());
+        }
+        pyramid = answers(&stored[0]);
+        let made = level.begin as usize;
+        same_bits(&pyramid[..made], &expected[..made])?;
+        let absent = vec![PyramidBox::zeroed(); expected.len() - made];
+        same_bits(&pyramid[made..], &absent)?;
     }
-    same_bits(&pyramid, &chain.pyramid())
+    same_bits(&pyramid, expected)
 }
 
 fn check_refit(gpu: &Gpu, chain: &Chain) -> Result<(), String> {
-    let pyramid = chain.pyramid();
     let total = chain.total_uniform();
     let (leaves, splits) = (cast_slice(&chain.triangles), cast_slice(&chain.splits));
     let dispatch = Dispatch {
         kernel: Kernel::refit_nodes,
         group_count: groups(chain.nodes.len()),
         uniforms: &[&total],
-        reads: &[leaves, cast_slice(&pyramid), splits],
+        reads: &[leaves, cast_slice(&chain.pyramid), splits],
         outputs: &[cast_slice(&chain.bare_nodes)],
     };
     let stored = dispatch.run(gpu);
@@ -127,7 +137,8 @@ proptest! {
         for code_bits in CODE_BITS {
             let Some(chain) = Chain::new(&mesh, code_bits) else { continue };
             prop_assert_eq!(check_topology(gpu, &chain, code_bits), Ok(()));
-            prop_assert_eq!(check_pyramid(gpu, &chain), Ok(()));
+            let pyramid = check_pyramid(gpu, &chain.triangles, &chain.pyramid);
+            prop_assert_eq!(pyramid, Ok(()));
             prop_assert_eq!(check_refit(gpu, &chain), Ok(()));
         }
     }
@@ -145,15 +156,37 @@ fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
         assert!(check_topology(gpu, &spoilt, code_bits).is_err());
     }
     let mut spoilt = chain(CodeBits::Bits30);
-    done(check_pyramid(gpu, &spoilt));
+    done(check_pyramid(gpu, &spoilt.triangles, &spoilt.pyramid));
     // Set the highest bit of an exponent: this box then exceeds all others of its group.
     let x = &mut spoilt.triangles[77].vertices[0];
     *x = f32::from_bits(x.to_bits() ^ 1 << 30);
-    assert!(check_pyramid(gpu, &spoilt).is_err());
+    assert!(check_pyramid(gpu, &spoilt.triangles, &spoilt.pyramid).is_err());
     let mut spoilt = chain(CodeBits::Bits30);
     done(check_refit(gpu, &spoilt));
     spoilt.splits[20] ^= 1;
     assert!(check_refit(gpu, &spoilt).is_err());
+}
+
+/// Counts at and around the borders of groups of triangles, of workgroups and of what one dispatch can take to the top.
+#[test]
+fn pyramids_of_any_size_are_boxes_of_their_triangles() {
+    let Some(gpu) = gpu() else { return };
+    let mut random = Random::new(4);
+    let mut corner = || random.between(-1.0, 1.0);
+    let triangle = |primitive| LeafTriangle {
+        vertices: std::array::from_fn(|_| corner()),
+        primitive,
+    };
+    let largest = 8 * 64 * 128 * 2;
+    let all: Vec<LeafTriangle> = (0..largest + 1).map(triangle).collect();
+    for border in [8, 16, 512, 1024, 4096, 8 * 64 * 64, 8 * 64 * 128, largest] {
+        for count in [border - 1, border, border + 1] {
+            let triangles = &all[..count as usize];
+            let result = check_pyramid(gpu, triangles, &pyramid(triangles));
+            assert_eq!(result, Ok(()), "{count} triangles");
+        }
+    }
+    assert_eq!(check_pyramid(gpu, &all[..1], &pyramid(&all[..1])), Ok(()));
 }
 
 /// A mesh of one leaf and an empty mesh have a root, too.
