@@ -12,6 +12,7 @@ mod limits;
 mod lost;
 mod order;
 mod overflow;
+mod own_shaders;
 mod pictures;
 mod scans;
 mod shading;

@@ -19,17 +19,19 @@ use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::mesh_of;
 use slimbvh_tests::validate::validate_shape;
 
-/// How many rays need more rows than a lane has to find out whether they hit anything.
-fn overflowing(bvh: &Bvh, rays: &[Ray]) -> usize {
+/// Whether a ray needs more rows than a lane has to find out whether it hits anything.
+pub fn overflows(bvh: &Bvh, ray: &Ray) -> bool {
     let mut words: LaneWords = [0; LANE_ROWS * LANES];
     let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
-    let overflows = |ray: &&Ray| {
-        let ray = PreparedRay::new(ray, bvh.scene_exponent());
-        let mut any = AnyHit::new(ray.t_max);
-        let mut stack = LaneStack::new(&mut words, 7);
-        !traverse_with(&mut stack, &nodes, &triangles, &ray, &Skip::NONE, &mut any)
-    };
-    rays.iter().filter(overflows).count()
+    let ray = PreparedRay::new(ray, bvh.scene_exponent());
+    let mut any = AnyHit::new(ray.t_max);
+    let mut stack = LaneStack::new(&mut words, 7);
+    !traverse_with(&mut stack, &nodes, &triangles, &ray, &Skip::NONE, &mut any)
+}
+
+/// How many rays do.
+fn overflowing(bvh: &Bvh, rays: &[Ray]) -> usize {
+    rays.iter().filter(|ray| overflows(bvh, ray)).count()
 }
 
 /// Rays through the corner that all boxes of a ladder reach, and others.
@@ -80,24 +82,32 @@ fn nested(count: u32) -> Mesh {
     mesh_of(&(0..count).map(corners).collect::<Vec<_>>())
 }
 
-#[test]
-fn a_deep_tree_is_traced_by_rays_that_all_overflow() {
-    let Some(gpu) = gpu() else { return };
+/// A tree that its builder made deep.
+pub fn nested_tree() -> Bvh {
     let config = BuildConfig {
         tree: TreeKind::Clustered,
         ..BuildConfig::default()
     };
-    let mesh = nested(340);
-    let bvh = build_as(&mesh, config);
-    let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), bvh.depth_bound());
-    let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
-    assert!(depth > 2 * LANE_ROWS as u32, "{depth}");
-    // From just beside the corner, outwards along the face of the boxes that they share.
+    build_as(&nested(340), config)
+}
+
+/// Rays that all overflow in [`nested_tree`]: from just beside the corner, outwards along the face of the boxes that they share.
+pub fn rays_along_the_corner() -> Vec<Ray> {
     let ray = |i: u32| {
         let off = i as f32 * 2f32.powi(-80);
         Ray::new([-1.0, -off, -off], [1.0, off, off])
     };
-    let rays: Vec<Ray> = (0..300).map(ray).collect();
+    (0..300).map(ray).collect()
+}
+
+#[test]
+fn a_deep_tree_is_traced_by_rays_that_all_overflow() {
+    let Some(gpu) = gpu() else { return };
+    let bvh = nested_tree();
+    let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), bvh.depth_bound());
+    let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
+    assert!(depth > 2 * LANE_ROWS as u32, "{depth}");
+    let rays = rays_along_the_corner();
     assert_eq!(overflowing(&bvh, &rays), rays.len());
     check(gpu, &bvh, &rays);
 }
