@@ -3,7 +3,8 @@
 
 use slimbvh_shaders::{
     bounds::*, camera::*, classify::*, compact::*, decide::*, encode::*, morton::*, refit::*,
-    scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*, trace::coded::*, trace::*, view::*,
+    scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*, trace::coded::*,
+    trace::overflow::*, trace::*, view::*,
 };
 
 macro_rules! kernels {
