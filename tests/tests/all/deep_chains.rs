@@ -1,11 +1,11 @@
-//! Trees deeper than any that the builders make: a chain of nodes, each with one more triangle than the next, which the loader of
-//! saved trees accepts. Rays that begin in all boxes let a node wait on every level.
+//! Trees deeper than any that the builders make: a chain of nodes, each with one more triangle than the next, which the loader
+//! of saved trees accepts. Rays that begin in all boxes let a node wait on every level that they go down.
 
 use slimbvh::scene::slim::{Section, read, write};
 use slimbvh::{Bvh, CodeBits, Scene};
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    AnyHit, LeafTriangles, PlainNodes, STACK_SIZE, Skip, Stack, Waiting, traverse_with,
+    ClosestOrAny, LeafTriangles, PlainNodes, STACK_SIZE, Skip, Stack, Waiting, traverse_with,
 };
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Ray};
 use slimbvh_tests::build;
@@ -13,21 +13,51 @@ use slimbvh_tests::oracle::brute::Parts;
 use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::{Corners, mesh_of};
 use slimbvh_tests::validate::validate_shape;
+use std::ops::Range;
 
 /// Triangles in the leaf at the end of a chain.
 const LAST: u32 = 6;
 
 /// Levels of the chains of the tests.
-pub const LEVELS: u32 = 120;
+const LEVELS: u32 = 120;
 const _: () = assert!((LEVELS as usize) < STACK_SIZE);
 
 /// Half the edge of a cube around the origin that the box of every triangle contains.
 const INSIDE: f32 = 0.25;
 
-/// A tree in which each of so many nodes has the next one as its left child, and a leaf of one triangle as its right. Every
-/// second triangle equals the one before.
-pub fn chain(levels: u32) -> Bvh {
-    let count = levels + LAST;
+/// Which child of a chain's node is the next node. Of children that a ray enters at the same t, the search for the closest hit
+/// goes to the left one first, the search for any hit to the right one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    Left,
+    Right,
+    /// Left and right in turn.
+    Alternating,
+}
+
+impl Side {
+    const ALL: [Self; 3] = [Self::Left, Self::Right, Self::Alternating];
+
+    /// Whether it is the left one on this level.
+    fn is_left(self, level: u32) -> bool {
+        match self {
+            Self::Left => true,
+            Self::Right => false,
+            Self::Alternating => level.is_multiple_of(2),
+        }
+    }
+
+    /// On how many levels the searches for the closest hit and for any go to the next node first.
+    fn levels_walked(self) -> [u32; 2] {
+        let left = (0..LEVELS).filter(|&level| self.is_left(level)).count() as u32;
+        [left, LEVELS - left]
+    }
+}
+
+/// A tree in which each of [`LEVELS`] nodes has the next one as a child on this side, and a leaf of one triangle as the other.
+/// Every second triangle equals the one before.
+pub fn chain(side: Side) -> Bvh {
+    let count = LEVELS + LAST;
     let mut random = Random::new(4);
     let mut corners: Vec<Corners> = Vec::new();
     for i in 0..count as usize {
@@ -48,37 +78,63 @@ pub fn chain(levels: u32) -> Bvh {
     let mut triangles = bvh.leaf_triangles().to_vec();
     // The last primitives come first in the leaves, so that an earlier primitive at the same t is met later.
     triangles.sort_by_key(|triangle| std::cmp::Reverse(triangle.primitive));
-    with_lists(&scene, &bvh, &nodes(levels, &triangles), &triangles)
+    with_lists(&scene, &bvh, &nodes(side, &triangles), &triangles)
 }
 
-/// The nodes of a chain over triangles in leaf order. The root is the first, all others follow from the end of the chain up, as
-/// those below a left child stand before it.
-fn nodes(levels: u32, triangles: &[LeafTriangle]) -> Vec<Node> {
-    let bounds = |places: std::ops::Range<u32>| {
-        let mut bounds = Aabb::EMPTY;
-        for place in places {
-            bounds = bounds.union(triangles[place as usize].triangle().bounds());
-        }
-        bounds
+/// The nodes of a chain over triangles in leaf order, the root first. Those below a left child stand before it, those below a right
+/// child behind it.
+fn nodes(side: Side, triangles: &[LeafTriangle]) -> Vec<Node> {
+    let bounds = |places: &Range<u32>| {
+        let triangles = &triangles[places.start as usize..places.end as usize];
+        let mut bounds = triangles
+            .iter()
+            .map(|triangle| triangle.triangle().bounds());
+        let first = bounds.next().expect("no child is empty");
+        bounds.fold(first, Aabb::union)
     };
-    let node = |level: u32| {
-        let last = triangles.len() as u32 - 1 - level;
-        let left = if level + 1 == levels {
-            NodeRef::leaf(0, LAST)
+    let mut nodes = vec![Node::default(); LEVELS as usize];
+    // Of the node, of those below it, and of the triangles below it.
+    let (mut index, mut below, mut places) = (0, 1..LEVELS, 0..triangles.len() as u32);
+    for level in 0..LEVELS {
+        let Range { start, end } = places;
+        let is_left = side.is_left(level);
+        let (next, alone) = if is_left {
+            (start..end - 1, end - 1..end)
         } else {
-            NodeRef::inner(levels - 1 - level)
+            (start + 1..end, start..start + 1)
         };
-        let (a, b) = (bounds(0..last), bounds(last..last + 1));
-        Node {
+        let next_index = if is_left {
+            below.end.wrapping_sub(1)
+        } else {
+            below.start
+        };
+        let next_ref = if level + 1 == LEVELS {
+            NodeRef::leaf(next.start, LAST)
+        } else {
+            NodeRef::inner(next_index)
+        };
+        let mut children = [
+            (next_ref, bounds(&next)),
+            (NodeRef::leaf(alone.start, 1), bounds(&alone)),
+        ];
+        if !is_left {
+            children.reverse();
+        }
+        let [(left, a), (right, b)] = children;
+        nodes[index as usize] = Node {
             planes: [0, 1, 2].map(|axis| [a.min[axis], b.min[axis], a.max[axis], b.max[axis]]),
             left,
-            right: NodeRef::leaf(last, 1),
-            first: 0,
-            last,
-        }
-    };
-    let mut nodes: Vec<Node> = (1..levels).rev().map(node).collect();
-    nodes.insert(0, node(0));
+            right,
+            first: start,
+            last: end - 1,
+        };
+        below = if is_left {
+            below.start..next_index
+        } else {
+            next_index + 1..below.end
+        };
+        (index, places) = (next_index, next);
+    }
     nodes
 }
 
@@ -181,33 +237,54 @@ impl Waiting<NodeRef> for Measured {
     }
 }
 
-/// How many nodes wait at once while a ray finds out whether it hits anything.
-pub fn most_waiting(bvh: &Bvh, ray: &Ray) -> u32 {
+/// How many nodes wait at once in a ray's searches for the closest hit and for any.
+pub fn most_waiting(bvh: &Bvh, ray: &Ray) -> [u32; 2] {
     let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
     let ray = PreparedRay::new(ray, bvh.scene_exponent());
-    let mut any = AnyHit::new(ray.t_max);
-    let mut stack = Measured {
-        stack: Stack::EMPTY,
-        most: 0,
-    };
-    traverse_with(&mut stack, &nodes, &triangles, &ray, &Skip::NONE, &mut any);
-    stack.most
+    let searches = [
+        ClosestOrAny::closest(ray.t_max),
+        ClosestOrAny::any(ray.t_max),
+    ];
+    searches.map(|mut search| {
+        let mut stack = Measured {
+            stack: Stack::EMPTY,
+            most: 0,
+        };
+        traverse_with(
+            &mut stack,
+            &nodes,
+            &triangles,
+            &ray,
+            &Skip::NONE,
+            &mut search,
+        );
+        stack.most
+    })
 }
 
 #[test]
 fn rays_wait_on_every_level_of_a_chain_and_lose_no_hit() {
-    let bvh = chain(LEVELS);
-    let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), LEVELS);
-    assert!(shape.is_ok_and(|shape| shape.depth == LEVELS));
-    let inside = rays_inside(&bvh, 300);
-    for ray in &inside {
-        assert_eq!(most_waiting(&bvh, ray), LEVELS);
-    }
-    let around = rays_around(&bvh, 600);
-    for rays in [inside, around] {
-        match Parts::from(&bvh).compare(&rays) {
-            Ok(hit_count) => assert!((100..rays.len() - 50).contains(&hit_count), "{hit_count}"),
-            Err(disagreement) => panic!("{disagreement:#?}"),
+    for side in Side::ALL {
+        let bvh = chain(side);
+        let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), LEVELS);
+        assert!(shape.is_ok_and(|shape| shape.depth == LEVELS));
+        let inside = rays_inside(&bvh, 300);
+        for ray in &inside {
+            let waiting = most_waiting(&bvh, ray);
+            for (found, walked) in waiting.into_iter().zip(side.levels_walked()) {
+                // The last node's leaf may wait, too.
+                assert!(
+                    found == walked || (walked < LEVELS && found == walked + 1),
+                    "{side:?}: {found}"
+                );
+            }
+        }
+        let around = rays_around(&bvh, 600);
+        for rays in [inside, around] {
+            match Parts::from(&bvh).compare(&rays) {
+                Ok(hits) => assert!((100..rays.len() - 50).contains(&hits), "{hits}"),
+                Err(disagreement) => panic!("{disagreement:#?}"),
+            }
         }
     }
 }

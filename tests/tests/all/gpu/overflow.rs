@@ -10,7 +10,7 @@ use slimbvh::{
 use slimbvh_core::launch::LANES;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    AnyHit, LANE_ROWS, LaneStack, LaneWords, LeafTriangles, PlainNodes, Skip, traverse_with,
+    ClosestOrAny, LANE_ROWS, LaneStack, LaneWords, LeafTriangles, PlainNodes, Skip, traverse_with,
 };
 use slimbvh_core::{Ray, Vec3};
 use slimbvh_tests::build_as;
@@ -19,19 +19,32 @@ use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::mesh_of;
 use slimbvh_tests::validate::validate_shape;
 
-/// Whether a ray needs more rows than a lane has to find out whether it hits anything.
-pub fn overflows(bvh: &Bvh, ray: &Ray) -> bool {
+/// Whether a ray's searches for the closest hit and for any need more rows than a lane has.
+pub fn overflows(bvh: &Bvh, ray: &Ray) -> [bool; 2] {
     let mut words: LaneWords = [0; LANE_ROWS * LANES];
     let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
     let ray = PreparedRay::new(ray, bvh.scene_exponent());
-    let mut any = AnyHit::new(ray.t_max);
-    let mut stack = LaneStack::new(&mut words, 7);
-    !traverse_with(&mut stack, &nodes, &triangles, &ray, &Skip::NONE, &mut any)
+    let searches = [
+        ClosestOrAny::closest(ray.t_max),
+        ClosestOrAny::any(ray.t_max),
+    ];
+    searches.map(|mut search| {
+        let mut stack = LaneStack::new(&mut words, 7);
+        !traverse_with(
+            &mut stack,
+            &nodes,
+            &triangles,
+            &ray,
+            &Skip::NONE,
+            &mut search,
+        )
+    })
 }
 
 /// How many rays do.
-fn overflowing(bvh: &Bvh, rays: &[Ray]) -> usize {
-    rays.iter().filter(|ray| overflows(bvh, ray)).count()
+fn overflowing(bvh: &Bvh, rays: &[Ray]) -> [usize; 2] {
+    let each: Vec<[bool; 2]> = rays.iter().map(|ray| overflows(bvh, ray)).collect();
+    [0, 1].map(|search| each.iter().filter(|of| of[search]).count())
 }
 
 /// Rays through the corner that all boxes of a ladder reach, and others.
@@ -61,9 +74,10 @@ fn rays_that_overflow_are_answered_in_every_codec() {
     let mesh = ladder(21, 1500);
     let rays = rays_at_the_corner(500, (1u32 << 21) as f32);
     let plain = BuildConfig::from(CodeBits::Bits63);
-    let count = overflowing(&build_as(&mesh, plain), &rays);
     // Some do, and some do not.
-    assert!(count > 10 && count < rays.len(), "{count}");
+    for count in overflowing(&build_as(&mesh, plain), &rays) {
+        assert!(count > 10 && count < rays.len(), "{count}");
+    }
     for nodes in [
         NodeCodec::F32,
         NodeCodec::Lattice(LatticeBits::Q10),
@@ -108,7 +122,7 @@ fn a_deep_tree_is_traced_by_rays_that_all_overflow() {
     let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
     assert!(depth > 2 * LANE_ROWS as u32, "{depth}");
     let rays = rays_along_the_corner();
-    assert_eq!(overflowing(&bvh, &rays), rays.len());
+    assert_eq!(overflowing(&bvh, &rays), [rays.len(); 2]);
     check(gpu, &bvh, &rays);
 }
 
