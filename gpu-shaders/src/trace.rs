@@ -4,23 +4,22 @@
 //! trees in full have kernels for paths and shadow rays without a filter as well: the filter takes 14 % more instructions there.
 
 use crate::thread_index;
-use glam::{UVec3, UVec4, Vec4};
+use glam::{UVec3, UVec4};
 use overflow::noted;
 use slimbvh_core::classify::{FacingFilter, PackedSides};
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::orientation::Target;
-use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    ClosestOrAny, LaneStack, LaneWords, NodeRow, NodeRows, Skip, TrianglePair, TriangleRows,
-    traverse,
+    LaneStack, LaneWords, NodeRow, NodeRows, Skip, TrianglePair, TriangleRows,
 };
 use slimbvh_core::{Hit, Ray};
 use spirv_std_macros::spirv;
 
 #[macro_use]
 mod kernels;
+pub mod called;
 pub mod coded;
 pub mod overflow;
 mod store;
@@ -100,45 +99,4 @@ pub(crate) fn scaled_target(words: &[UVec4; 2], exponent: u32) -> Target {
         padding: [b.y, b.z, b.w],
     };
     target.scaled(&PowerOfTwo::new(exponent as i32))
-}
-
-/// Becomes a function that other people's WGSL can call: the shader builder makes private variables of the bindings from
-/// 3 on, and `host/shaders/slimbvh.wgsl` of it all. Reads the scene's exponent, the tree, a ray's origin with `t_min` and
-/// its direction with `t_max`, and whether any hit will do: 1, or else 0. Stores the hit, as bits.
-#[spirv(compute(threads(1)))]
-pub fn call_trace(
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[NodeRow],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[TrianglePair],
-    #[spirv(uniform, descriptor_set = 0, binding = 3)] origin: &Vec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 4)] direction: &Vec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 5)] any_will_do: &u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] hit: &mut UVec4,
-) {
-    let ray = Ray {
-        origin: origin.truncate().to_array(),
-        t_min: origin.w,
-        direction: direction.truncate().to_array(),
-        t_max: direction.w,
-    };
-    let ray = PreparedRay::new(&ray, exponent.x as i32);
-    let mut collector = if *any_will_do == 1 {
-        ClosestOrAny::any(ray.t_max)
-    } else {
-        ClosestOrAny::closest(ray.t_max)
-    };
-    traverse(
-        &NodeRows(nodes),
-        &TriangleRows(triangles),
-        &ray,
-        &Skip::NONE,
-        &mut collector,
-    );
-    let found = ray.restore(collector.closest.hit);
-    *hit = UVec4::new(
-        found.t.to_bits(),
-        found.u.to_bits(),
-        found.v.to_bits(),
-        found.primitive,
-    );
 }

@@ -1,6 +1,6 @@
 //! Your own compute shader in WGSL that traces rays: it views a teapot and stores the steepness of what each ray hits.
 
-use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu, wgsl};
+use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu, wgsl_compute};
 use slimbvh::{BuildConfig, generate};
 use std::error::Error;
 
@@ -11,7 +11,7 @@ const SHADER: &str = "
 @group(1) @binding(0) var<storage, read_write> steepness: array<f32>;
 
 @compute @workgroup_size(8, 8)
-fn look(@builtin(global_invocation_id) id: vec3<u32>) {
+fn look(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     if id.x >= 78u || id.y >= 30u {
         return;
     }
@@ -20,17 +20,21 @@ fn look(@builtin(global_invocation_id) id: vec3<u32>) {
     let y = (0.5 - f32(id.y) / 29.0) * 26.0;
     let origin = vec3<f32>(x, y + 25.0, 50.0);
     let direction = vec3<f32>(0.0, -0.5, -1.0);
-    let hit = slimbvh_closest_hit(origin, 0.0, direction, 100.0);
 
-    // Two more rays beside it tell the slope.
-    var answer = -1.0;
-    if hit.primitive != 0xffffffffu {
-        let across = slimbvh_closest_hit(origin + vec3<f32>(0.01, 0.0, 0.0), 0.0, direction, 100.0);
-        let along = slimbvh_closest_hit(origin + vec3<f32>(0.0, 0.01, 0.0), 0.0, direction, 100.0);
-        let slope = vec2<f32>(across.t - hit.t, along.t - hit.t) / 0.01;
-        answer = min(length(slope), 4.0) / 4.0;
+    // Two more rays beside it tell the slope. One call in a loop, as compilers copy the traversal to each call.
+    var first = SlimbvhHit();
+    var slope = vec2<f32>();
+    for (var i = 0u; i < 3u; i++) {
+        let beside = 0.01 * vec3<f32>(f32(i == 1u), f32(i == 2u), 0.0);
+        let hit = slimbvh_closest_hit_in_group(lane, origin + beside, 0.0, direction, 100.0);
+        if i == 0u {
+            first = hit;
+        } else {
+            slope[i - 1u] = (hit.t - first.t) / 0.01;
+        }
     }
-    steepness[id.y * 78u + id.x] = answer;
+    let is_miss = first.primitive == 0xffffffffu;
+    steepness[id.y * 78u + id.x] = select(min(length(slope), 4.0) / 4.0, -1.0, is_miss);
 }
 ";
 
@@ -43,14 +47,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     // slimbvh's text, then the shader.
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("look"),
-        source: wgpu::ShaderSource::Wgsl((wgsl(0) + SHADER).into()),
+        source: wgpu::ShaderSource::Wgsl((wgsl_compute(0) + SHADER).into()),
     });
     let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some("look"),
         layout: None,
         module: &module,
         entry_point: Some("look"),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        compilation_options: wgpu::PipelineCompilationOptions {
+            // slimbvh's stacks in workgroup memory need no zeros.
+            zero_initialize_workgroup_memory: false,
+            ..wgpu::PipelineCompilationOptions::default()
+        },
         cache: None,
     });
     let steepness = device.create_buffer(&wgpu::BufferDescriptor {

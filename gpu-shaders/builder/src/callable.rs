@@ -1,44 +1,47 @@
-//! `slimbvh.wgsl`: what the entry point `call_trace` does, as functions that other people's WGSL can call.
+//! The texts for users' own WGSL: what the entry points `call_trace` and `call_trace_in_group` do, as functions that other WGSL
+//! can call. The second text goes behind the first: it has no item that the first one has.
 
 use anyhow::{Context, Result, anyhow, bail};
 use naga::back::wgsl::{WriterFlags, write_string};
 use naga::front::wgsl::parse_str;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
-use naga::{AddressSpace, Module, TypeInner};
+use naga::{AddressSpace, Handle, Module, Type, TypeInner};
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The entry point.
-pub const ENTRY_POINT: &str = "call_trace";
+/// A text.
+struct Text {
+    /// The entry point that it is made of.
+    entry_point: &'static str,
+    /// Its file.
+    file: &'static str,
+    /// What the entry point's function is called in it.
+    function: &'static str,
+    head: &'static str,
+    /// The functions that callers use.
+    wrappers: &'static str,
+    /// A text that calls all of them, to be put behind.
+    caller: &'static str,
+}
 
-/// What its bindings are called, in order.
-const GLOBALS: [&str; 7] = [
-    "slimbvh_exponent",
-    "slimbvh_nodes",
-    "slimbvh_triangles",
-    "slimbvh_origin",
-    "slimbvh_direction",
-    "slimbvh_any_will_do",
-    "slimbvh_hit",
-];
-
-/// How many of them stay bindings; the others become private variables, by which callers hand over rays and take hits.
-const BINDING_COUNT: u32 = 3;
-
-const HEAD: &str = "\
+/// In the order in which they are put one behind the other.
+const TEXTS: [Text; 2] = [
+    Text {
+        entry_point: "call_trace",
+        file: "slimbvh.wgsl",
+        function: "slimbvh_trace",
+        head: "\
 // Made by slimbvh's shader builder from its Rust: rays traced from your own WGSL. Put this text before yours, bind the
 // tree's exponent, nodes and triangles to group 0, and call
 //
 //   slimbvh_closest_hit(origin, t_min, direction, t_max) -> SlimbvhHit
 //   slimbvh_any_hit(origin, t_min, direction, t_max) -> bool
 //
-// from any stage. t is in units of the direction's length; a miss has the primitive 0xffffffff.
+// from any stage. t is in units of the direction's length; a miss has the primitive 0xffffffff. The stack is private
+// memory, 1 KiB an invocation: in compute shaders the functions of slimbvh_compute.wgsl are faster.
 
-";
-
-/// The functions that callers use.
-const WRAPPERS: &str = include_str!("callable.wgsl");
-
-/// A text that calls both, to be put behind.
-const CALLER: &str = "
+",
+        wrappers: include_str!("callable.wgsl"),
+        caller: "
 @group(1) @binding(0) var<storage, read_write> caller_distances: array<f32>;
 
 @compute @workgroup_size(64)
@@ -48,57 +51,190 @@ fn caller(@builtin(global_invocation_id) id: vec3<u32>) {
         caller_distances[id.x] = hit.t + hit.u + hit.v;
     }
 }
-";
+",
+    },
+    Text {
+        entry_point: "call_trace_in_group",
+        file: "slimbvh_compute.wgsl",
+        function: "slimbvh_trace_in_group",
+        head: "\
+// Made by slimbvh's shader builder from its Rust: rays traced from your own compute shaders, with the stacks in workgroup
+// memory. Put this text behind slimbvh.wgsl, and call
+//
+//   slimbvh_closest_hit_in_group(lane, origin, t_min, direction, t_max) -> SlimbvhHit
+//   slimbvh_any_hit_in_group(lane, origin, t_min, direction, t_max) -> bool
+//
+// lane is the invocation's local_invocation_index. The stacks are 8 KiB for 64 invocations, 32 nodes each, whatever the
+// size of the workgroup. A ray that needs more is traced again by the functions of slimbvh.wgsl; so is every ray of a lane
+// from 64 on, so workgroups should have 64 invocations or fewer. Two invocations with the same lane get wrong answers.
+// There is no barrier inside: calls may stand in branches and loops.
+//
+//   slimbvh_try_closest_hit(lane, origin, t_min, direction, t_max) -> SlimbvhTriedHit { hit, overflowed }
+//   slimbvh_try_any_hit(lane, origin, t_min, direction, t_max) -> SlimbvhTriedAny { found, overflowed }
+//
+// trace nothing again: where overflowed is true, hit is a miss and found is false, and mean nothing. A shader that calls
+// only these needs no private stack: it can list the rays that overflowed for a second dispatch.
 
-/// Turns the module of [`ENTRY_POINT`] into the text.
-///
-/// # Errors
-/// Where its bindings are not those expected, or the text cannot be used.
-pub fn wgsl(mut module: Module) -> Result<String> {
-    module.entry_points.clear();
-    name_functions(&mut module)?;
-    name_structs(&mut module)?;
-    name_globals(&mut module)?;
-    let info = validate(&module)?;
-    let traced =
-        write_string(&module, &info, WriterFlags::empty()).context("naga cannot translate it")?;
-    let text = format!("{HEAD}{traced}{WRAPPERS}");
-    let called = parse_str(&format!("{text}{CALLER}"))
-        .map_err(|error| anyhow!("{}", error.emit_to_string(&text)))?;
-    validate(&called)?;
-    Ok(text)
+",
+        wrappers: include_str!("callable_compute.wgsl"),
+        caller: "
+@group(1) @binding(0) var<storage, read_write> caller_distances: array<f32>;
+
+@compute @workgroup_size(64)
+fn caller(@builtin(local_invocation_index) lane: u32) {
+    let hit = slimbvh_closest_hit_in_group(lane, vec3<f32>(0.0, 1.0, 2.0), 0.0, vec3<f32>(0.0, 0.0, -1.0), 1e30);
+    if !slimbvh_any_hit_in_group(lane, vec3<f32>(), 0.0, vec3<f32>(1.0), hit.t) {
+        let tried = slimbvh_try_closest_hit(lane, vec3<f32>(), 0.0, vec3<f32>(1.0), hit.t);
+        let any = slimbvh_try_any_hit(lane, vec3<f32>(), 0.0, vec3<f32>(1.0), hit.t);
+        if !tried.overflowed && tried.hit.primitive != 0xffffffffu && !any.overflowed && !any.found {
+            caller_distances[lane] = tried.hit.t;
+        }
+    }
+}
+",
+    },
+];
+
+/// What bindings are called, in order.
+const GLOBALS: [&str; 9] = [
+    "slimbvh_exponent",
+    "slimbvh_nodes",
+    "slimbvh_triangles",
+    "slimbvh_origin",
+    "slimbvh_direction",
+    "slimbvh_any_will_do",
+    "slimbvh_hit",
+    "slimbvh_lane",
+    "slimbvh_overflowed",
+];
+
+/// How many of them stay bindings; the others become private variables, by which callers hand over rays and take hits.
+const BINDING_COUNT: u32 = 3;
+
+/// What the variable in workgroup memory is called.
+const STACKS: &str = "slimbvh_stacks";
+
+/// Whether an entry point becomes a text.
+#[must_use]
+pub fn is_called(entry_point: &str) -> bool {
+    TEXTS.iter().any(|text| text.entry_point == entry_point)
 }
 
-fn name_functions(module: &mut Module) -> Result<()> {
+/// Turns the modules of the entry points into texts, by their files.
+///
+/// # Errors
+/// Where one is missing, its bindings are not those expected, or the texts cannot be used.
+pub fn texts(mut modules: BTreeMap<String, Module>) -> Result<Vec<(&'static str, String)>> {
+    let mut structs = Structs::default();
+    let (mut all, mut declared) = (String::new(), BTreeSet::new());
+    let mut texts = Vec::new();
+    for text in TEXTS {
+        let module = modules.remove(text.entry_point).context(text.entry_point)?;
+        let own = translated(&text, module, &mut structs).context(text.entry_point)?;
+        let new = items(&own).filter(|&item| declared.insert(item.to_owned()));
+        let new: String = new.map(|item| format!("{item}\n\n")).collect();
+        let made = format!("{}{new}{}", text.head, text.wrappers);
+        all += &made;
+        let called = format!("{all}{}", text.caller);
+        let parsed =
+            parse_str(&called).map_err(|error| anyhow!("{}", error.emit_to_string(&called)))?;
+        validate(&parsed)?;
+        texts.push((text.file, made));
+    }
+    Ok(texts)
+}
+
+/// The module in WGSL, all names its own.
+fn translated(text: &Text, mut module: Module, structs: &mut Structs) -> Result<String> {
+    module.entry_points.clear();
+    name_function(&mut module, text.function)?;
+    structs.name(&mut module)?;
+    name_globals(&mut module)?;
+    let info = validate(&module)?;
+    write_string(&module, &info, WriterFlags::empty()).context("naga cannot translate it")
+}
+
+/// The declarations of a text as naga writes it: each ends in a closing bracket or a semicolon at the margin.
+fn items(text: &str) -> impl Iterator<Item = &str> {
+    let is_end = |line: &str| line == "}" || (line.ends_with(';') && !line.starts_with(' '));
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        rest = rest.trim_start();
+        let mut end = 0;
+        for line in rest.split_inclusive('\n') {
+            end += line.len();
+            if is_end(line.trim_end_matches('\n')) {
+                break;
+            }
+        }
+        let (item, behind) = rest.split_at(end);
+        rest = behind;
+        (!item.is_empty()).then(|| item.trim_end())
+    })
+}
+
+fn name_function(module: &mut Module, name: &str) -> Result<()> {
     let mut functions = module.functions.iter_mut();
     let (Some((_, function)), None) = (functions.next(), functions.next()) else {
         bail!("it is not one function");
     };
-    function.name = Some("slimbvh_trace".to_owned());
+    function.name = Some(name.to_owned());
     Ok(())
 }
 
-/// Names end in letters, as naga changes names that end in a digit.
-fn name_structs(module: &mut Module) -> Result<()> {
-    let structs: Vec<_> = module
-        .types
-        .iter()
-        .filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. }))
-        .map(|(handle, ty)| (handle, ty.clone()))
-        .collect();
-    if structs.len() > 26 {
-        bail!("it has {} structs", structs.len());
+/// Structs by their shapes, named in the order in which they were met: equal ones have the same name in all texts.
+#[derive(Default)]
+struct Structs(Vec<String>);
+
+impl Structs {
+    /// Names end in letters, as naga changes names that end in a digit.
+    fn name(&mut self, module: &mut Module) -> Result<()> {
+        let structs: Vec<_> = module
+            .types
+            .iter()
+            .filter(|(_, ty)| matches!(ty.inner, TypeInner::Struct { .. }))
+            .map(|(handle, ty)| (handle, ty.clone(), shape(module, handle)))
+            .collect();
+        for (handle, mut ty, shape) in structs {
+            let known = self.0.iter().position(|known| *known == shape);
+            let number = known.unwrap_or(self.0.len());
+            if known.is_none() {
+                self.0.push(shape);
+            }
+            let letter = ('A'..='Z').nth(number).context("it has many structs")?;
+            ty.name = Some(format!("SlimbvhType{letter}"));
+            module.types.replace(handle, ty);
+        }
+        Ok(())
     }
-    for ((handle, mut ty), letter) in structs.into_iter().zip('A'..) {
-        ty.name = Some(format!("SlimbvhType{letter}"));
-        module.types.replace(handle, ty);
+}
+
+/// A type that may be a struct's member, without regard to names: the same text for equal types of two modules.
+fn shape(module: &Module, ty: Handle<Type>) -> String {
+    match &module.types[ty].inner {
+        TypeInner::Struct { members, span } => {
+            let members = members.iter();
+            let members = members.map(|m| format!("{}: {}", m.offset, shape(module, m.ty)));
+            format!("{span} {:?}", members.collect::<Vec<_>>())
+        }
+        TypeInner::Array { base, size, stride } => {
+            format!("{size:?} {stride} of {}", shape(module, *base))
+        }
+        other => format!("{other:?}"),
     }
-    Ok(())
 }
 
 fn name_globals(module: &mut Module) -> Result<()> {
+    let mut has_stacks = false;
     for (_, global) in module.global_variables.iter_mut() {
-        let binding = global.binding.context("a variable without a binding")?;
+        let Some(binding) = global.binding else {
+            if global.space != AddressSpace::WorkGroup || has_stacks {
+                bail!("a variable without a binding");
+            }
+            has_stacks = true;
+            global.name = Some(STACKS.to_owned());
+            continue;
+        };
         let name = GLOBALS
             .get(binding.binding as usize)
             .context("too many bindings")?;

@@ -100,19 +100,24 @@ fn build(root: &Path) -> Result<Files> {
     let mut kernels = BTreeSet::new();
     for shader_crate in &CRATES {
         let ShaderCrate { output, made, .. } = shader_crate;
+        let mut called = BTreeMap::new();
         for (name, path) in compile(root, shader_crate)? {
             let compiled = fs::read(&path).with_context(|| path.display().to_string())?;
             let module = Module::new(&name, &compiled).context(name.clone())?;
             check_paths(&module.spirv, root).context(name.clone())?;
-            if name == callable::ENTRY_POINT {
-                let text = callable::wgsl(module.ir).context(name)?;
-                files.insert(format!("{output}/slimbvh.wgsl"), text.into_bytes());
+            if callable::is_called(&name) {
+                called.insert(name, module.ir);
                 continue;
             }
             files.insert(format!("{output}/{name}.spv"), module.spirv);
             if made.contains(&"json") {
                 manifest.push(module.manifest);
                 kernels.insert(name);
+            }
+        }
+        if !called.is_empty() {
+            for (file, text) in callable::texts(called)? {
+                files.insert(format!("{output}/{file}"), text.into_bytes());
             }
         }
     }

@@ -20,8 +20,8 @@ const PINNED: [(&str, &str); 6] = [
 /// The builder's source.
 const BUILDER: &str = "gpu-shaders/builder/src";
 
-/// The text there that it copies into `slimbvh.wgsl`.
-const TEMPLATE: &str = "callable.wgsl";
+/// The texts there that it copies into those for users' shaders.
+const TEMPLATES: [&str; 2] = ["callable.wgsl", "callable_compute.wgsl"];
 
 /// The hash of core, of the shader crates in these folders and of the builder itself, in hexadecimal.
 ///
@@ -40,8 +40,10 @@ pub fn source_hash(root: &Path, shader_crates: &[&str]) -> Result<String> {
         hash.tokens(file.to_token_stream());
     })?;
     // Line by line, so that their ends do not count.
-    for line in read(&builder.join(TEMPLATE))?.lines() {
-        hash.text(line);
+    for template in TEMPLATES {
+        for line in read(&builder.join(template))?.lines() {
+            hash.text(line);
+        }
     }
     for (package, version) in pinned_versions(root)? {
         hash.text(&package);

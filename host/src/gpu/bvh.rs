@@ -253,7 +253,8 @@ impl Bvh {
         slots.iter().map(|slot| slot.bytes()).sum()
     }
 
-    /// The bindings 0 to 2 that the functions of [`super::wgsl`] read: the scene's exponent, the nodes, the triangles.
+    /// The bindings 0 to 2 that the functions of [`super::wgsl`] and [`super::wgsl_compute`] read: the scene's exponent, the
+    /// nodes, the triangles.
     ///
     /// # Errors
     /// If it is not built yet, or is stored in a codec.

@@ -86,5 +86,5 @@ pub use trace::Query;
 pub use trees::{Tree, Trees};
 /// The version of wgpu in this crate's interface.
 pub use wgpu;
-pub use wgsl::wgsl;
+pub use wgsl::{wgsl, wgsl_compute};
 pub use work::{Traffic, Work};

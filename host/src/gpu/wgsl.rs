@@ -10,9 +10,44 @@
 ///
 /// A miss has the primitive `0xffffffff`. The functions read the hierarchy from bindings 0 to 2 of this group;
 /// [`super::Bvh::bindings`] returns them. All names begin with `slimbvh` or `Slimbvh`.
+///
+/// The stack is private memory, 1 KiB an invocation: compute shaders trace faster with [`wgsl_compute`].
 #[must_use]
 pub fn wgsl(group: u32) -> String {
     include_str!("../../shaders/slimbvh.wgsl").replace("@group(0)", &format!("@group({group})"))
+}
+
+/// The text of [`wgsl`], and functions for compute shaders, whose stacks are in workgroup memory:
+///
+/// ```wgsl
+/// fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit
+/// fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool
+///
+/// fn slimbvh_try_closest_hit(lane: u32, …) -> SlimbvhTriedHit
+/// fn slimbvh_try_any_hit(lane: u32, …) -> SlimbvhTriedAny
+/// struct SlimbvhTriedHit { hit: SlimbvhHit, overflowed: bool }
+/// struct SlimbvhTriedAny { found: bool, overflowed: bool }
+/// ```
+///
+/// `lane` is the invocation's `local_invocation_index`. The answers are those of [`wgsl`], to the bit. Calls may stand in
+/// branches and loops.
+///
+/// **Workgroups** have at most 64 invocations. The stacks take 8 KiB of workgroup memory, whatever the size of the workgroup;
+/// WebGPU promises 16 KiB. In larger workgroups the lanes from 64 on have no stack: each of their rays overflows. Two
+/// invocations that pass the same `lane` overwrite each other's stack, and get wrong answers.
+///
+/// **Overflow.** A stack holds 32 nodes. A ray that needs more is traced again from the start by the functions `…_in_group`, with
+/// a private stack, and is only reported by `slimbvh_try_…`: `hit` is then a miss and `found` false, and mean nothing. A
+/// shader that calls `…_in_group` contains both walks at each call: Mesa's compiler for AMD (22.3.6, navi21) gives it 16 vector
+/// registers more than with `slimbvh_try_…`, and 1 KiB of scratch memory an invocation, which only rays that overflow touch. So
+/// a shader for many rays best lists those that overflow, and traces them in a second dispatch by `slimbvh_closest_hit`.
+///
+/// **Zeros.** wgpu fills workgroup memory with zeros before the shader begins, as WebGPU demands. The stacks do not need that:
+/// no word has a meaning before its own lane has written it. Natively, a pipeline that needs no zeros for the caller's own
+/// variables is faster with `zero_initialize_workgroup_memory: false` in its `wgpu::PipelineCompilationOptions`.
+#[must_use]
+pub fn wgsl_compute(group: u32) -> String {
+    wgsl(group) + "\n" + include_str!("../../shaders/slimbvh_compute.wgsl")
 }
 
 #[cfg(test)]
@@ -21,8 +56,9 @@ mod tests {
 
     #[test]
     fn all_bindings_move_to_the_group() {
-        let text = wgsl(3);
-        assert_eq!(text.matches("@group(3)").count(), 3);
-        assert_eq!(text.matches("@group(").count(), 3);
+        for text in [wgsl(3), wgsl_compute(3)] {
+            assert_eq!(text.matches("@group(3)").count(), 3);
+            assert_eq!(text.matches("@group(").count(), 3);
+        }
     }
 }

@@ -3,17 +3,18 @@
 
 use slimbvh_shaders::{
     bounds::*, camera::*, classify::*, compact::*, decide::*, encode::*, morton::*, refit::*,
-    scan::*, shade::*, snap::*, sort::*, topology::*, trace::coded::*, trace::overflow::*,
-    trace::*, view::*,
+    scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*, trace::coded::*,
+    trace::overflow::*, trace::*, view::*,
 };
 
 macro_rules! kernels {
     (shipped { $($shipped:ident,)* } lab { $($lab:ident,)* }) => {
-        /// Their addresses; that of the walk for users' WGSL, which is no kernel, is the last.
+        /// Their addresses; those of the walks for users' WGSL, which are no kernels, are the last.
         const ADDRESSES: &[fn() -> *const ()] = &[
             $(|| $shipped as *const (),)*
             $(|| $lab as *const (),)*
             || call_trace as *const (),
+            || call_trace_in_group as *const (),
         ];
     };
 }

@@ -14,6 +14,7 @@ mod limits;
 mod lost;
 mod order;
 mod overflow;
+mod own_shaders;
 mod pictures;
 mod scans;
 mod shading;

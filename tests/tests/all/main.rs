@@ -7,6 +7,7 @@ mod clustered;
 mod codec_names;
 mod codecs;
 mod decisions;
+mod deep_chains;
 mod deepest_trees;
 mod exact;
 mod faults;

@@ -3,8 +3,9 @@
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Module, StorageAccess, back, front};
 use serde_json::Value;
-use slimbvh::gpu::Kernel;
+use slimbvh::gpu::{Kernel, wgsl as wgsl_for_users, wgsl_compute};
 use slimbvh_core::launch::LANES;
+use slimbvh_core::trace::LaneWords;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -184,6 +185,47 @@ fn translations_have_the_interface_of_the_module() {
         }
         assert_eq!(translated, of_spirv(kernel));
     }
+}
+
+#[test]
+fn texts_for_users_bind_the_tree_and_nothing_else() {
+    let stack_bytes = size_of::<LaneWords>() as u32;
+    for (what, text, bytes) in [
+        ("slimbvh.wgsl", wgsl_for_users(2), None),
+        ("slimbvh_compute.wgsl", wgsl_compute(2), Some(stack_bytes)),
+    ] {
+        let module = match front::wgsl::parse_str(&text) {
+            Ok(module) => module,
+            Err(error) => panic!("{what}: {}", error.emit_to_string(&text)),
+        };
+        let expected = Interface {
+            entry_points: Vec::new(),
+            bindings: vec![(2, 0, "uniform"), (2, 1, "read"), (2, 2, "read")],
+        };
+        assert_eq!(interface(what, &module), expected);
+
+        let globals = module.global_variables.iter().map(|(_, global)| global);
+        let of_group = globals.filter(|global| global.space == AddressSpace::WorkGroup);
+        let sizes: Vec<_> = of_group
+            .map(|global| module.types[global.ty].inner.size(module.to_ctx()))
+            .collect();
+        assert_eq!(sizes, bytes.into_iter().collect::<Vec<_>>(), "{what}");
+        for name in names(&module) {
+            let is_ours = name.starts_with("slimbvh_") || name.starts_with("Slimbvh");
+            assert!(is_ours, "{what}: {name}");
+        }
+    }
+}
+
+/// What a module declares.
+fn names(module: &Module) -> Vec<&str> {
+    let functions = module.functions.iter().map(|(_, function)| &function.name);
+    let globals = module.global_variables.iter();
+    let globals = globals.map(|(_, global)| &global.name);
+    let types = module.types.iter().map(|(_, ty)| &ty.name);
+    let constants = module.constants.iter().map(|(_, constant)| &constant.name);
+    let all = functions.chain(globals).chain(types).chain(constants);
+    all.flatten().map(String::as_str).collect()
 }
 
 /// Opcodes of instructions with a text from the compiler.

@@ -10,7 +10,7 @@ use slimbvh::{
 use slimbvh_core::launch::LANES;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    AnyHit, LANE_ROWS, LaneStack, LaneWords, LeafTriangles, PlainNodes, Skip, traverse_with,
+    ClosestOrAny, LANE_ROWS, LaneStack, LaneWords, LeafTriangles, PlainNodes, Skip, traverse_with,
 };
 use slimbvh_core::{Ray, Vec3};
 use slimbvh_tests::build_as;
@@ -19,17 +19,32 @@ use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::mesh_of;
 use slimbvh_tests::validate::validate_shape;
 
-/// How many rays need more rows than a lane has to find out whether they hit anything.
-fn overflowing(bvh: &Bvh, rays: &[Ray]) -> usize {
+/// Whether a ray's searches for the closest hit and for any need more rows than a lane has.
+pub fn overflows(bvh: &Bvh, ray: &Ray) -> [bool; 2] {
     let mut words: LaneWords = [0; LANE_ROWS * LANES];
     let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
-    let overflows = |ray: &&Ray| {
-        let ray = PreparedRay::new(ray, bvh.scene_exponent());
-        let mut any = AnyHit::new(ray.t_max);
+    let ray = PreparedRay::new(ray, bvh.scene_exponent());
+    let searches = [
+        ClosestOrAny::closest(ray.t_max),
+        ClosestOrAny::any(ray.t_max),
+    ];
+    searches.map(|mut search| {
         let mut stack = LaneStack::new(&mut words, 7);
-        !traverse_with(&mut stack, &nodes, &triangles, &ray, &Skip::NONE, &mut any)
-    };
-    rays.iter().filter(overflows).count()
+        !traverse_with(
+            &mut stack,
+            &nodes,
+            &triangles,
+            &ray,
+            &Skip::NONE,
+            &mut search,
+        )
+    })
+}
+
+/// How many rays do.
+fn overflowing(bvh: &Bvh, rays: &[Ray]) -> [usize; 2] {
+    let each: Vec<[bool; 2]> = rays.iter().map(|ray| overflows(bvh, ray)).collect();
+    [0, 1].map(|search| each.iter().filter(|of| of[search]).count())
 }
 
 /// Rays through the corner that all boxes of a ladder reach, and others.
@@ -59,9 +74,10 @@ fn rays_that_overflow_are_answered_in_every_codec() {
     let mesh = ladder(21, 1500);
     let rays = rays_at_the_corner(500, (1u32 << 21) as f32);
     let plain = BuildConfig::from(CodeBits::Bits63);
-    let count = overflowing(&build_as(&mesh, plain), &rays);
     // Some do, and some do not.
-    assert!(count > 10 && count < rays.len(), "{count}");
+    for count in overflowing(&build_as(&mesh, plain), &rays) {
+        assert!(count > 10 && count < rays.len(), "{count}");
+    }
     for nodes in [
         NodeCodec::F32,
         NodeCodec::Lattice(LatticeBits::Q10),
@@ -80,25 +96,33 @@ fn nested(count: u32) -> Mesh {
     mesh_of(&(0..count).map(corners).collect::<Vec<_>>())
 }
 
-#[test]
-fn a_deep_tree_is_traced_by_rays_that_all_overflow() {
-    let Some(gpu) = gpu() else { return };
+/// A tree that its builder made deep.
+pub fn nested_tree() -> Bvh {
     let config = BuildConfig {
         tree: TreeKind::Clustered,
         ..BuildConfig::default()
     };
-    let mesh = nested(340);
-    let bvh = build_as(&mesh, config);
-    let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), bvh.depth_bound());
-    let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
-    assert!(depth > 2 * LANE_ROWS as u32, "{depth}");
-    // From just beside the corner, outwards along the face of the boxes that they share.
+    build_as(&nested(340), config)
+}
+
+/// Rays that all overflow in [`nested_tree`]: from just beside the corner, outwards along the face of the boxes that they share.
+pub fn rays_along_the_corner() -> Vec<Ray> {
     let ray = |i: u32| {
         let off = i as f32 * 2f32.powi(-80);
         Ray::new([-1.0, -off, -off], [1.0, off, off])
     };
-    let rays: Vec<Ray> = (0..300).map(ray).collect();
-    assert_eq!(overflowing(&bvh, &rays), rays.len());
+    (0..300).map(ray).collect()
+}
+
+#[test]
+fn a_deep_tree_is_traced_by_rays_that_all_overflow() {
+    let Some(gpu) = gpu() else { return };
+    let bvh = nested_tree();
+    let shape = validate_shape(bvh.nodes(), bvh.leaf_triangles(), bvh.depth_bound());
+    let depth = shape.map_or_else(|fault| panic!("{fault}"), |shape| shape.depth);
+    assert!(depth > 2 * LANE_ROWS as u32, "{depth}");
+    let rays = rays_along_the_corner();
+    assert_eq!(overflowing(&bvh, &rays), [rays.len(); 2]);
     check(gpu, &bvh, &rays);
 }
 

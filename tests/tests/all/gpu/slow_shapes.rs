@@ -9,8 +9,11 @@ use std::fmt::{Display, Formatter};
 /// The largest private array, in bytes: the eight nearest hits of a ray.
 const LARGEST: u32 = 128;
 
-/// The functions that users' WGSL calls, as a kernel's name.
-const CALLED: &str = "call_trace";
+/// The entry points that become functions for users' WGSL, and what those are called.
+const CALLED: [(&str, &str); 2] = [
+    ("call_trace", "slimbvh_trace"),
+    ("call_trace_in_group", "slimbvh_trace_in_group"),
+];
 
 /// A shape that costs much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,33 +38,41 @@ impl Display for Shape {
 fn may_have_private_arrays(kernel: &str) -> bool {
     let counts = ["trace_counted", "trace_paths_counted"];
     kernel.ends_with("_overflow")
-        || kernel == CALLED
+        || kernel == CALLED[0].0
         || counts.iter().any(|start| kernel.starts_with(start))
 }
 
 /// The shapes in a module, with no regard to what its kernel may have.
 fn shapes(module: &Module) -> BTreeSet<Shape> {
-    let mut found = BTreeSet::new();
     let entry_points = module.entry_points.iter().map(|entry| &entry.function);
     let functions = module.functions.iter().map(|(_, function)| function);
-    for function in functions.chain(entry_points) {
-        if has_large_local(module, function) {
-            found.insert(Shape::PrivateArray);
-        }
-        if leaves_early(&function.body) {
-            found.insert(Shape::EarlyExit);
-        }
+    let functions = functions.chain(entry_points);
+    let mut found: BTreeSet<Shape> = functions
+        .flat_map(|function| shapes_of(module, function))
+        .collect();
+    if has_large_private(module) {
+        found.insert(Shape::PrivateArray);
     }
+    found
+}
+
+fn has_large_private(module: &Module) -> bool {
     let is_large = |variable: &GlobalVariable| {
         variable.space == naga::AddressSpace::Private
             && has_large_array(module, &module.types[variable.ty])
     };
-    if module
-        .global_variables
-        .iter()
-        .any(|(_, global)| is_large(global))
-    {
+    let mut globals = module.global_variables.iter();
+    globals.any(|(_, global)| is_large(global))
+}
+
+/// The shapes in a function.
+fn shapes_of(module: &Module, function: &Function) -> BTreeSet<Shape> {
+    let mut found = BTreeSet::new();
+    if has_large_local(module, function) {
         found.insert(Shape::PrivateArray);
+    }
+    if leaves_early(&function.body) {
+        found.insert(Shape::EarlyExit);
     }
     found
 }
@@ -130,26 +141,45 @@ fn parsed(text: &str) -> Module {
     }
 }
 
+/// The shapes in a function of the texts for users' WGSL, which have no large private variables.
+fn shapes_called(name: &str) -> BTreeSet<Shape> {
+    let module = parsed(&slimbvh::gpu::wgsl_compute(0));
+    assert!(!has_large_private(&module));
+    let mut functions = module.functions.iter();
+    match functions.find(|(_, function)| function.name.as_deref() == Some(name)) {
+        Some((_, function)) => shapes_of(&module, function),
+        None => panic!("there is no {name}"),
+    }
+}
+
 /// The shapes that kernels have and may not have, a line `kernel: shape` each.
 fn slow_shapes() -> Vec<String> {
-    let mut modules: Vec<(&str, Module)> = Vec::new();
+    let mut modules: Vec<(&str, BTreeSet<Shape>)> = Vec::new();
     for kernel in Kernel::ALL {
         let options = front::spv::Options::default();
         match front::spv::parse_u8_slice(kernel.spirv(), &options) {
-            Ok(module) => modules.push((kernel.name(), module)),
+            Ok(module) => modules.push((kernel.name(), shapes(&module))),
             Err(error) => panic!("{}: {error}", kernel.name()),
         }
     }
-    modules.push((CALLED, parsed(&slimbvh::gpu::wgsl(0))));
+    modules.extend(CALLED.map(|(kernel, function)| (kernel, shapes_called(function))));
     let mut lines = Vec::new();
-    for (kernel, module) in &modules {
-        for shape in shapes(module) {
+    for (kernel, shapes) in modules {
+        for shape in shapes {
             if shape != Shape::PrivateArray || !may_have_private_arrays(kernel) {
                 lines.push(format!("{kernel}: {shape}"));
             }
         }
     }
     lines
+}
+
+#[test]
+fn private_arrays_of_called_functions_are_seen() {
+    // That of the function for any stage is its stack; that for workgroups has none.
+    let has_one =
+        CALLED.map(|(_, function)| shapes_called(function).contains(&Shape::PrivateArray));
+    assert_eq!(has_one, [true, false]);
 }
 
 #[test]
@@ -233,6 +263,7 @@ fn only_named_kernels_may_have_private_arrays() {
         "trace_any_q10_f32",
         "trace_paths",
         "sort_count_30",
+        "call_trace_in_group",
     ] {
         assert!(!may_have_private_arrays(kernel), "{kernel}");
     }

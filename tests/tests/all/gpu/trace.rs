@@ -10,7 +10,7 @@ use slimbvh_core::trace::{ClosestHit, Counted};
 use slimbvh_core::{Hit, Ray};
 use slimbvh_lab::stress::BOUND_ULPS;
 use slimbvh_tests::gpu::{contents, done, gpu, is_software, storage};
-use slimbvh_tests::parity::{GRAZING, T_SHARE, close_hits, same_bits};
+use slimbvh_tests::parity::{GRAZING, T_SHARE, same_bits};
 use slimbvh_tests::random::Random;
 use slimbvh_tests::rays::some_rays;
 use slimbvh_tests::strategies::{any_mesh, large_mesh};
@@ -263,81 +263,6 @@ fn numbers_of_rays_around_workgroups_are_all_answered() {
     let rays = rays_at(&mesh, 100, 8);
     let hit_count = check(gpu, &Mesh::default(), CodeBits::Bits30, &rays);
     assert_eq!(hit_count, Ok(0));
-}
-
-/// Calls the functions for the caller's shaders: four words a ray, the bits of a hit.
-const OWN_SHADER: &str = "
-struct Ray { origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32 }
-@group(0) @binding(0) var<storage> rays: array<Ray>;
-@group(0) @binding(1) var<storage, read_write> hits: array<vec4<u32>>;
-@group(0) @binding(2) var<storage, read_write> found: array<u32>;
-
-@compute @workgroup_size(64)
-fn ask(@builtin(global_invocation_id) id: vec3<u32>) {
-    if id.x < arrayLength(&rays) {
-        let ray = rays[id.x];
-        let hit = slimbvh_closest_hit(ray.origin, ray.t_min, ray.direction, ray.t_max);
-        hits[id.x] = vec4(bitcast<vec3<u32>>(vec3(hit.t, hit.u, hit.v)), hit.primitive);
-        found[id.x] = u32(slimbvh_any_hit(ray.origin, ray.t_min, ray.direction, ray.t_max));
-    }
-}
-";
-
-#[test]
-fn shaders_of_the_callers_get_the_same_answers() {
-    let Some(gpu) = gpu() else { return };
-    let mesh = soup(3000, 6);
-    let rays = rays_at(&mesh, 2000, 1);
-    let (mut bvh, uploaded) = (gpu::Bvh::new(), done(gpu::Mesh::upload(gpu, &mesh)));
-    let mut frame = gpu.frame();
-    let mut builder = gpu::Builder::new(BuildConfig::default());
-    done(builder.build(&mut frame, &uploaded, &mut bvh));
-    let device = gpu.device();
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some("ask"),
-        source: wgpu::ShaderSource::Wgsl((gpu::wgsl(1) + OWN_SHADER).into()),
-    });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("ask"),
-        layout: None,
-        module: &module,
-        entry_point: Some("ask"),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
-        cache: None,
-    });
-    let nothing = vec![0u32; 4 * rays.len()];
-    let buffers = [
-        storage(gpu, &rays),
-        storage(gpu, &nothing),
-        storage(gpu, &nothing[..rays.len()]),
-    ];
-    let own = [0, 1, 2].map(|binding| wgpu::BindGroupEntry {
-        binding: binding as u32,
-        resource: buffers[binding].as_entire_binding(),
-    });
-    let bind = |group: u32, entries: &[wgpu::BindGroupEntry]| {
-        device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("ask"),
-            layout: &pipeline.get_bind_group_layout(group),
-            entries,
-        })
-    };
-    let groups = [bind(0, &own), bind(1, &done(bvh.bindings()))];
-    let mut pass = frame.encoder().begin_compute_pass(&Default::default());
-    pass.set_pipeline(&pipeline);
-    pass.set_bind_group(0, &groups[0], &[]);
-    pass.set_bind_group(1, &groups[1], &[]);
-    pass.dispatch_workgroups(rays.len().div_ceil(64) as u32, 1, 1);
-    drop(pass);
-    done(frame.submit());
-    let cpu = Answers::of_cpu(&build(&mesh, CodeBits::Bits30), &rays);
-    done(same_bits(&contents::<u32>(gpu, &buffers[2]), &cpu.any));
-    let hits: Vec<Hit> = contents(gpu, &buffers[1]);
-    if is_software(gpu) {
-        done(same_bits(&hits, &cpu.closest));
-    } else {
-        done(close_hits(&hits, &cpu.closest));
-    }
 }
 
 #[test]

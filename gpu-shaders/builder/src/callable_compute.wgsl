@@ -1,0 +1,47 @@
+struct SlimbvhTriedHit {
+    hit: SlimbvhHit,
+    overflowed: bool,
+}
+
+struct SlimbvhTriedAny {
+    found: bool,
+    overflowed: bool,
+}
+
+fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+    slimbvh_lane.member = lane;
+    slimbvh_origin.member = vec4<f32>(origin, t_min);
+    slimbvh_direction.member = vec4<f32>(direction, t_max);
+    slimbvh_any_will_do.member = 0u;
+    slimbvh_trace_in_group();
+    let hit = slimbvh_hit.member;
+    return SlimbvhTriedHit(
+        SlimbvhHit(bitcast<f32>(hit.x), bitcast<f32>(hit.y), bitcast<f32>(hit.z), hit.w),
+        slimbvh_overflowed.member != 0u,
+    );
+}
+
+fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+    slimbvh_lane.member = lane;
+    slimbvh_origin.member = vec4<f32>(origin, t_min);
+    slimbvh_direction.member = vec4<f32>(direction, t_max);
+    slimbvh_any_will_do.member = 1u;
+    slimbvh_trace_in_group();
+    return SlimbvhTriedAny(slimbvh_hit.member.w != 0xffffffffu, slimbvh_overflowed.member != 0u);
+}
+
+fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
+    let tried = slimbvh_try_closest_hit(lane, origin, t_min, direction, t_max);
+    if tried.overflowed {
+        return slimbvh_closest_hit(origin, t_min, direction, t_max);
+    }
+    return tried.hit;
+}
+
+fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
+    let tried = slimbvh_try_any_hit(lane, origin, t_min, direction, t_max);
+    if tried.overflowed {
+        return slimbvh_any_hit(origin, t_min, direction, t_max);
+    }
+    return tried.found;
+}
