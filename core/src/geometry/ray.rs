@@ -260,8 +260,8 @@ impl Magnitudes {
         let smallest = least(self.origin).min(least(self.direction)).min(ends);
         (smallest >= key(f32::MIN_POSITIVE.to_bits()))
             & (self.longest() < power_of_two(127).to_bits())
-            & (scene_exponent >= -126)
-            & (scene_exponent <= 127)
+            // From −126 to 127.
+            & (scene_exponent.wrapping_add(126) as u32 <= 253)
     }
 }
 
