@@ -4,7 +4,8 @@
 //   slimbvh_closest_hit(origin, t_min, direction, t_max) -> SlimbvhHit
 //   slimbvh_any_hit(origin, t_min, direction, t_max) -> bool
 //
-// from any stage. t is in units of the direction's length; a miss has the primitive 0xffffffff.
+// from any stage. t is in units of the direction's length; a miss has the primitive 0xffffffff. The stack is private
+// memory, 1 KiB an invocation: in compute shaders the functions of slimbvh_compute.wgsl are faster.
 
 struct SlimbvhTypeA {
     member: u32,
@@ -31,14 +32,6 @@ struct SlimbvhTypeE {
 }
 
 struct SlimbvhTypeF {
-    member: vec4<f32>,
-}
-
-struct SlimbvhTypeG {
-    member: u32,
-}
-
-struct SlimbvhTypeH {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
     member_2: f32,
@@ -46,133 +39,147 @@ struct SlimbvhTypeH {
     member_4: i32,
 }
 
-struct SlimbvhTypeI {
+struct SlimbvhTypeG {
     member: SlimbvhTypeC,
     member_1: f32,
 }
 
-struct SlimbvhTypeJ {
-    member: SlimbvhTypeI,
-    member_1: bool,
-}
-
-struct SlimbvhTypeK {
+struct SlimbvhTypeH {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: bool,
 }
 
+struct SlimbvhTypeI {
+    member: vec4<f32>,
+}
+
+struct SlimbvhTypeJ {
+    member: u32,
+}
+
+struct SlimbvhTypeK {
+    member: SlimbvhTypeG,
+    member_1: bool,
+}
+
 @group(0) @binding(0) 
 var<uniform> slimbvh_exponent: SlimbvhTypeB;
+
 @group(0) @binding(1) 
 var<storage> slimbvh_nodes: SlimbvhTypeD;
+
 @group(0) @binding(2) 
 var<storage> slimbvh_triangles: SlimbvhTypeE;
-var<private> slimbvh_origin: SlimbvhTypeF;
-var<private> slimbvh_direction: SlimbvhTypeF;
-var<private> slimbvh_any_will_do: SlimbvhTypeG;
+
+var<private> slimbvh_origin: SlimbvhTypeI;
+
+var<private> slimbvh_direction: SlimbvhTypeI;
+
+var<private> slimbvh_any_will_do: SlimbvhTypeJ;
+
 var<private> slimbvh_hit: SlimbvhTypeB;
 
 fn slimbvh_trace() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_266_: u32;
-    var phi_272_: u32;
-    var phi_278_: u32;
-    var phi_543_: i32;
-    var phi_554_: i32;
-    var phi_668_: i32;
-    var phi_797_: i32;
-    var phi_819_: u32;
-    var phi_820_: u32;
-    var phi_821_: bool;
-    var phi_855_: i32;
-    var phi_877_: u32;
-    var phi_878_: u32;
-    var phi_879_: bool;
-    var phi_440_: i32;
-    var phi_446_: u32;
-    var phi_465_: u32;
-    var phi_466_: u32;
-    var phi_467_: bool;
-    var phi_485_: i32;
-    var phi_491_: u32;
-    var phi_510_: u32;
-    var phi_511_: u32;
-    var phi_512_: bool;
-    var phi_889_: SlimbvhTypeH;
-    var phi_1084_: SlimbvhTypeJ;
-    var phi_1099_: SlimbvhTypeJ;
-    var phi_1102_: u32;
-    var phi_1104_: u32;
-    var phi_1106_: u32;
-    var phi_1115_: u32;
-    var phi_1118_: u32;
-    var phi_1120_: u32;
-    var phi_1400_: u32;
-    var phi_1375_: u32;
-    var phi_1401_: u32;
-    var phi_1402_: u32;
-    var phi_1116_: u32;
-    var phi_1119_: u32;
-    var phi_1121_: u32;
+    var phi_361_: u32;
+    var phi_367_: u32;
+    var phi_373_: u32;
+    var phi_638_: i32;
+    var phi_649_: i32;
+    var phi_763_: i32;
+    var phi_892_: i32;
+    var phi_914_: u32;
+    var phi_915_: u32;
+    var phi_916_: bool;
+    var phi_950_: i32;
+    var phi_972_: u32;
+    var phi_973_: u32;
+    var phi_974_: bool;
+    var phi_535_: i32;
+    var phi_541_: u32;
+    var phi_560_: u32;
+    var phi_561_: u32;
+    var phi_562_: bool;
+    var phi_580_: i32;
+    var phi_586_: u32;
+    var phi_605_: u32;
+    var phi_606_: u32;
+    var phi_607_: bool;
+    var phi_984_: SlimbvhTypeF;
+    var phi_1179_: SlimbvhTypeK;
+    var phi_1194_: SlimbvhTypeK;
+    var phi_1197_: u32;
+    var phi_1199_: u32;
+    var phi_1201_: u32;
+    var phi_1210_: u32;
+    var phi_1213_: u32;
+    var phi_1215_: u32;
+    var phi_1495_: u32;
+    var phi_1470_: u32;
+    var phi_1496_: u32;
+    var phi_1497_: u32;
+    var phi_1211_: u32;
+    var phi_1214_: u32;
+    var phi_1216_: u32;
     var local_2: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_1418_: SlimbvhTypeJ;
-    var phi_1421_: SlimbvhTypeA;
-    var phi_1422_: SlimbvhTypeA;
-    var phi_1444_: SlimbvhTypeA;
-    var phi_1523_: array<vec4<f32>, 3>;
-    var phi_1524_: array<vec4<f32>, 3>;
-    var phi_1598_: array<vec4<f32>, 3>;
-    var phi_1599_: array<vec4<f32>, 3>;
-    var phi_1622_: array<f32, 3>;
-    var phi_1623_: array<f32, 3>;
-    var phi_1637_: array<f32, 3>;
-    var phi_1638_: array<f32, 3>;
-    var phi_1652_: array<f32, 3>;
-    var phi_1653_: array<f32, 3>;
-    var phi_1969_: f32;
-    var phi_1970_: f32;
-    var phi_1971_: f32;
-    var phi_1972_: f32;
-    var phi_1973_: vec3<f32>;
-    var phi_1974_: vec3<f32>;
-    var phi_1975_: vec3<f32>;
-    var phi_1976_: vec3<f32>;
-    var phi_2155_: f32;
-    var phi_2181_: SlimbvhTypeK;
-    var phi_2182_: SlimbvhTypeK;
-    var phi_2185_: SlimbvhTypeK;
-    var phi_2186_: SlimbvhTypeK;
-    var phi_2187_: bool;
-    var phi_2191_: SlimbvhTypeK;
-    var phi_2200_: SlimbvhTypeC;
-    var phi_2225_: bool;
-    var phi_2226_: bool;
-    var phi_2233_: SlimbvhTypeJ;
-    var phi_2239_: SlimbvhTypeJ;
-    var phi_2240_: SlimbvhTypeJ;
-    var phi_2241_: SlimbvhTypeJ;
-    var phi_1419_: SlimbvhTypeJ;
+    var phi_1513_: SlimbvhTypeK;
+    var phi_1516_: SlimbvhTypeA;
+    var phi_1517_: SlimbvhTypeA;
+    var phi_1539_: SlimbvhTypeA;
+    var phi_1618_: array<vec4<f32>, 3>;
+    var phi_1619_: array<vec4<f32>, 3>;
+    var phi_1693_: array<vec4<f32>, 3>;
+    var phi_1694_: array<vec4<f32>, 3>;
+    var phi_1717_: array<f32, 3>;
+    var phi_1718_: array<f32, 3>;
+    var phi_1732_: array<f32, 3>;
+    var phi_1733_: array<f32, 3>;
+    var phi_1747_: array<f32, 3>;
+    var phi_1748_: array<f32, 3>;
+    var phi_2064_: f32;
+    var phi_2065_: f32;
+    var phi_2066_: f32;
+    var phi_2067_: f32;
+    var phi_2068_: vec3<f32>;
+    var phi_2069_: vec3<f32>;
+    var phi_2070_: vec3<f32>;
+    var phi_2071_: vec3<f32>;
+    var phi_2250_: f32;
+    var phi_2276_: SlimbvhTypeH;
+    var phi_2277_: SlimbvhTypeH;
+    var phi_2280_: SlimbvhTypeH;
+    var phi_2281_: SlimbvhTypeH;
+    var phi_2282_: bool;
+    var phi_2286_: SlimbvhTypeH;
+    var phi_2295_: SlimbvhTypeC;
+    var phi_2320_: bool;
+    var phi_2321_: bool;
+    var phi_2328_: SlimbvhTypeK;
+    var phi_2334_: SlimbvhTypeK;
+    var phi_2335_: SlimbvhTypeK;
+    var phi_2336_: SlimbvhTypeK;
+    var phi_1514_: SlimbvhTypeK;
     var local_5: u32;
-    var local_6: SlimbvhTypeJ;
-    var phi_2266_: u32;
-    var phi_2273_: SlimbvhTypeJ;
-    var phi_2274_: u32;
-    var phi_2275_: u32;
-    var phi_1100_: SlimbvhTypeJ;
-    var phi_1103_: u32;
-    var phi_1105_: u32;
-    var phi_1107_: u32;
-    var local_7: SlimbvhTypeJ;
-    var phi_2309_: f32;
-    var phi_2311_: f32;
-    var phi_2312_: bool;
-    var phi_2313_: f32;
-    var phi_2314_: bool;
+    var local_6: SlimbvhTypeK;
+    var phi_2361_: u32;
+    var phi_2368_: SlimbvhTypeK;
+    var phi_2369_: u32;
+    var phi_2370_: u32;
+    var phi_1195_: SlimbvhTypeK;
+    var phi_1198_: u32;
+    var phi_1200_: u32;
+    var phi_1202_: u32;
+    var local_7: SlimbvhTypeK;
+    var phi_2404_: f32;
+    var phi_2406_: f32;
+    var phi_2407_: bool;
+    var phi_2408_: f32;
+    var phi_2409_: bool;
     var phi_2597_: u32;
     var phi_2615_: bool;
     var phi_2618_: bool;
@@ -182,17 +189,19 @@ fn slimbvh_trace() {
     var phi_2638_: f32;
     var phi_2639_: bool;
     var phi_2647_: f32;
-    var phi_2329_: f32;
-    var phi_2330_: f32;
-    var phi_2342_: f32;
-    var phi_2347_: SlimbvhTypeC;
-    var local_8: SlimbvhTypeJ;
+    var phi_2424_: f32;
+    var phi_2425_: f32;
+    var phi_2437_: f32;
+    var phi_2442_: SlimbvhTypeC;
+    var local_8: SlimbvhTypeK;
     var local_9: u32;
     var local_10: u32;
     var local_11: u32;
 
     let _e72 = SlimbvhTypeC(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e74 = arrayLength((&slimbvh_nodes.member));
+    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
+    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
     let _e81 = slimbvh_origin.member;
     let _e87 = slimbvh_origin.member[3u];
     let _e88 = slimbvh_direction.member;
@@ -216,25 +225,25 @@ fn slimbvh_trace() {
     let _e124 = select(_e104, _e122, (_e104 < _e122));
     let _e131 = (((select(_e106, _e124, (_e106 < _e124)) < 2139095040u) && (_e114 <= 2139095040u)) && (_e118 > 0u));
     if (_e108 == _e118) {
-        phi_266_ = 0u;
+        phi_361_ = 0u;
     } else {
-        phi_266_ = select(2u, 1u, (_e110 == _e118));
+        phi_361_ = select(2u, 1u, (_e110 == _e118));
     }
-    let _e136 = phi_266_;
+    let _e136 = phi_361_;
     let _e137 = (_e136 == 2u);
     if _e137 {
-        phi_272_ = 0u;
+        phi_367_ = 0u;
     } else {
-        phi_272_ = (_e136 + 1u);
+        phi_367_ = (_e136 + 1u);
     }
-    let _e140 = phi_272_;
+    let _e140 = phi_367_;
     let _e141 = (_e140 == 2u);
     if _e141 {
-        phi_278_ = 0u;
+        phi_373_ = 0u;
     } else {
-        phi_278_ = (_e140 + 1u);
+        phi_373_ = (_e140 + 1u);
     }
-    let _e144 = phi_278_;
+    let _e144 = phi_373_;
     let _e145 = (_e140 == 0u);
     let _e147 = select(select(_e81.y, _e81.x, _e145), _e81.z, _e141);
     let _e148 = (_e144 == 0u);
@@ -266,77 +275,77 @@ fn slimbvh_trace() {
         let _e452 = bitcast<f32>((bitcast<u32>((_e98 + 127i)) << bitcast<u32>(23i)));
         let _e457 = bitcast<f32>((bitcast<u32>((254i - _e445)) << bitcast<u32>(23i)));
         if (_e106 >= 2139095040u) {
-            phi_440_ = 255i;
+            phi_535_ = 255i;
         } else {
-            phi_440_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) + _e447);
+            phi_535_ = (bitcast<i32>((_e106 >> bitcast<u32>(23i))) + _e447);
         }
-        let _e472 = phi_440_;
+        let _e472 = phi_535_;
         if (_e106 == 0u) {
-            phi_446_ = 0u;
+            phi_541_ = 0u;
         } else {
-            phi_446_ = (_e106 | 8388608u);
+            phi_541_ = (_e106 | 8388608u);
         }
-        let _e476 = phi_446_;
+        let _e476 = phi_541_;
         if (_e472 <= 0i) {
-            phi_466_ = u32();
-            phi_467_ = true;
+            phi_561_ = u32();
+            phi_562_ = true;
         } else {
             let _e483 = (_e476 == 0u);
             if _e483 {
-                phi_465_ = u32();
+                phi_560_ = u32();
             } else {
-                phi_465_ = select(((bitcast<u32>(_e472) << bitcast<u32>(23i)) | (_e476 & 8388607u)), 2139095039u, (_e472 >= 255i));
+                phi_560_ = select(((bitcast<u32>(_e472) << bitcast<u32>(23i)) | (_e476 & 8388607u)), 2139095039u, (_e472 >= 255i));
             }
-            let _e487 = phi_465_;
-            phi_466_ = _e487;
-            phi_467_ = _e483;
+            let _e487 = phi_560_;
+            phi_561_ = _e487;
+            phi_562_ = _e483;
         }
-        let _e489 = phi_466_;
-        let _e491 = phi_467_;
+        let _e489 = phi_561_;
+        let _e491 = phi_562_;
         if (_e114 >= 2139095040u) {
-            phi_485_ = 255i;
+            phi_580_ = 255i;
         } else {
-            phi_485_ = (bitcast<i32>((_e114 >> bitcast<u32>(23i))) + _e447);
+            phi_580_ = (bitcast<i32>((_e114 >> bitcast<u32>(23i))) + _e447);
         }
-        let _e502 = phi_485_;
+        let _e502 = phi_580_;
         if (_e114 == 0u) {
-            phi_491_ = 0u;
+            phi_586_ = 0u;
         } else {
-            phi_491_ = (_e114 | 8388608u);
+            phi_586_ = (_e114 | 8388608u);
         }
-        let _e506 = phi_491_;
+        let _e506 = phi_586_;
         if (_e502 <= 0i) {
-            phi_511_ = u32();
-            phi_512_ = true;
+            phi_606_ = u32();
+            phi_607_ = true;
         } else {
             let _e513 = (_e506 == 0u);
             if _e513 {
-                phi_510_ = u32();
+                phi_605_ = u32();
             } else {
-                phi_510_ = select(((bitcast<u32>(_e502) << bitcast<u32>(23i)) | (_e506 & 8388607u)), 2139095039u, (_e502 >= 255i));
+                phi_605_ = select(((bitcast<u32>(_e502) << bitcast<u32>(23i)) | (_e506 & 8388607u)), 2139095039u, (_e502 >= 255i));
             }
-            let _e517 = phi_510_;
-            phi_511_ = _e517;
-            phi_512_ = _e513;
+            let _e517 = phi_605_;
+            phi_606_ = _e517;
+            phi_607_ = _e513;
         }
-        let _e519 = phi_511_;
-        let _e521 = phi_512_;
-        phi_889_ = SlimbvhTypeH(array<f32, 3>((_e147 * _e452), (_e151 * _e452), (_e154 * _e452)), array<f32, 3>((_e156 * _e457), (_e158 * _e457), (_e160 * _e457)), bitcast<f32>(((_e105 & 2147483648u) | select(_e489, 0u, _e491))), bitcast<f32>(((_e113 & 2147483648u) | select(_e519, 0u, _e521))), _e446);
+        let _e519 = phi_606_;
+        let _e521 = phi_607_;
+        phi_984_ = SlimbvhTypeF(array<f32, 3>((_e147 * _e452), (_e151 * _e452), (_e154 * _e452)), array<f32, 3>((_e156 * _e457), (_e158 * _e457), (_e160 * _e457)), bitcast<f32>(((_e105 & 2147483648u) | select(_e489, 0u, _e491))), bitcast<f32>(((_e113 & 2147483648u) | select(_e519, 0u, _e521))), _e446);
     } else {
         let _e193 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e118, _e131))) & 2147483647u);
         if (_e193 >= 8388608u) {
-            phi_543_ = (bitcast<i32>((_e193 >> bitcast<u32>(23i))) - 127i);
+            phi_638_ = (bitcast<i32>((_e193 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_543_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e193)), 32u, (_e193 == 0u))));
+            phi_638_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e193)), 32u, (_e193 == 0u))));
         }
-        let _e207 = phi_543_;
+        let _e207 = phi_638_;
         let _e208 = (_e98 + _e207);
         if (_e98 < -126i) {
-            phi_554_ = -126i;
+            phi_649_ = -126i;
         } else {
-            phi_554_ = select(_e98, 127i, (_e98 > 127i));
+            phi_649_ = select(_e98, 127i, (_e98 > 127i));
         }
-        let _e213 = phi_554_;
+        let _e213 = phi_649_;
         let _e218 = bitcast<f32>((bitcast<u32>((_e213 + 127i)) << bitcast<u32>(23i)));
         let _e224 = bitcast<f32>((bitcast<u32>(((_e98 - _e213) + 127i)) << bitcast<u32>(23i)));
         let _e225 = bitcast<u32>(_e147);
@@ -347,11 +356,11 @@ fn slimbvh_trace() {
         let _e261 = ((_e259 & 2139095040u) != 0u);
         let _e277 = -(_e207);
         if (_e277 < -126i) {
-            phi_668_ = -126i;
+            phi_763_ = -126i;
         } else {
-            phi_668_ = select(_e277, 127i, (_e277 > 127i));
+            phi_763_ = select(_e277, 127i, (_e277 > 127i));
         }
-        let _e282 = phi_668_;
+        let _e282 = phi_763_;
         let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
         let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
         let _e294 = bitcast<u32>(_e156);
@@ -364,57 +373,57 @@ fn slimbvh_trace() {
         let _e355 = bitcast<i32>((_e106 >> bitcast<u32>(23i)));
         let _e362 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e352)), 32u, (_e352 == 0u))) - 8i);
         if (_e355 == 255i) {
-            phi_797_ = 255i;
+            phi_892_ = 255i;
         } else {
-            phi_797_ = (((_e355 + select(0i, 1i, (_e355 == 0i))) - _e362) + _e208);
+            phi_892_ = (((_e355 + select(0i, 1i, (_e355 == 0i))) - _e362) + _e208);
         }
-        let _e370 = phi_797_;
+        let _e370 = phi_892_;
         let _e374 = (_e352 << bitcast<u32>(((_e362 & 31i) & 31i)));
         if (_e370 <= 0i) {
-            phi_820_ = u32();
-            phi_821_ = true;
+            phi_915_ = u32();
+            phi_916_ = true;
         } else {
             let _e381 = (_e374 == 0u);
             if _e381 {
-                phi_819_ = u32();
+                phi_914_ = u32();
             } else {
-                phi_819_ = select(((bitcast<u32>(_e370) << bitcast<u32>(23i)) | (_e374 & 8388607u)), 2139095039u, (_e370 >= 255i));
+                phi_914_ = select(((bitcast<u32>(_e370) << bitcast<u32>(23i)) | (_e374 & 8388607u)), 2139095039u, (_e370 >= 255i));
             }
-            let _e385 = phi_819_;
-            phi_820_ = _e385;
-            phi_821_ = _e381;
+            let _e385 = phi_914_;
+            phi_915_ = _e385;
+            phi_916_ = _e381;
         }
-        let _e387 = phi_820_;
-        let _e389 = phi_821_;
+        let _e387 = phi_915_;
+        let _e389 = phi_916_;
         let _e400 = ((_e114 & 8388607u) | (select(0u, 1u, ((_e114 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
         let _e403 = bitcast<i32>((_e114 >> bitcast<u32>(23i)));
         let _e410 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e400)), 32u, (_e400 == 0u))) - 8i);
         if (_e403 == 255i) {
-            phi_855_ = 255i;
+            phi_950_ = 255i;
         } else {
-            phi_855_ = (((_e403 + select(0i, 1i, (_e403 == 0i))) - _e410) + _e208);
+            phi_950_ = (((_e403 + select(0i, 1i, (_e403 == 0i))) - _e410) + _e208);
         }
-        let _e418 = phi_855_;
+        let _e418 = phi_950_;
         let _e422 = (_e400 << bitcast<u32>(((_e410 & 31i) & 31i)));
         if (_e418 <= 0i) {
-            phi_878_ = u32();
-            phi_879_ = true;
+            phi_973_ = u32();
+            phi_974_ = true;
         } else {
             let _e429 = (_e422 == 0u);
             if _e429 {
-                phi_877_ = u32();
+                phi_972_ = u32();
             } else {
-                phi_877_ = select(((bitcast<u32>(_e418) << bitcast<u32>(23i)) | (_e422 & 8388607u)), 2139095039u, (_e418 >= 255i));
+                phi_972_ = select(((bitcast<u32>(_e418) << bitcast<u32>(23i)) | (_e422 & 8388607u)), 2139095039u, (_e418 >= 255i));
             }
-            let _e433 = phi_877_;
-            phi_878_ = _e433;
-            phi_879_ = _e429;
+            let _e433 = phi_972_;
+            phi_973_ = _e433;
+            phi_974_ = _e429;
         }
-        let _e435 = phi_878_;
-        let _e437 = phi_879_;
-        phi_889_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e225 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e225 & 2147483648u))), _e147, _e227) * _e218) * select(0.00000011920929f, 1f, _e227)) * _e224), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e242 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e242 & 2147483648u))), _e151, _e244) * _e218) * select(0.00000011920929f, 1f, _e244)) * _e224), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e259 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e259 & 2147483648u))), _e154, _e261) * _e218) * select(0.00000011920929f, 1f, _e261)) * _e224)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e156, _e296) * _e287) * select(0.00000011920929f, 1f, _e296)) * _e293), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e158, _e313) * _e287) * select(0.00000011920929f, 1f, _e313)) * _e293), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e328 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e328 & 2147483648u))), _e160, _e330) * _e287) * select(0.00000011920929f, 1f, _e330)) * _e293)), bitcast<f32>(((_e105 & 2147483648u) | select(_e387, 0u, _e389))), bitcast<f32>(((_e113 & 2147483648u) | select(_e435, 0u, _e437))), _e207);
+        let _e435 = phi_973_;
+        let _e437 = phi_974_;
+        phi_984_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e225 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e225 & 2147483648u))), _e147, _e227) * _e218) * select(0.00000011920929f, 1f, _e227)) * _e224), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e242 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e242 & 2147483648u))), _e151, _e244) * _e218) * select(0.00000011920929f, 1f, _e244)) * _e224), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e259 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e259 & 2147483648u))), _e154, _e261) * _e218) * select(0.00000011920929f, 1f, _e261)) * _e224)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e294 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e294 & 2147483648u))), _e156, _e296) * _e287) * select(0.00000011920929f, 1f, _e296)) * _e293), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e311 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e311 & 2147483648u))), _e158, _e313) * _e287) * select(0.00000011920929f, 1f, _e313)) * _e293), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e328 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e328 & 2147483648u))), _e160, _e330) * _e287) * select(0.00000011920929f, 1f, _e330)) * _e293)), bitcast<f32>(((_e105 & 2147483648u) | select(_e387, 0u, _e389))), bitcast<f32>(((_e113 & 2147483648u) | select(_e435, 0u, _e437))), _e207);
     }
-    let _e528 = phi_889_;
+    let _e528 = phi_984_;
     let _e543 = (bitcast<f32>((bitcast<u32>(_e528.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
     let _e546 = bitcast<f32>((bitcast<u32>(_e528.member[0]) & 2147483647u));
     let _e547 = (_e546 * 0.00000011920929f);
@@ -445,32 +454,30 @@ fn slimbvh_trace() {
     let _e595 = select(1f, _e528.member_2, _e593);
     let _e597 = slimbvh_any_will_do.member;
     if (_e597 == 1u) {
-        phi_1084_ = SlimbvhTypeJ(SlimbvhTypeI(_e72, _e594), true);
+        phi_1179_ = SlimbvhTypeK(SlimbvhTypeG(_e72, _e594), true);
     } else {
-        phi_1084_ = SlimbvhTypeJ(SlimbvhTypeI(_e72, _e594), false);
+        phi_1179_ = SlimbvhTypeK(SlimbvhTypeG(_e72, _e594), false);
     }
-    let _e604 = phi_1084_;
-    local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    phi_1099_ = _e604;
-    phi_1102_ = 0u;
-    phi_1104_ = select(4294967295u, 0u, (_e595 <= _e594));
-    phi_1106_ = (_e74 + 1u);
+    let _e604 = phi_1179_;
+    phi_1194_ = _e604;
+    phi_1197_ = 0u;
+    phi_1199_ = select(4294967295u, 0u, (_e595 <= _e594));
+    phi_1201_ = (_e74 + 1u);
     loop {
-        let _e613 = phi_1099_;
-        let _e615 = phi_1102_;
-        let _e617 = phi_1104_;
-        let _e619 = phi_1106_;
+        let _e613 = phi_1194_;
+        let _e615 = phi_1197_;
+        let _e617 = phi_1199_;
+        let _e619 = phi_1201_;
         local_7 = _e613;
         let _e620 = (_e617 <= 2147483647u);
         if _e620 {
-            phi_1115_ = _e615;
-            phi_1118_ = _e617;
-            phi_1120_ = _e619;
+            phi_1210_ = _e615;
+            phi_1213_ = _e617;
+            phi_1215_ = _e619;
             loop {
-                let _e622 = phi_1115_;
-                let _e624 = phi_1118_;
-                let _e626 = phi_1120_;
+                let _e622 = phi_1210_;
+                let _e624 = phi_1213_;
+                let _e626 = phi_1215_;
                 local_3 = _e622;
                 local_4 = _e622;
                 local_5 = _e624;
@@ -514,46 +521,46 @@ fn slimbvh_trace() {
                             let _e749 = (_e624 % 128u);
                             local_1[_e749] = select(_e656, _e657, _e744);
                             local[_e749] = select(_e724, _e725, _e744);
-                            phi_1375_ = (_e624 + 1u);
+                            phi_1470_ = (_e624 + 1u);
                         } else {
-                            phi_1375_ = _e624;
+                            phi_1470_ = _e624;
                         }
-                        let _e754 = phi_1375_;
-                        phi_1401_ = select(_e657, _e656, _e744);
-                        phi_1402_ = _e754;
+                        let _e754 = phi_1470_;
+                        phi_1496_ = select(_e657, _e656, _e744);
+                        phi_1497_ = _e754;
                     } else {
                         let _e733 = (_e624 - 1u);
                         let _e734 = (_e733 % 128u);
                         let _e736 = local[_e734];
                         if (_e736 <= _e613.member.member_1) {
                             let _e739 = local_1[_e734];
-                            phi_1400_ = _e739;
+                            phi_1495_ = _e739;
                         } else {
-                            phi_1400_ = 2147483648u;
+                            phi_1495_ = 2147483648u;
                         }
-                        let _e741 = phi_1400_;
-                        phi_1401_ = _e741;
-                        phi_1402_ = _e733;
+                        let _e741 = phi_1495_;
+                        phi_1496_ = _e741;
+                        phi_1497_ = _e733;
                     }
-                    let _e756 = phi_1401_;
-                    let _e758 = phi_1402_;
+                    let _e756 = phi_1496_;
+                    let _e758 = phi_1497_;
                     let _e759 = (_e626 - 1u);
-                    phi_1116_ = _e756;
-                    phi_1119_ = select(_e758, 4294967295u, (_e759 == 0u));
-                    phi_1121_ = _e759;
+                    phi_1211_ = _e756;
+                    phi_1214_ = select(_e758, 4294967295u, (_e759 == 0u));
+                    phi_1216_ = _e759;
                 } else {
-                    phi_1116_ = u32();
-                    phi_1119_ = u32();
-                    phi_1121_ = u32();
+                    phi_1211_ = u32();
+                    phi_1214_ = u32();
+                    phi_1216_ = u32();
                 }
-                let _e763 = phi_1116_;
-                let _e765 = phi_1119_;
-                let _e767 = phi_1121_;
+                let _e763 = phi_1211_;
+                let _e765 = phi_1214_;
+                let _e767 = phi_1216_;
                 continue;
                 continuing {
-                    phi_1115_ = _e763;
-                    phi_1118_ = _e765;
-                    phi_1120_ = _e767;
+                    phi_1210_ = _e763;
+                    phi_1213_ = _e765;
+                    phi_1215_ = _e767;
                     break if !(_e630);
                 }
             }
@@ -561,22 +568,22 @@ fn slimbvh_trace() {
             if _e770 {
                 let _e772 = local_3;
                 let _e775 = local_4;
-                phi_1418_ = _e613;
-                phi_1421_ = SlimbvhTypeA(0u, ((_e775 >> bitcast<u32>(28u)) & 7u));
+                phi_1513_ = _e613;
+                phi_1516_ = SlimbvhTypeA(0u, ((_e775 >> bitcast<u32>(28u)) & 7u));
                 loop {
-                    let _e781 = phi_1418_;
-                    let _e783 = phi_1421_;
+                    let _e781 = phi_1513_;
+                    let _e783 = phi_1516_;
                     local_6 = _e781;
                     local_8 = _e781;
                     if (_e783.member < _e783.member_1) {
-                        phi_1422_ = SlimbvhTypeA((_e783.member + 1u), _e783.member_1);
-                        phi_1444_ = SlimbvhTypeA(1u, _e783.member);
+                        phi_1517_ = SlimbvhTypeA((_e783.member + 1u), _e783.member_1);
+                        phi_1539_ = SlimbvhTypeA(1u, _e783.member);
                     } else {
-                        phi_1422_ = _e783;
-                        phi_1444_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
+                        phi_1517_ = _e783;
+                        phi_1539_ = SlimbvhTypeA(0u, SlimbvhTypeA().member_1);
                     }
-                    let _e796 = phi_1422_;
-                    let _e798 = phi_1444_;
+                    let _e796 = phi_1517_;
+                    let _e798 = phi_1539_;
                     let _e802 = (bitcast<i32>(_e798.member) != 0i);
                     if _e802 {
                         let _e803 = ((_e772 & 268435455u) + _e798.member_1);
@@ -584,74 +591,74 @@ fn slimbvh_trace() {
                         let _e805 = (_e803 % 2u);
                         let _e806 = (_e804 >= arrayLength((&slimbvh_triangles.member)));
                         if _e806 {
-                            phi_1524_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            phi_1619_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
                             let _e807 = (2u * _e805);
                             let _e811 = slimbvh_triangles.member[_e804][_e807];
                             let _e816 = slimbvh_triangles.member[_e804][(_e807 + 1u)];
                             let _e821 = slimbvh_triangles.member[_e804][(_e807 + 2u)];
                             if (_e805 == 0u) {
-                                phi_1523_ = array<vec4<f32>, 3>(_e811, _e816, _e821);
+                                phi_1618_ = array<vec4<f32>, 3>(_e811, _e816, _e821);
                             } else {
-                                phi_1523_ = array<vec4<f32>, 3>(vec4<f32>(_e811.z, _e811.w, _e816.x, _e816.y), vec4<f32>(_e816.z, _e816.w, _e821.x, _e821.y), vec4<f32>(_e821.z, _e821.w, 0f, 0f));
+                                phi_1618_ = array<vec4<f32>, 3>(vec4<f32>(_e811.z, _e811.w, _e816.x, _e816.y), vec4<f32>(_e816.z, _e816.w, _e821.x, _e821.y), vec4<f32>(_e821.z, _e821.w, 0f, 0f));
                             }
-                            let _e839 = phi_1523_;
-                            phi_1524_ = _e839;
+                            let _e839 = phi_1618_;
+                            phi_1619_ = _e839;
                         }
-                        let _e841 = phi_1524_;
+                        let _e841 = phi_1619_;
                         let _e844 = bitcast<u32>(_e841[2].y);
                         if _e806 {
-                            phi_1599_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            phi_1694_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
                             let _e845 = (2u * _e805);
                             let _e849 = slimbvh_triangles.member[_e804][_e845];
                             let _e854 = slimbvh_triangles.member[_e804][(_e845 + 1u)];
                             let _e859 = slimbvh_triangles.member[_e804][(_e845 + 2u)];
                             if (_e805 == 0u) {
-                                phi_1598_ = array<vec4<f32>, 3>(_e849, _e854, _e859);
+                                phi_1693_ = array<vec4<f32>, 3>(_e849, _e854, _e859);
                             } else {
-                                phi_1598_ = array<vec4<f32>, 3>(vec4<f32>(_e849.z, _e849.w, _e854.x, _e854.y), vec4<f32>(_e854.z, _e854.w, _e859.x, _e859.y), vec4<f32>(_e859.z, _e859.w, 0f, 0f));
+                                phi_1693_ = array<vec4<f32>, 3>(vec4<f32>(_e849.z, _e849.w, _e854.x, _e854.y), vec4<f32>(_e854.z, _e854.w, _e859.x, _e859.y), vec4<f32>(_e859.z, _e859.w, 0f, 0f));
                             }
-                            let _e877 = phi_1598_;
-                            phi_1599_ = _e877;
+                            let _e877 = phi_1693_;
+                            phi_1694_ = _e877;
                         }
-                        let _e879 = phi_1599_;
+                        let _e879 = phi_1694_;
                         if _e145 {
-                            phi_1623_ = array<f32, 3>(_e879[0].x, _e879[0].y, _e879[0].z);
+                            phi_1718_ = array<f32, 3>(_e879[0].x, _e879[0].y, _e879[0].z);
                         } else {
                             if (_e140 == 1u) {
-                                phi_1622_ = array<f32, 3>(_e879[0].y, _e879[0].z, _e879[0].x);
+                                phi_1717_ = array<f32, 3>(_e879[0].y, _e879[0].z, _e879[0].x);
                             } else {
-                                phi_1622_ = array<f32, 3>(_e879[0].z, _e879[0].x, _e879[0].y);
+                                phi_1717_ = array<f32, 3>(_e879[0].z, _e879[0].x, _e879[0].y);
                             }
-                            let _e902 = phi_1622_;
-                            phi_1623_ = _e902;
+                            let _e902 = phi_1717_;
+                            phi_1718_ = _e902;
                         }
-                        let _e905 = phi_1623_;
+                        let _e905 = phi_1718_;
                         if _e145 {
-                            phi_1638_ = array<f32, 3>(_e879[0].w, _e879[1].x, _e879[1].y);
+                            phi_1733_ = array<f32, 3>(_e879[0].w, _e879[1].x, _e879[1].y);
                         } else {
                             if (_e140 == 1u) {
-                                phi_1637_ = array<f32, 3>(_e879[1].x, _e879[1].y, _e879[0].w);
+                                phi_1732_ = array<f32, 3>(_e879[1].x, _e879[1].y, _e879[0].w);
                             } else {
-                                phi_1637_ = array<f32, 3>(_e879[1].y, _e879[0].w, _e879[1].x);
+                                phi_1732_ = array<f32, 3>(_e879[1].y, _e879[0].w, _e879[1].x);
                             }
-                            let _e910 = phi_1637_;
-                            phi_1638_ = _e910;
+                            let _e910 = phi_1732_;
+                            phi_1733_ = _e910;
                         }
-                        let _e913 = phi_1638_;
+                        let _e913 = phi_1733_;
                         if _e145 {
-                            phi_1653_ = array<f32, 3>(_e879[1].z, _e879[1].w, _e879[2].x);
+                            phi_1748_ = array<f32, 3>(_e879[1].z, _e879[1].w, _e879[2].x);
                         } else {
                             if (_e140 == 1u) {
-                                phi_1652_ = array<f32, 3>(_e879[1].w, _e879[2].x, _e879[1].z);
+                                phi_1747_ = array<f32, 3>(_e879[1].w, _e879[2].x, _e879[1].z);
                             } else {
-                                phi_1652_ = array<f32, 3>(_e879[2].x, _e879[1].z, _e879[1].w);
+                                phi_1747_ = array<f32, 3>(_e879[2].x, _e879[1].z, _e879[1].w);
                             }
-                            let _e918 = phi_1652_;
-                            phi_1653_ = _e918;
+                            let _e918 = phi_1747_;
+                            phi_1748_ = _e918;
                         }
-                        let _e921 = phi_1653_;
+                        let _e921 = phi_1748_;
                         let _e935 = (_e905[2] - _e528.member[2]);
                         let _e938 = (((_e905[0] - _e528.member[0]) * _e583) - (_e935 * _e551));
                         let _e941 = (((_e905[1] - _e528.member[1]) * _e583) - (_e935 * _e567));
@@ -707,34 +714,34 @@ fn slimbvh_trace() {
                                 let _e1091 = max(max(bitcast<f32>((bitcast<u32>(_e1062) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u)));
                                 let _e1104 = max(max(_e1080, _e1091), max(max(bitcast<f32>((bitcast<u32>(_e1066) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1067) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u))));
                                 if (_e1080 == _e1104) {
-                                    phi_1969_ = _e950;
-                                    phi_1970_ = _e947;
-                                    phi_1971_ = _e941;
-                                    phi_1972_ = _e938;
-                                    phi_1973_ = vec3<f32>(_e905[0], _e905[1], _e905[2]);
-                                    phi_1974_ = _e1069;
-                                    phi_1975_ = _e1065;
-                                    phi_1976_ = _e1061;
+                                    phi_2064_ = _e950;
+                                    phi_2065_ = _e947;
+                                    phi_2066_ = _e941;
+                                    phi_2067_ = _e938;
+                                    phi_2068_ = vec3<f32>(_e905[0], _e905[1], _e905[2]);
+                                    phi_2069_ = _e1069;
+                                    phi_2070_ = _e1065;
+                                    phi_2071_ = _e1061;
                                 } else {
                                     let _e1106 = (_e1091 == _e1104);
                                     let _e1111 = vec3(_e1106);
-                                    phi_1969_ = select(_e941, _e959, _e1106);
-                                    phi_1970_ = select(_e938, _e956, _e1106);
-                                    phi_1971_ = select(_e959, _e950, _e1106);
-                                    phi_1972_ = select(_e956, _e947, _e1106);
-                                    phi_1973_ = select(vec3<f32>(_e921[0], _e921[1], _e921[2]), vec3<f32>(_e913[0], _e913[1], _e913[2]), _e1111);
-                                    phi_1974_ = select(_e1065, _e1061, _e1111);
-                                    phi_1975_ = select(_e1061, _e1069, _e1111);
-                                    phi_1976_ = select(_e1069, _e1065, _e1111);
+                                    phi_2064_ = select(_e941, _e959, _e1106);
+                                    phi_2065_ = select(_e938, _e956, _e1106);
+                                    phi_2066_ = select(_e959, _e950, _e1106);
+                                    phi_2067_ = select(_e956, _e947, _e1106);
+                                    phi_2068_ = select(vec3<f32>(_e921[0], _e921[1], _e921[2]), vec3<f32>(_e913[0], _e913[1], _e913[2]), _e1111);
+                                    phi_2069_ = select(_e1065, _e1061, _e1111);
+                                    phi_2070_ = select(_e1061, _e1069, _e1111);
+                                    phi_2071_ = select(_e1069, _e1065, _e1111);
                                 }
-                                let _e1117 = phi_1969_;
-                                let _e1119 = phi_1970_;
-                                let _e1121 = phi_1971_;
-                                let _e1123 = phi_1972_;
-                                let _e1125 = phi_1973_;
-                                let _e1127 = phi_1974_;
-                                let _e1129 = phi_1975_;
-                                let _e1131 = phi_1976_;
+                                let _e1117 = phi_2064_;
+                                let _e1119 = phi_2065_;
+                                let _e1121 = phi_2066_;
+                                let _e1123 = phi_2067_;
+                                let _e1125 = phi_2068_;
+                                let _e1127 = phi_2069_;
+                                let _e1129 = phi_2070_;
+                                let _e1131 = phi_2071_;
                                 let _e1138 = ((_e1129.y * _e1127.z) - (_e1127.y * _e1129.z));
                                 let _e1143 = ((_e1129.z * _e1127.x) - (_e1127.z * _e1129.x));
                                 let _e1146 = ((_e1129.x * _e1127.y) - (_e1127.x * _e1129.y));
@@ -756,91 +763,91 @@ fn slimbvh_trace() {
                                 if (_e1053 && !(_e1265)) {
                                     let _e1269 = (_e1200 / _e583);
                                     let _e1277 = (((_e1138 * (_e1194 - (_e551 * _e1269))) + (_e1143 * (_e1197 - (_e567 * _e1269)))) / _e1169);
-                                    phi_2155_ = select(select(_e1269, (_e1269 + _e1277), (bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u)) <= _e1104)), _e1266, _e1265);
+                                    phi_2250_ = select(select(_e1269, (_e1269 + _e1277), (bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u)) <= _e1104)), _e1266, _e1265);
                                 } else {
-                                    phi_2155_ = _e1266;
+                                    phi_2250_ = _e1266;
                                 }
-                                let _e1286 = phi_2155_;
+                                let _e1286 = phi_2250_;
                                 let _e1288 = select(_e1026, _e1286, (_e1286 < _e1026));
                                 let _e1290 = select(_e1022, _e1288, (_e1288 > _e1022));
                                 let _e1293 = select(_e1290, 0f, (bitcast<u32>(_e1290) == 2147483648u));
                                 let _e1294 = (1f / _e992);
-                                phi_2181_ = SlimbvhTypeK(_e1293, (_e986 * _e1294), (_e990 * _e1294), ((_e1053 && (_e1293 >= _e595)) && (_e1293 <= _e781.member.member_1)));
-                                phi_2182_ = SlimbvhTypeK();
+                                phi_2276_ = SlimbvhTypeH(_e1293, (_e986 * _e1294), (_e990 * _e1294), ((_e1053 && (_e1293 >= _e595)) && (_e1293 <= _e781.member.member_1)));
+                                phi_2277_ = SlimbvhTypeH();
                             } else {
-                                phi_2181_ = SlimbvhTypeK();
-                                phi_2182_ = SlimbvhTypeK(0f, 0f, 0f, _e1053);
+                                phi_2276_ = SlimbvhTypeH();
+                                phi_2277_ = SlimbvhTypeH(0f, 0f, 0f, _e1053);
                             }
-                            let _e1303 = phi_2181_;
-                            let _e1305 = phi_2182_;
-                            phi_2185_ = _e1303;
-                            phi_2186_ = _e1305;
-                            phi_2187_ = select(true, false, _e1053);
+                            let _e1303 = phi_2276_;
+                            let _e1305 = phi_2277_;
+                            phi_2280_ = _e1303;
+                            phi_2281_ = _e1305;
+                            phi_2282_ = select(true, false, _e1053);
                         } else {
-                            phi_2185_ = SlimbvhTypeK();
-                            phi_2186_ = SlimbvhTypeK(0f, 0f, 0f, _e976);
-                            phi_2187_ = true;
+                            phi_2280_ = SlimbvhTypeH();
+                            phi_2281_ = SlimbvhTypeH(0f, 0f, 0f, _e976);
+                            phi_2282_ = true;
                         }
-                        let _e1308 = phi_2185_;
-                        let _e1310 = phi_2186_;
-                        let _e1312 = phi_2187_;
+                        let _e1308 = phi_2280_;
+                        let _e1310 = phi_2281_;
+                        let _e1312 = phi_2282_;
                         if _e1312 {
-                            phi_2191_ = _e1310;
+                            phi_2286_ = _e1310;
                         } else {
-                            phi_2191_ = _e1308;
+                            phi_2286_ = _e1308;
                         }
-                        let _e1314 = phi_2191_;
+                        let _e1314 = phi_2286_;
                         if _e1314.member_3 {
-                            phi_2200_ = SlimbvhTypeC(_e1314.member, _e1314.member_1, _e1314.member_2, _e844);
+                            phi_2295_ = SlimbvhTypeC(_e1314.member, _e1314.member_1, _e1314.member_2, _e844);
                         } else {
-                            phi_2200_ = _e72;
+                            phi_2295_ = _e72;
                         }
-                        let _e1321 = phi_2200_;
+                        let _e1321 = phi_2295_;
                         if (_e1321.member_3 != 4294967295u) {
                             if (_e844 != 4294967295u) {
                                 if (_e1321.member < _e781.member.member.member) {
-                                    phi_2226_ = true;
+                                    phi_2321_ = true;
                                 } else {
                                     if (_e1321.member == _e781.member.member.member) {
-                                        phi_2225_ = (_e1321.member_3 < _e781.member.member.member_3);
+                                        phi_2320_ = (_e1321.member_3 < _e781.member.member.member_3);
                                     } else {
-                                        phi_2225_ = false;
+                                        phi_2320_ = false;
                                     }
-                                    let _e1336 = phi_2225_;
-                                    phi_2226_ = _e1336;
+                                    let _e1336 = phi_2320_;
+                                    phi_2321_ = _e1336;
                                 }
-                                let _e1338 = phi_2226_;
+                                let _e1338 = phi_2321_;
                                 if _e1338 {
-                                    phi_2233_ = SlimbvhTypeJ(SlimbvhTypeI(_e1321, _e1321.member), _e781.member_1);
+                                    phi_2328_ = SlimbvhTypeK(SlimbvhTypeG(_e1321, _e1321.member), _e781.member_1);
                                 } else {
-                                    phi_2233_ = _e781;
+                                    phi_2328_ = _e781;
                                 }
-                                let _e1344 = phi_2233_;
+                                let _e1344 = phi_2328_;
                                 if _e1344.member_1 {
-                                    phi_2239_ = SlimbvhTypeJ(SlimbvhTypeI(_e1344.member.member, bitcast<f32>(4286578687u)), _e1344.member_1);
+                                    phi_2334_ = SlimbvhTypeK(SlimbvhTypeG(_e1344.member.member, bitcast<f32>(4286578687u)), _e1344.member_1);
                                 } else {
-                                    phi_2239_ = _e1344;
+                                    phi_2334_ = _e1344;
                                 }
-                                let _e1353 = phi_2239_;
-                                phi_2240_ = _e1353;
+                                let _e1353 = phi_2334_;
+                                phi_2335_ = _e1353;
                             } else {
-                                phi_2240_ = _e781;
+                                phi_2335_ = _e781;
                             }
-                            let _e1355 = phi_2240_;
-                            phi_2241_ = _e1355;
+                            let _e1355 = phi_2335_;
+                            phi_2336_ = _e1355;
                         } else {
-                            phi_2241_ = _e781;
+                            phi_2336_ = _e781;
                         }
-                        let _e1357 = phi_2241_;
-                        phi_1419_ = _e1357;
+                        let _e1357 = phi_2336_;
+                        phi_1514_ = _e1357;
                     } else {
-                        phi_1419_ = SlimbvhTypeJ();
+                        phi_1514_ = SlimbvhTypeK();
                     }
-                    let _e1359 = phi_1419_;
+                    let _e1359 = phi_1514_;
                     continue;
                     continuing {
-                        phi_1418_ = _e1359;
-                        phi_1421_ = _e796;
+                        phi_1513_ = _e1359;
+                        phi_1516_ = _e796;
                         break if !(_e802);
                     }
                 }
@@ -851,46 +858,46 @@ fn slimbvh_trace() {
                 let _e1368 = local_6;
                 if (_e1366 <= _e1368.member.member_1) {
                     let _e1373 = local_1[_e1364];
-                    phi_2266_ = _e1373;
+                    phi_2361_ = _e1373;
                 } else {
-                    phi_2266_ = 2147483648u;
+                    phi_2361_ = 2147483648u;
                 }
-                let _e1375 = phi_2266_;
+                let _e1375 = phi_2361_;
                 let _e1612 = local_8;
-                phi_2273_ = _e1612;
-                phi_2274_ = _e1375;
-                phi_2275_ = select(_e1363, 4294967295u, (_e595 > _e1368.member.member_1));
+                phi_2368_ = _e1612;
+                phi_2369_ = _e1375;
+                phi_2370_ = select(_e1363, 4294967295u, (_e595 > _e1368.member.member_1));
             } else {
-                phi_2273_ = _e613;
+                phi_2368_ = _e613;
                 let _e1615 = local_9;
-                phi_2274_ = _e1615;
+                phi_2369_ = _e1615;
                 let _e1618 = local_10;
-                phi_2275_ = _e1618;
+                phi_2370_ = _e1618;
             }
-            let _e1379 = phi_2273_;
-            let _e1381 = phi_2274_;
-            let _e1383 = phi_2275_;
-            phi_1100_ = _e1379;
-            phi_1103_ = _e1381;
-            phi_1105_ = _e1383;
+            let _e1379 = phi_2368_;
+            let _e1381 = phi_2369_;
+            let _e1383 = phi_2370_;
+            phi_1195_ = _e1379;
+            phi_1198_ = _e1381;
+            phi_1200_ = _e1383;
             let _e1624 = local_11;
-            phi_1107_ = _e1624;
+            phi_1202_ = _e1624;
         } else {
-            phi_1100_ = SlimbvhTypeJ();
-            phi_1103_ = u32();
-            phi_1105_ = u32();
-            phi_1107_ = u32();
+            phi_1195_ = SlimbvhTypeK();
+            phi_1198_ = u32();
+            phi_1200_ = u32();
+            phi_1202_ = u32();
         }
-        let _e1385 = phi_1100_;
-        let _e1387 = phi_1103_;
-        let _e1389 = phi_1105_;
-        let _e1391 = phi_1107_;
+        let _e1385 = phi_1195_;
+        let _e1387 = phi_1198_;
+        let _e1389 = phi_1200_;
+        let _e1391 = phi_1202_;
         continue;
         continuing {
-            phi_1099_ = _e1385;
-            phi_1102_ = _e1387;
-            phi_1104_ = _e1389;
-            phi_1106_ = _e1391;
+            phi_1194_ = _e1385;
+            phi_1197_ = _e1387;
+            phi_1199_ = _e1389;
+            phi_1201_ = _e1391;
             break if !(_e620);
         }
     }
@@ -901,33 +908,33 @@ fn slimbvh_trace() {
         let _e1405 = (bitcast<i32>((_e1401 >> bitcast<u32>(23i))) & 255i);
         let _e1406 = (_e1405 + _e1400);
         if (_e1405 == 255i) {
-            phi_2330_ = _e1394.member.member.member;
+            phi_2425_ = _e1394.member.member.member;
         } else {
             if (_e1405 > 0i) {
                 if (_e1406 > 0i) {
                     let _e1410 = (_e1406 < 255i);
                     if _e1410 {
-                        phi_2309_ = bitcast<f32>((_e1401 + bitcast<u32>((_e1400 << bitcast<u32>(23i)))));
+                        phi_2404_ = bitcast<f32>((_e1401 + bitcast<u32>((_e1400 << bitcast<u32>(23i)))));
                     } else {
-                        phi_2309_ = f32();
+                        phi_2404_ = f32();
                     }
-                    let _e1417 = phi_2309_;
-                    phi_2311_ = _e1417;
-                    phi_2312_ = select(true, false, _e1410);
+                    let _e1417 = phi_2404_;
+                    phi_2406_ = _e1417;
+                    phi_2407_ = select(true, false, _e1410);
                 } else {
-                    phi_2311_ = f32();
-                    phi_2312_ = true;
+                    phi_2406_ = f32();
+                    phi_2407_ = true;
                 }
-                let _e1420 = phi_2311_;
-                let _e1422 = phi_2312_;
-                phi_2313_ = _e1420;
-                phi_2314_ = _e1422;
+                let _e1420 = phi_2406_;
+                let _e1422 = phi_2407_;
+                phi_2408_ = _e1420;
+                phi_2409_ = _e1422;
             } else {
-                phi_2313_ = f32();
-                phi_2314_ = true;
+                phi_2408_ = f32();
+                phi_2409_ = true;
             }
-            let _e1424 = phi_2313_;
-            let _e1426 = phi_2314_;
+            let _e1424 = phi_2408_;
+            let _e1426 = phi_2409_;
             if _e1426 {
                 let _e1427 = (_e1401 & 2147483648u);
                 let _e1434 = ((_e1401 & 8388607u) | (select(0u, 1u, ((_e1401 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
@@ -985,26 +992,26 @@ fn slimbvh_trace() {
                     phi_2647_ = select(_e1495, _e1493, _e1497);
                 }
                 let _e1501 = phi_2647_;
-                phi_2329_ = _e1501;
+                phi_2424_ = _e1501;
             } else {
-                phi_2329_ = _e1424;
+                phi_2424_ = _e1424;
             }
-            let _e1503 = phi_2329_;
-            phi_2330_ = _e1503;
+            let _e1503 = phi_2424_;
+            phi_2425_ = _e1503;
         }
-        let _e1505 = phi_2330_;
+        let _e1505 = phi_2425_;
         let _e1506 = bitcast<u32>(_e1505);
         if ((_e1506 & 2147483647u) >= 2139095040u) {
-            phi_2342_ = bitcast<f32>(((_e1506 & 2147483648u) | 2139095039u));
+            phi_2437_ = bitcast<f32>(((_e1506 & 2147483648u) | 2139095039u));
         } else {
-            phi_2342_ = _e1505;
+            phi_2437_ = _e1505;
         }
-        let _e1513 = phi_2342_;
-        phi_2347_ = SlimbvhTypeC(_e1513, _e1394.member.member.member_1, _e1394.member.member.member_2, _e1394.member.member.member_3);
+        let _e1513 = phi_2437_;
+        phi_2442_ = SlimbvhTypeC(_e1513, _e1394.member.member.member_1, _e1394.member.member.member_2, _e1394.member.member.member_3);
     } else {
-        phi_2347_ = _e72;
+        phi_2442_ = _e72;
     }
-    let _e1518 = phi_2347_;
+    let _e1518 = phi_2442_;
     slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1518.member), bitcast<u32>(_e1518.member_1), bitcast<u32>(_e1518.member_2), _e1518.member_3);
     return;
 }
