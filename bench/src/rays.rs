@@ -4,7 +4,7 @@ use anyhow::{Context, Result};
 use glam::Vec3;
 use rayon::prelude::*;
 use slimbvh::internals::Random;
-use slimbvh::{Aabb, Builder, Camera, Mesh, Projection};
+use slimbvh::{Aabb, Builder, Camera, Light, Mesh, Projection};
 use slimbvh_core::{Hit, IndexedTriangles, Ray};
 use std::fmt;
 
@@ -76,22 +76,35 @@ impl RayLists {
     }
 }
 
-/// Rays from the eye of a scene with this box, through every pixel of a picture of this width and height.
-///
-/// # Errors
-/// If the box is a point, or not finite.
-pub fn primary_rays(bounds: &Aabb, size: [u32; 2], order: RayOrder) -> Result<Vec<Ray>> {
-    let diagonal = diagonal(bounds);
+/// The camera of a scene with this box.
+#[must_use]
+pub fn camera(bounds: &Aabb) -> Camera {
     let center = (bounds.min + bounds.max) * 0.5;
-    let camera = Camera {
-        eye: (center + EYE.normalize() * EYE_DISTANCE * diagonal).to_array(),
+    Camera {
+        eye: (center + EYE.normalize() * EYE_DISTANCE * diagonal(bounds)).to_array(),
         target: center.to_array(),
         up: [0.0, 1.0, 0.0],
         projection: Projection::Perspective {
             vertical_fov: VERTICAL_FOV,
         },
-    };
-    let camera = camera.to_core(size, 1)?;
+    }
+}
+
+/// The light that shadow rays go to.
+#[must_use]
+pub fn sun() -> Light {
+    Light::Directional {
+        direction: (-SUN).to_array(),
+        color: [3.0; 3],
+    }
+}
+
+/// Rays of the [`camera`] of a scene with this box, one through every pixel of a picture of this width and height.
+///
+/// # Errors
+/// If the box is a point, or not finite.
+pub fn primary_rays(bounds: &Aabb, size: [u32; 2], order: RayOrder) -> Result<Vec<Ray>> {
+    let camera = camera(bounds).to_core(size, 1)?;
     let rays = (0..size[0] * size[1]).into_par_iter().map(|number| {
         let ray = camera.ray(match order {
             RayOrder::Tiles => camera.sample_of_thread(number),

@@ -61,14 +61,7 @@ fn ask<T: bytemuck::Pod>(
 }
 
 fn answers(hits: &[Hit]) -> Vec<Answer> {
-    let answer = |hit: &Hit| match hit.is_hit() {
-        true => Answer {
-            t: hit.t,
-            primitive: hit.primitive,
-        },
-        false => Answer::MISS,
-    };
-    hits.iter().map(answer).collect()
+    hits.iter().map(Answer::from).collect()
 }
 
 /// Rays between points of a cube that is larger than the scene's.
