@@ -13,7 +13,7 @@
 # --out FOLDER     where the record gpu-lab-ADAPTER.md is written (default bench/record; with --quick none)
 # SECTION          parity, stress, rays, stages, builds, peers or large (default all)
 #
-# One table comes last. Exit codes: 0 done, 1 an answer is wrong, 2 usage or input.
+# One table comes last. Exit codes: 0 done, 1 an answer is wrong or a program failed, 2 usage or input.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -59,13 +59,11 @@ commit() { git -C "$here" describe --always --dirty --abbrev=10 2>/dev/null || e
 
 if [[ -n $build ]]; then
   [[ $build =~ ^[A-Za-z0-9._-]+$ ]] || refuse "a step's name has letters, digits, dots and dashes, not '$build'."
-  target=${CARGO_TARGET_DIR:-$here/target}
-  cargo build --locked --release --manifest-path "$here/Cargo.toml" --target-dir "$target" --bin gpu-lab -p slimbvh-bench
-  cargo build --locked --release --manifest-path "$here/Cargo.toml" --target-dir "$target" --bin slimbvh-lab -p slimbvh-lab
+  cargo build --locked --release --manifest-path "$here/Cargo.toml" --bin gpu-lab
+  cargo build --locked --release --manifest-path "$here/../Cargo.toml" -p slimbvh-lab
   mkdir -p "$steps/$build"
-  for program in gpu-lab slimbvh-lab; do
-    strip -o "$steps/$build/$program" "$target/release/$program"
-  done
+  strip -o "$steps/$build/gpu-lab" "${CARGO_TARGET_DIR:-$here/target}/release/gpu-lab"
+  strip -o "$steps/$build/slimbvh-lab" "${CARGO_TARGET_DIR:-$here/../target}/release/slimbvh-lab"
   commit >"$steps/$build/commit"
   du -sh "$steps/$build"
   exit 0
@@ -127,7 +125,10 @@ once() {
     0) ;;
     1) wrong=1 ;;
     124) missed+=("the rest of $section of $step: it ran for $most s") ;;
-    *) missed+=("the rest of $section of $step: it failed with exit code $code") ;;
+    *)
+      wrong=1
+      missed+=("the rest of $section of $step: it failed with exit code $code")
+      ;;
   esac
 }
 

@@ -1,7 +1,7 @@
 //! Section `parity`: the GPU's answers are those of the CPU, bit by bit.
 
 use crate::rayset::{STORED, config, picture, ray_sets};
-use crate::scenes::cached;
+use crate::scenes::{cached, thousands};
 use crate::session::Session;
 use crate::traces::build;
 use anyhow::Result;
@@ -23,6 +23,7 @@ pub fn run(session: &mut Session) -> Result<()> {
         for (codec, nodes) in STORED {
             let on_gpu = build(session, &uploaded, nodes)?;
             let on_cpu = Builder::new(config(nodes)).build(&subject.mesh)?;
+            let (mut wrong, mut all) = (0, 0);
             for set in &sets {
                 let expected: Vec<u32> = match set.question {
                     Question::Closest => {
@@ -37,9 +38,11 @@ pub fn run(session: &mut Session) -> Result<()> {
                     }
                 };
                 let answers = set.ask(&session.gpu, &on_gpu)?;
-                let wrong = set.different(&expected, &answers);
-                session.wrong(name, &format!("{codec}, {}", set.name), wrong)?;
+                wrong += set.different(&expected, &answers);
+                all += set.list.len();
             }
+            let what = format!("{codec}, {} rays of all kinds", thousands(all));
+            session.wrong(name, &what, wrong)?;
         }
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Section `peers`: slimbvh beside walks over obvhs' trees, all in one submission on the same rays into the same answers.
 
 use crate::rayset::{RaySet, STORED, picture, ray_sets};
-use crate::scenes::{Subject, cached};
+use crate::scenes::{Subject, cached, thousands};
 use crate::session::Session;
 use crate::traces::build;
 use anyhow::Result;
@@ -43,12 +43,15 @@ pub fn measure(session: &mut Session, subject: &Subject) -> Result<()> {
             Err(error) => return session.note(format!("{name}: {error:#}")),
         }
     }
-    for set in &sets {
-        for peer in &peers {
-            let share = disagreement(session, set, &bvh, peer)?;
-            let what = format!("{}, {}", peer.walk(), set.name);
-            session.row(name, &what, "% other answers", 100.0 * share)?;
+    for peer in &peers {
+        let (mut other, mut all) = (0, 0);
+        for set in &sets {
+            other += disagreements(session, set, &bvh, peer)?;
+            all += set.list.len();
         }
+        let what = format!("{}, {} rays of all kinds", peer.walk(), thousands(all));
+        let percent = 100.0 * other as f64 / all as f64;
+        session.row(name, &what, "% other answers", percent)?;
     }
     for set in &sets {
         session.raise_clock(|| set.time(gpu, &bvh).map(drop))?;
@@ -124,8 +127,8 @@ fn together(
     Ok([slim, times[0], times[1]].map(|time| time.as_secs_f64()))
 }
 
-/// The share of a peer's answers that are others than slimbvh's, with the leeway of [`Agreement`].
-fn disagreement(session: &Session, set: &RaySet, bvh: &Bvh, peer: &GpuPeer) -> Result<f64> {
+/// The number of a peer's answers that are others than slimbvh's, with the leeway of [`Agreement`].
+fn disagreements(session: &Session, set: &RaySet, bvh: &Bvh, peer: &GpuPeer) -> Result<usize> {
     let gpu = &session.gpu;
     let expected = set.ask(gpu, bvh)?;
     let mut frame = gpu.frame();
@@ -144,7 +147,7 @@ fn disagreement(session: &Session, set: &RaySet, bvh: &Bvh, peer: &GpuPeer) -> R
             Agreement::of_any(&expected, &answers)
         }
     };
-    Ok(agreement.disagreements() as f64 / set.list.len() as f64)
+    Ok(agreement.disagreements())
 }
 
 fn closest(words: &[u32]) -> Vec<Answer> {

@@ -55,7 +55,7 @@ pub fn large_cells(is_quick: bool) -> [(u32, f64); 2] {
 }
 
 /// A number with a comma before each three digits.
-fn thousands(count: usize) -> String {
+pub fn thousands(count: usize) -> String {
     let digits = count.to_string();
     let mut text = String::new();
     for (i, digit) in digits.chars().enumerate() {
