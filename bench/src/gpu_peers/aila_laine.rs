@@ -7,6 +7,7 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use obvhs::triangle::Triangle;
+use rayon::prelude::*;
 
 /// Rows of 16 bytes a node.
 const NODE_ROWS: u32 = 4;
@@ -87,7 +88,10 @@ pub fn convert(bvh: &Bvh2, leaf_triangles: &[Triangle]) -> Result<PeerTree> {
     Ok(PeerTree {
         walk: Walk::AilaLaine,
         nodes: rows,
-        triangles: leaf_triangles.iter().flat_map(woop::rows).collect(),
+        triangles: leaf_triangles
+            .par_iter()
+            .flat_map_iter(woop::rows)
+            .collect(),
         numbers: bvh.primitive_indices.clone(),
         // One child of each inner node on the way, and what ends the walk.
         stack_rows: deepest + 1,

@@ -6,6 +6,7 @@ use anyhow::{Result, ensure};
 use obvhs::cwbvh::CwBvh;
 use obvhs::cwbvh::node::CwBvhNode;
 use obvhs::triangle::Triangle;
+use rayon::prelude::*;
 
 const _: () = assert!(size_of::<CwBvhNode>() == 80);
 
@@ -19,7 +20,10 @@ pub fn convert(bvh: &CwBvh, leaf_triangles: &[Triangle]) -> Result<PeerTree> {
     Ok(PeerTree {
         walk: Walk::Cwbvh,
         nodes: bytemuck::pod_collect_to_vec(bytes),
-        triangles: leaf_triangles.iter().flat_map(woop::rows).collect(),
+        triangles: leaf_triangles
+            .par_iter()
+            .flat_map_iter(woop::rows)
+            .collect(),
         numbers: bvh.primitive_indices.clone(),
         // At most one group of each node on the way waits.
         stack_rows: depth(bvh),

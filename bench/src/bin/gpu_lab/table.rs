@@ -65,19 +65,21 @@ impl TableTask {
         for (name, value) in &facts {
             writeln!(out, "| {name} | {value} |")?;
         }
-        let mut missed: Vec<&str> = self.missed.iter().map(String::as_str).collect();
-        let mut notes: Vec<String> = Vec::new();
+        let mut missed = self.missed.clone();
+        let mut notes = Vec::new();
         for (name, lines) in columns {
+            let of_step = |text: &str| match columns.len() {
+                1 => text.to_owned(),
+                _ => format!("{name}, {text}"),
+            };
             for line in lines {
                 match line {
-                    Line::Missed(text) => missed.push(text),
-                    Line::Note(text) if columns.len() > 1 => notes.push(format!("{name}, {text}")),
-                    Line::Note(text) => notes.push(text.clone()),
+                    Line::Missed(text) => missed.push(of_step(text)),
+                    Line::Note(text) => notes.push(of_step(text)),
                     Line::Row(_) | Line::Fact(..) => {}
                 }
             }
         }
-        missed.dedup();
         list(&mut out, "Not reached", &missed)?;
         list(&mut out, "Notes", &notes)?;
         rows(&mut out, columns)?;
@@ -85,12 +87,12 @@ impl TableTask {
     }
 }
 
-fn list<T: AsRef<str>>(out: &mut String, title: &str, texts: &[T]) -> Result<()> {
+fn list(out: &mut String, title: &str, texts: &[String]) -> Result<()> {
     if !texts.is_empty() {
         writeln!(out, "\n{title}:\n")?;
     }
     for text in texts {
-        writeln!(out, "- {}", text.as_ref())?;
+        writeln!(out, "- {text}")?;
     }
     Ok(())
 }
@@ -221,7 +223,7 @@ mod tests {
             "| section | scene | what | unit | base | next | next/base |",
             "| rays | hills | eye | Mrays/s | 200 | 500 | 2.50 |",
             "|  |  | bounce | Mrays/s | – | 7.12 | – |",
-            "- stress\n- large: hills",
+            "- stress\n- next, large: hills",
             "- next, all is well",
         ] {
             assert!(text.contains(part), "{part} is not in\n{text}");
