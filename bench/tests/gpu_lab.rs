@@ -102,7 +102,7 @@ fn gpu_sections_of_steps_stand_side_by_side() -> Result<()> {
     let turns: Vec<&&str> = turns.iter().filter(|it| it.starts_with("builds")).collect();
     let expected = ["base", "next", "next", "base"].map(|step| format!("builds of {step}"));
     assert_eq!(turns, expected.iter().collect::<Vec<_>>());
-    let records = std::fs::read_dir(&*folder)?.filter_map(|entry| entry.ok());
+    let records = std::fs::read_dir(&*folder)?.filter_map(Result::ok);
     let mut names = records.map(|entry| entry.file_name().to_string_lossy().into_owned());
     let record = names.find(|name| name.starts_with("gpu-lab-"));
     let record = record.context("a record was written")?;
