@@ -142,6 +142,7 @@ stress() {
   [[ ${#quick[@]} -eq 0 ]] || only=(--only slivers)
   timeout "$2" "$program" stress --quick --backend gpu "${adapter[@]}" ${only[@]+"${only[@]}"} >"$work/stress.log" 2>&1 || code=$?
   case $code in
+    1) sed -n '/^Faults/,$p' "$work/stress.log" >&2 ;;&
     0 | 1) echo "row;stress;${only[1]:-all families};exact answers;failures;$code" ;;
     124) ;;
     *) tail -n 3 "$work/stress.log" >&2 ;;
