@@ -143,7 +143,7 @@ stress() {
   timeout "$2" "$program" stress --quick --backend gpu "${adapter[@]}" ${only[@]+"${only[@]}"} >"$work/stress.log" 2>&1 || code=$?
   case $code in
     1) sed -n '/^Faults/,$p' "$work/stress.log" >&2 ;;&
-    0 | 1) echo "row;stress;${only[1]:-all families};exact answers;failures;$code" ;;
+    0 | 1) echo "row;stress;${only[1]:-all families};exact answers;exit code;$code" ;;
     124) ;;
     *) tail -n 3 "$work/stress.log" >&2 ;;
   esac
@@ -165,7 +165,7 @@ for section in "${sections[@]}"; do
   esac
 done
 
-table=(table --fact "budget=$seconds s, $SECONDS s used")
+table=(table --fact "adapter=$found" --fact "budget=$seconds s, $SECONDS s used")
 for name in "${names[@]}"; do
   table+=(--fact "step $name=$(cat "$steps/$name/commit" 2>/dev/null || echo unknown)" "$name=$work/$name")
 done
