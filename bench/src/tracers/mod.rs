@@ -28,7 +28,7 @@ use obvhs::BvhBuildParams;
 use obvhs::triangle::Triangle;
 use rayon::prelude::*;
 use slimbvh::{BuildConfig, CodeBits, Mesh, Stages, TreeKind};
-use slimbvh_core::Ray;
+use slimbvh_core::{Hit, Ray};
 use std::ops::Add;
 
 /// A mesh in the form of each tracer.
@@ -99,6 +99,18 @@ impl Answer {
     #[must_use]
     pub const fn is_hit(&self) -> bool {
         self.primitive != u32::MAX
+    }
+}
+
+impl From<&Hit> for Answer {
+    fn from(hit: &Hit) -> Self {
+        if !hit.is_hit() {
+            return Self::MISS;
+        }
+        Self {
+            t: hit.t,
+            primitive: hit.primitive,
+        }
     }
 }
 

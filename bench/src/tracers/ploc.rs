@@ -4,6 +4,7 @@ use super::clusters::{Clusters, answer, in_order, peer_ray};
 use super::{Answer, Bytes, Demand, Question, Tracer, Visits, answer_all};
 use anyhow::Result;
 use obvhs::BvhBuildParams;
+use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::node::Bvh2Node;
 use obvhs::ray::RayHit;
@@ -31,6 +32,12 @@ impl<'a> Ploc<'a> {
             clusters: Clusters::new(params, triangles),
             leaf_triangles: Vec::new(),
         }
+    }
+
+    /// The tree, and the triangles in the order of its leaves.
+    #[must_use]
+    pub fn tree(&self) -> (&Bvh2, &[Triangle]) {
+        (&self.clusters.bvh, &self.leaf_triangles)
     }
 
     /// Walks the tree as obvhs' `ray_traverse_dynamic` does, and counts.

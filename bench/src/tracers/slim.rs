@@ -72,14 +72,7 @@ impl Tracer for Slim<'_> {
             let mut hits = [Hit::MISS; BLOCK];
             self.bvh.closest_hits_of_block(rays, &mut hits);
             for (answer, hit) in answers.iter_mut().zip(hits) {
-                *answer = if hit.is_hit() {
-                    Answer {
-                        t: hit.t,
-                        primitive: hit.primitive,
-                    }
-                } else {
-                    Answer::MISS
-                };
+                *answer = Answer::from(&hit);
             }
         });
     }

@@ -32,6 +32,12 @@ impl<'a> Wide<'a> {
             leaf_triangles: Vec::new(),
         }
     }
+
+    /// The tree, and the triangles in the order of its leaves.
+    #[must_use]
+    pub fn tree(&self) -> (&CwBvh, &[Triangle]) {
+        (&self.bvh, &self.leaf_triangles)
+    }
 }
 
 impl Tracer for Wide<'_> {
