@@ -65,8 +65,11 @@ impl Gpu {
     /// Uses a device that the caller opened, with its limits. With the feature `TIMESTAMP_QUERY`, stages are timed. The
     /// caller's handlers of errors and of device loss stay in place; a lost device is reported by the next call that waits.
     ///
+    /// The kernels need 8 storage buffers a stage, workgroups of 64 invocations with 16 KiB of memory, and 32,768 workgroups a
+    /// dimension. WebGPU promises as much.
+    ///
     /// # Errors
-    /// If the device's limits are too small for the kernels.
+    /// If the device's limits are smaller.
     pub fn from_device(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
         let (limits, name) = (device.limits(), device.adapter_info().name);
         let needs: [(&'static str, u64, u64); 4] = [

@@ -151,7 +151,15 @@ fn every_module_is_one_kernel_as_the_manifest_describes_it() {
             .bindings
             .iter()
             .filter(|binding| binding.2 != "uniform");
-        assert!(storage.count() <= 8, "{name} has too many storage buffers");
+        // Devices may allow eight. Paths and shadow rays leave room for what scenes will bind beside their trees.
+        let is_of_pictures = ["trace_paths", "trace_shadows"]
+            .iter()
+            .any(|start| name.starts_with(start));
+        let most = if is_of_pictures { 6 } else { 8 };
+        assert!(
+            storage.count() <= most,
+            "{name} has too many storage buffers"
+        );
     }
 }
 
