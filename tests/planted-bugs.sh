@@ -54,6 +54,18 @@ plant odd-end-of-a-range core/src/build/refit.rs \
 plant odd-end-of-a-level core/src/build/refit.rs \
   'if left + 1 < below.count' 'if left < below.count' \
   slimbvh-core refit::
+plant denormals-are-ordinary core/src/geometry/ray.rs \
+  '(smallest >= key(f32::MIN_POSITIVE.to_bits()))' '(smallest >= key(1))' \
+  slimbvh-core ray::
+plant high-counters-begin-at-zero core/src/build/sort/tile.rs \
+  'before.wrapping_add(all << 16)' 'before' \
+  slimbvh-core sort::
+plant blocks-beyond-the-own core/src/build/scan.rs \
+  'while i < end {' 'while i <= end {' \
+  slimbvh-core scan::
+plant nearer-child-first-for-any core/src/trace/query.rs \
+  '(boxes.enter_a <= boxes.enter_b) ^ self.goes_farther_first' 'boxes.enter_a <= boxes.enter_b' \
+  slimbvh-tests any_hit_order::
 plant number-rounded-to-nearest core/src/codec/lattice_node.rs \
   '(inner as u32 >> shift) & ((1 << BITS) - 1)' '((inner as u32 + ((1 << shift) >> 1)) >> shift) & ((1 << BITS) - 1)' \
   slimbvh-core lattice_node::

@@ -13,10 +13,10 @@ pub const RUN: u32 = 16;
 pub const BLOCK: u32 = LANES as u32 * RUN;
 
 /// Values that a lane takes in a `scan`, at least. A build scans few values: short runs spread them over more workgroups.
-const SCAN_RUN: u32 = 4;
+pub const SCAN_RUN: u32 = 4;
 
 /// Blocks of a `scan`, at most. The workgroup of a block reads the sums of all blocks before its own.
-const MOST_SCAN_BLOCKS: u32 = 1 << 12;
+pub const MOST_SCAN_BLOCKS: u32 = 1 << 12;
 
 /// Hits that `trace_nearest` finds.
 pub const NEAREST_COUNT: usize = 8;
@@ -36,7 +36,7 @@ pub const fn dispatch(group_count: u32) -> [u32; 3] {
     [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
 }
 
-/// Values that a lane takes in a `scan` of so many: 4, or more where there would be over 4096 blocks.
+/// Values that a lane takes in a `scan` of `value_count`: [`SCAN_RUN`], or more where there would be over [`MOST_SCAN_BLOCKS`].
 #[inline(always)]
 #[must_use]
 pub const fn scan_run(value_count: u32) -> u32 {
@@ -44,7 +44,7 @@ pub const fn scan_run(value_count: u32) -> u32 {
     if run > SCAN_RUN { run } else { SCAN_RUN }
 }
 
-/// Blocks of a `scan` of so many values, a workgroup each. At most 4096.
+/// Blocks of a `scan` of `value_count` values, a workgroup each. At most [`MOST_SCAN_BLOCKS`].
 #[inline(always)]
 #[must_use]
 pub const fn scan_block_count(value_count: u32) -> u32 {

@@ -156,10 +156,11 @@ where
 /// What stands for the number of waiting nodes when the walk is over: one less than none, and more than any stack holds.
 const DONE: u32 = u32::MAX;
 
-/// Walks the tree from the root, the child that the query wants first, and lets the query test every triangle on the way. Returns whether it came to
-/// an end: false where the stack was full.
+/// Walks the tree from the root, the child that the query wants first, and lets the query test every triangle on the way.
+/// Returns whether it came to an end: false where the stack was full.
 ///
-/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. The tree is binary: [`Children`], [`Query`] and the links of nodes hold two children.
+/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. The tree is binary:
+/// [`Children`], [`Query`] and the links of nodes hold two children.
 ///
 /// The inner loop opens nodes only, so that lanes of a GPU do the same for as long as possible, and what the leaves' hits need is
 /// not carried through it (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs", while-while).

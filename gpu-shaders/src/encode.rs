@@ -308,13 +308,13 @@ fn store_links<const BITS: u32, const WORDS: usize>(
     }
 }
 
-/// Stores words side by side, where all of them lie inside.
+/// Stores words side by side, those that lie inside.
 #[inline(always)]
 fn store_words<const COUNT: usize>(to: u32, from: [u32; COUNT], words: &mut [u32]) {
-    let to = to as usize;
-    if to < words.len() && COUNT <= words.len() - to {
-        for i in 0..COUNT {
-            words[to + i] = from[i];
+    for i in 0..COUNT as u32 {
+        let at = to.wrapping_add(i) as usize;
+        if at < words.len() {
+            words[at] = from[i as usize];
         }
     }
 }

@@ -75,13 +75,14 @@ fn texel_index(params: &UVec4, thread: u32) -> u32 {
     reason = "rust-gpu has no safe atomics; these are plain additions, in range"
 )]
 fn count(counters: &mut [u32], pair: u32, amount: u32) {
-    let low = 2 * pair as usize;
-    if amount > 0 && low + 1 < counters.len() {
+    let low = pair.wrapping_mul(2);
+    let (low, high) = (low as usize, low.wrapping_add(1) as usize);
+    if amount > 0 && low < counters.len() && high < counters.len() {
         // SAFETY: all accesses to counters within a dispatch are atomic.
         let old = unsafe { atomic_add(&mut counters[low], amount) };
         if launch::carries(old, amount) {
             // SAFETY: as above.
-            unsafe { atomic_add(&mut counters[low + 1], 1) };
+            unsafe { atomic_add(&mut counters[high], 1) };
         }
     }
 }

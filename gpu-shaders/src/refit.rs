@@ -2,13 +2,14 @@
 
 use crate::encode::lattice_step;
 use crate::group::barrier;
-use crate::{LANE_STEPS, group_index, thread_index};
+use crate::{group_index, thread_index};
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::RoundedNode;
 use slimbvh_core::launch::LANES;
 use slimbvh_core::node::Connection;
 use slimbvh_core::refit::{
-    Level, PyramidBox, group_bounds, pair_place, pair_step, parent_bounds, refit_node, split_of,
+    GROUP_LEVELS, Level, PyramidBox, group_bounds, pair_place, pair_step, parent_bounds,
+    refit_node, split_of,
 };
 use slimbvh_core::{LeafTriangle, Node};
 use spirv_std_macros::spirv;
@@ -68,7 +69,7 @@ fn store_levels(
     store_entry(group * LANES as u32 + lane, lowest, own, pyramid);
     let mut level = lowest;
     let mut distance = 1;
-    for _ in 0..LANE_STEPS {
+    for _ in 1..GROUP_LEVELS {
         barrier();
         level = level.above();
         let lanes = LANES as u32 / 2 / distance;
@@ -108,7 +109,8 @@ pub fn refit_nodes(
     }
 }
 
-/// As [`refit_nodes`]. Reads the scene's exponent, that of a lattice's step and whether it is in the caller's unit, too. Stores the node on that lattice.
+/// As [`refit_nodes`]. Reads the scene's exponent, that of a lattice's step and whether it is in the caller's unit, too. Stores
+/// the node on that lattice.
 #[spirv(compute(threads(64)))]
 pub fn refit_rounded(
     #[spirv(global_invocation_id)] id: UVec3,

@@ -1,5 +1,5 @@
-//! Stage `sort`: a pass over one digit of 8 bits, in three dispatches: each tile counts its digits, each digit's totals are
-//! scanned over the tiles, each tile is sorted in workgroup memory and stored. A tile is a block.
+//! Stage `sort`: a pass over one digit of 8 bits, in three dispatches: each tile counts its digits; each digit's totals are
+//! scanned over the tiles; each tile scans the digits' sums, is sorted in workgroup memory and stored. A tile is a block.
 
 use crate::group::{atomic_add, barrier};
 use crate::group_index;
@@ -187,7 +187,7 @@ fn count<I: Item>(
     }
 }
 
-/// Phase 2: where the tile's first item with each digit goes.
+/// Phase 3: where the tile's first item with each digit goes, from the scans of phase 2.
 #[inline(always)]
 fn load_begins(
     group: UVec3,

@@ -1,17 +1,22 @@
 //! Stage `refit`: every node's boxes from its triangles, each node on its own, over a pyramid of boxes.
 //!
 //! Level 0 of the pyramid holds the box of each [`GROUP_SIZE`] triangles in leaf order, each further level that of two
-//! entries of the level below; the last entry of an odd level goes up alone. A node covers a run of leaves, so its children's boxes are unions of few entries: no
-//! order among the nodes, no atomics. `min` and `max` are exact, so any grouping gives the same bits.
+//! entries of the level below; the last entry of an odd level goes up alone. A node covers a run of leaves, so its children's
+//! boxes are unions of few entries: no order among the nodes, no atomics. `min` and `max` are exact, so any grouping gives the
+//! same bits.
 
 use crate::build::node::{Node, NodeRef};
 use crate::geometry::aabb::Aabb;
 use crate::geometry::triangle::LeafTriangle;
+use crate::launch::LANES;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
 
 /// Triangles in an entry of the pyramid's level 0.
 pub const GROUP_SIZE: u32 = 8;
+
+/// Levels of the pyramid that a workgroup makes: that of its lanes, and one for each time that these are halved.
+pub const GROUP_LEVELS: u32 = 1 + LANES.ilog2();
 
 /// An entry of the pyramid. 32 bytes: min, unused, max, unused.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]

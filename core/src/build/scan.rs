@@ -4,8 +4,8 @@
 //! scanned by doubling ([`doubling_step`]). Phase 3: every lane rewrites its run, beginning with the sum of all lanes
 //! before it ([`run_scan`]). A workgroup of one lane skips phase 2.
 //!
-//! Where several workgroups scan a block each, all store their block's sum first. Then the lanes of a workgroup add up the
-//! sums of the blocks before its own ([`strided_sum`]), where its first lane begins.
+//! Where several workgroups scan a block each, all store their block's sum first. Then the lanes of each workgroup add up the
+//! sums of the blocks before its own ([`strided_sum`]): the block's prefix sums begin there.
 
 /// Phase 1. Reads `values[first..first + count]`. Returns their wrapping sum.
 #[inline]

@@ -2,8 +2,8 @@
 //!
 //! Items are cut into tiles. Phase 1: each tile counts its digits. The totals are stored digit by digit, tile by tile
 //! ([`total_place`]). Phase 2: their exclusive prefix sums in that order ([`crate::build::scan`]) are where each tile's
-//! first item with each digit goes. Phase 3: each tile moves its items in order. Tiles and digits in order make the sort
-//! stable.
+//! first item with each digit goes; on a GPU a workgroup scans the totals of one digit, and phase 3 adds the sums of the digits
+//! before it. Phase 3: each tile moves its items in order. Tiles and digits in order make the sort stable.
 //!
 //! On a CPU one task walks a tile item by item. On a GPU a workgroup sorts its tile by the digit first ([`tile`]), so that
 //! lanes side by side store items side by side. The permutation is the same, as the stable order of equal keys is unique.

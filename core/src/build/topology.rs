@@ -141,9 +141,8 @@ pub fn kept_nodes<C: SortedCodes>(word: u32, codes: &C) -> u32 {
     bits
 }
 
-/// One thread per kept node. Reads the codes, the bits of [`kept_nodes`] and the exclusive prefix sums of its bit
-/// counts. Returns the node with its children and its run of leaves,
-/// without boxes, and the last leaf of its left child.
+/// One thread per kept node. Reads the codes, a bit for each node that is kept and the exclusive prefix sums of the bits'
+/// counts. Returns the node with its children and its run of leaves, without boxes, and the last leaf of its left child.
 #[inline]
 #[must_use]
 pub fn internal_node<C: SortedCodes>(

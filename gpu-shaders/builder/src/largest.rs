@@ -4,6 +4,7 @@
 //! Such a constant becomes the bits of an integer, cast at the function's entry; so does each composite that holds one. The
 //! result keeps its number, so that no use changes.
 
+use crate::module::HEADER_WORDS;
 use anyhow::{Context, Result, bail};
 use naga::{Expression, Literal};
 
@@ -17,8 +18,7 @@ const OP_COMPOSITE_CONSTRUCT: u32 = 80;
 const OP_BITCAST: u32 = 124;
 const OP_LABEL: u32 = 248;
 
-/// Words of the header; one of them is the bound of all numbers.
-const HEADER_WORDS: usize = 5;
+/// The header's word that is the bound of all numbers.
 const BOUND: usize = 3;
 
 /// Whether WGSL refuses the shortest decimal that denotes `x`: as a real number it is beyond `f32::MAX`.

@@ -40,7 +40,7 @@ impl Module {
     }
 }
 
-const HEADER_WORDS: usize = 5;
+pub const HEADER_WORDS: usize = 5;
 const OP_ENTRY_POINT: u32 = 15;
 /// OpSourceContinued, OpSource, OpSourceExtension, OpName, OpMemberName, OpString, OpLine, OpNoLine, OpModuleProcessed:
 /// they change nothing, and hold paths of the machine that compiled.

@@ -8,11 +8,12 @@ use syn::visit_mut::{VisitMut, visit_file_mut, visit_item_mod_mut};
 use syn::{Attribute, File, Item, Meta};
 
 /// Packages whose versions count, and the lock file that names them.
-const PINNED: [(&str, &str); 6] = [
+const PINNED: [(&str, &str); 7] = [
     ("Cargo.lock", "bytemuck"),
     ("Cargo.lock", "glam"),
     ("Cargo.lock", "libm"),
     ("Cargo.lock", "spirv-std"),
+    ("Cargo.lock", "spirv-std-macros"),
     ("gpu-shaders/builder/Cargo.lock", "naga"),
     ("gpu-shaders/builder/Cargo.lock", "spirv-builder"),
 ];

@@ -7,12 +7,9 @@ use super::coding::Coding;
 use super::program::{Groups, Recorder, Uniform, groups};
 use super::{Builder, Gpu, Kernel};
 use slimbvh_core::launch::LANES;
-use slimbvh_core::refit::{Level, PyramidBox};
+use slimbvh_core::refit::{GROUP_LEVELS, Level, PyramidBox};
 
 const BOX_BYTES: u64 = size_of::<PyramidBox>() as u64;
-
-/// Levels of the pyramid that a workgroup makes: that of its lanes, and one for each time that these are halved.
-const LEVELS: u32 = 1 + LANES.ilog2();
 
 impl Builder {
     /// Records both children's boxes of each node.
@@ -48,7 +45,7 @@ impl Builder {
         }
     }
 
-    /// Records the boxes of all levels of the pyramid, [`LEVELS`] a dispatch.
+    /// Records the boxes of all levels of the pyramid, [`GROUP_LEVELS`] a dispatch.
     fn record_pyramid(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) -> Range {
         let bytes = pyramid_bytes(bvh.triangle_count);
         let pyramid = self.scratch.pyramid.range(gpu, bytes);
@@ -58,7 +55,7 @@ impl Builder {
         while level.count > 0 {
             let groups = groups(level.count.div_ceil(LANES as u32));
             let (begin, mut highest) = (level.begin, level);
-            for _ in 0..LEVELS {
+            for _ in 0..GROUP_LEVELS {
                 (highest, level) = (level, level.above());
             }
             let made = &entries(level.begin - begin);

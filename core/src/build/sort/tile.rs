@@ -16,13 +16,14 @@
 //! The scan adds both halves at once, and begins the high ones at the sum of all low ones. A sum of less than 2^16 words
 //! never carries into the other half.
 
-use crate::launch::RUN;
+use crate::launch::{DIGITS, RUN};
 
 /// Bits of a tile's digit, in two rounds of [`ROUND_BITS`].
-pub const DIGIT_BITS: u32 = 8;
+pub const DIGIT_BITS: u32 = DIGITS.ilog2();
 
 /// Bits of a round's digit.
-pub const ROUND_BITS: u32 = 4;
+pub const ROUND_BITS: u32 = DIGIT_BITS / 2;
+const _: () = assert!(DIGITS == 1 << (2 * ROUND_BITS));
 
 /// Words of counters for a lane.
 pub const COUNTERS: u32 = 1 << (ROUND_BITS - 1);

@@ -2,7 +2,7 @@
 
 use super::contract::wgsl;
 use serde_json::{Map, Value, json};
-use slimbvh::gpu::Kernel;
+use slimbvh::gpu::{self, Kernel};
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{TcpListener, TcpStream};
@@ -132,7 +132,12 @@ fn chromium_takes_every_module() {
         .iter()
         .map(|&kernel| (kernel.name().to_owned(), json!(wgsl(kernel))))
         .collect();
-    texts.insert("slimbvh.wgsl".to_owned(), json!(slimbvh::gpu::wgsl(0)));
+    for (name, text) in [
+        ("slimbvh.wgsl", gpu::wgsl(0)),
+        ("slimbvh_compute.wgsl", gpu::wgsl_compute(0)),
+    ] {
+        texts.insert(name.to_owned(), json!(text));
+    }
     let count = texts.len();
     // The negative control: what naga writes of the largest f32 is above it.
     let beyond = format!("const beyond = {}f;", f32::MAX);

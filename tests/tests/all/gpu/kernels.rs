@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use slimbvh::CodeBits;
 use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::refit::{Level, PyramidBox};
+use slimbvh_core::refit::{GROUP_LEVELS, Level, PyramidBox};
 use slimbvh_core::topology::{Codes30, internal_node};
 use slimbvh_core::{LeafTriangle, Node};
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
@@ -94,7 +94,7 @@ fn check_pyramid(
             outputs: &[cast_slice(&pyramid)],
         }
         .run(gpu);
-        for _ in 0..7 {
+        for _ in 0..GROUP_LEVELS {
             (below, level) = (Some(level), level.above());
         }
         pyramid = answers(&stored[0]);

@@ -105,7 +105,8 @@ pub fn nested_tree() -> Bvh {
     build_as(&nested(340), config)
 }
 
-/// Rays whose searches for the closest hit all overflow in [`nested_tree`]: from just beside the corner, outwards along the face of the boxes that they share.
+/// Rays whose searches for the closest hit all overflow in [`nested_tree`]: from just beside the corner, outwards along the face
+/// of the boxes that they share.
 pub fn rays_along_the_corner() -> Vec<Ray> {
     let ray = |i: u32| {
         let off = i as f32 * 2f32.powi(-80);
