@@ -110,8 +110,8 @@ pub fn time_or(stages: &Stages, begin: Instant) -> Duration {
     }
 }
 
-/// Eye rays of a mesh, and shadow and bounce rays from what they hit, which this tree of the mesh tells. Kinds without rays are
-/// left out.
+/// Eye rays of a mesh, and shadow and bounce rays from the hits that a trace of the eye rays through `bvh` finds. Kinds without
+/// rays are left out.
 pub fn ray_sets(
     gpu: &Gpu,
     mesh: &Mesh,

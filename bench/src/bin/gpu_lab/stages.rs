@@ -12,7 +12,7 @@ use slimbvh_bench::rays::{camera, sun};
 use slimbvh_lab::measure::rounds::median;
 use std::time::Duration;
 
-/// The stage that tells the clock.
+/// `camera`: its time measures the clock.
 const CLOCK: &str = "camera";
 
 /// The stages that are shown.
