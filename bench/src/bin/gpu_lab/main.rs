@@ -3,6 +3,7 @@
 //! 2 usage or input.
 
 mod builds;
+mod judgement;
 mod large;
 mod options;
 mod parity;

@@ -143,12 +143,3 @@ const fn query(question: Question) -> Query {
         Question::Any => Query::Any,
     }
 }
-
-impl RaySet {
-    /// The number of rays whose answers differ in any bit.
-    pub fn different(&self, expected: &[u32], answers: &[u32]) -> usize {
-        let words = query(self.question).answer_bytes() as usize / 4;
-        let (a, b) = (expected.chunks(words), answers.chunks(words));
-        a.zip(b).filter(|(a, b)| a != b).count() + expected.len().abs_diff(answers.len())
-    }
-}
