@@ -2,23 +2,25 @@
 # What only a real GPU can answer, in one call with a budget of its own, without network and without a compiler:
 #
 #   bench/gpu-lab.sh --build NAME [--steps FOLDER]
-#   bench/gpu-lab.sh [--steps FOLDER] [--quick] [--seconds N] [--seed N] [--adapter NAME] [--out FOLDER] [SECTION...]
+#   bench/gpu-lab.sh [--steps FOLDER] [--quick] [--whole] [--seconds N] [--seed N] [--adapter NAME] [--out FOLDER] [SECTION...]
 #
 # --build NAME     builds this checkout's programs, stripped, into FOLDER/NAME: a step
 # --steps FOLDER   the folder of steps (default bench/steps); all in it are run in turn
 # --quick          small scenes: a minute or two on a software adapter
+# --whole          anything not reached is exit code 1
 # --seconds N      the budget (default 240); nothing is begun that would probably end later, and nothing runs longer
 # --seed N         of scenes and of bounce rays (default 7)
 # --adapter NAME   the GPU with this in its name (default the strongest, software if nothing else)
 # --out FOLDER     where the record gpu-lab-ADAPTER.md is written (default bench/record; with --quick none)
 # SECTION          parity, stress, rays, stages, builds, peers or large (default all)
 #
-# One table comes last. Exit codes: 0 done, 1 an answer is wrong or a program failed, 2 usage or input.
+# One table comes last. Exit codes: 0 done, 1 an answer is wrong, a program failed, or --whole and something was not reached,
+# 2 usage or input.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
 all=(parity rays stages builds peers large stress)
-steps=$here/steps out='' build='' quick=() seconds=240 seed=7 adapter=() sections=()
+steps=$here/steps out='' build='' quick=() whole=0 seconds=240 seed=7 adapter=() sections=()
 
 refuse() {
   echo "gpu-lab.sh: $1" >&2
@@ -33,6 +35,7 @@ while [[ $# -gt 0 ]]; do
       exit 0
       ;;
     --quick) quick=(--quick) ;;
+    --whole) whole=1 ;;
     --build | --steps | --seconds | --seed | --adapter | --out)
       [[ $# -ge 2 ]] || refuse "$1 needs a value."
       case $1 in
@@ -175,4 +178,8 @@ fi
 for text in ${missed[@]+"${missed[@]}"}; do table+=(--missed "$text"); done
 [[ -z $out ]] || table+=(--out "$out")
 "$steps/${names[0]}/gpu-lab" "${table[@]}"
+if [[ $whole -eq 1 ]] && { [[ ${#missed[@]} -gt 0 ]] || grep -q '^missed;' "${names[@]/#/$work/}"; }; then
+  echo 'gpu-lab.sh: not everything was reached, and --whole is given' >&2
+  wrong=1
+fi
 exit "$wrong"

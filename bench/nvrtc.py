@@ -47,7 +47,7 @@ binary, log = compiled(sys.stdin.buffer.read())
 registers = re.search(r"Used (\d+) registers", log)
 frame = re.search(r"(\d+) bytes stack frame", log)
 if not registers:
-    sys.exit("NVRTC told no registers:\n" + log)
+    sys.exit("NVRTC's log has no number of registers:\n" + log)
 private = int(frame.group(1)) if frame else 0
 print(registers.group(1) + (f", {private} B private" if private else ""))
 with tempfile.NamedTemporaryFile(suffix=".cubin") as file:

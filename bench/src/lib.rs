@@ -7,6 +7,7 @@
 //! [`Ray`]: slimbvh_core::Ray
 
 pub mod agreement;
+pub mod exit;
 pub mod gpu_peers;
 pub mod machine;
 pub mod meshes;

@@ -84,7 +84,9 @@ fn gpu_sections_of_steps_stand_side_by_side() -> Result<()> {
     }
     let folder = steps("two-steps", &["base", "next"])?;
     let folder = folder.to_string_lossy();
-    let output = script(&["--steps", &folder, "--quick", "builds", "--out", &folder])?;
+    let output = script(&[
+        "--steps", &folder, "--quick", "--whole", "builds", "--out", &folder,
+    ])?;
     let (text, log) = (said(&output.stdout), said(&output.stderr));
     assert_eq!(output.status.code(), Some(0), "{log}");
     for part in [
@@ -141,40 +143,78 @@ fn gpu_sections_beyond_the_budget_are_named() -> Result<()> {
     Ok(())
 }
 
-/// A step whose program prints half a row and never ends, and one whose answers are wrong.
-#[test]
-fn gpu_steps_that_hang_or_are_wrong_are_named() -> Result<()> {
-    if !is_there()? {
-        return Ok(());
-    }
-    let folder = steps("faults", &["a-sound"])?;
-    for (name, fault) in [
-        (
-            "c-hangs",
-            "echo 'fact;seed;7'; printf 'row;builds;hills'; exec sleep 60",
-        ),
-        (
-            "b-wrong",
-            "echo 'row;builds;hills;plain;wrong answers;3'; exit 1",
-        ),
-    ] {
+/// A folder of steps whose programs are scripts: each measures by a line of shell, and has the real program make tables.
+fn scripted(test: &str, programs: &[(&str, &str)]) -> Result<PathBuf> {
+    let folder = steps(test, &[])?;
+    for (name, measure) in programs {
         let program = folder.join(name).join("gpu-lab");
         std::fs::create_dir_all(folder.join(name))?;
-        std::fs::write(&program, format!("#!/bin/sh\n{fault}\n"))?;
+        let real = env!("CARGO_BIN_EXE_gpu-lab");
+        let text = format!(
+            "#!/bin/sh\ncase $1 in adapter) echo A; exit ;; table) exec '{real}' \"$@\" ;; esac\n{measure}\n"
+        );
+        std::fs::write(&program, text)?;
         let status = Command::new("chmod").arg("+x").arg(&program).status()?;
         assert!(status.success());
     }
+    Ok(folder)
+}
+
+/// A sound step, one whose answers are wrong, and one that prints half a row and never ends. The last one uses up the budget.
+#[test]
+fn steps_that_hang_or_are_wrong_are_named() -> Result<()> {
+    let sound = "echo 'row;parity;hills;plain;wrong answers;0'";
+    let wrong = "echo 'row;parity;hills;plain;wrong answers;3'; exit 1";
+    let hangs = "echo 'fact;seed;7'; printf 'row;parity;hills'; exec sleep 60";
+    let folder = scripted(
+        "faults",
+        &[("a-sound", sound), ("b-wrong", wrong), ("c-hangs", hangs)],
+    )?;
     let folder = folder.to_string_lossy();
-    let output = script(&["--steps", &folder, "--quick", "--seconds", "6", "builds"])?;
-    let text = said(&output.stdout);
-    assert_eq!(output.status.code(), Some(1), "{}", said(&output.stderr));
-    assert!(
-        text.contains("- the rest of builds of c-hangs: it ran for"),
-        "{text}"
-    );
-    assert!(
-        text.contains("| builds | terrain 10,082 | 30 bits | ms |"),
-        "{text}"
-    );
+    let output = script(&["--steps", &folder, "--quick", "--seconds", "6", "parity"])?;
+    let (text, log) = (said(&output.stdout), said(&output.stderr));
+    assert_eq!(output.status.code(), Some(1), "{log}");
+    for part in [
+        "- the rest of parity of c-hangs: it ran for",
+        "| parity | hills | plain | wrong answers | 0 | 3 | – |",
+    ] {
+        assert!(text.contains(part), "{part} is not in\n{text}\n{log}");
+    }
+    Ok(())
+}
+
+/// Whether anything is not reached decides with `--whole`, and only then.
+#[test]
+fn whole_runs_reach_everything() -> Result<()> {
+    let row = "echo 'row;parity;hills;plain;wrong answers;0'";
+    let refused = format!("{row}; echo 'missed;peers: hills: cwbvh'");
+    let hangs = format!("{row}; exec sleep 60");
+    for (name, measure, seconds, code) in [
+        ("whole", row, "60", 0),
+        ("part-refused", &refused, "60", 1),
+        ("part-late", &hangs, "4", 1),
+        ("part-unbegun", row, "0", 1),
+    ] {
+        let folder = scripted(name, &[("one", measure)])?;
+        let folder = folder.to_string_lossy();
+        let arguments = [
+            "--steps",
+            &folder,
+            "--quick",
+            "--seconds",
+            seconds,
+            "parity",
+        ];
+        let output = script(&arguments)?;
+        assert_eq!(output.status.code(), Some(0), "{name}");
+        let output = script(&[&arguments[..], &["--whole"]].concat())?;
+        let log = said(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{name}: {log}");
+        assert_eq!(
+            log.contains("not everything was reached"),
+            code == 1,
+            "{log}"
+        );
+    }
     Ok(())
 }

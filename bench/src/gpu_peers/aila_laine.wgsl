@@ -9,7 +9,7 @@ const LEAF = 0x80000000u;
 // Under the stack. No leaf has this reference.
 const END = 0xffffffffu;
 
-var<workgroup> stack: array<u32, 64 * STACK_ROWS>;
+var<workgroup> stack: array<u32, LANES * STACK_ROWS>;
 
 fn walk(ray: Ray, lane: u32, any: bool) -> Hit {
     let inverse = reciprocal(ray.direction);

@@ -10,7 +10,7 @@
 // A group of nodes has a child in its high byte; below are the mask of inner children, or the triangles' bits.
 const NODES = 0x00ffffffu;
 
-var<workgroup> stack: array<vec2<u32>, 64 * STACK_ROWS>;
+var<workgroup> stack: array<vec2<u32>, LANES * STACK_ROWS>;
 
 // A ray in the cells of a node's boxes: t of plane q is q·scale + offset.
 struct InCells {

@@ -1,4 +1,5 @@
-// What both walks share: rays, hits, the triangle test, one thread a ray. `STACK_ROWS` is put before this text.
+// What both walks share: rays, hits, the triangle test, one thread a ray. `LANES`, `GROUPS_PER_ROW`
+// and `STACK_ROWS` are put before this text.
 
 // As slimbvh's: 32 bytes.
 struct Ray {
@@ -16,9 +17,6 @@ struct Hit {
     primitive: u32,
 }
 
-const LANES = 64u;
-// Workgroups along x in a dispatch.
-const GROUPS_PER_ROW = 32768u;
 const MISS = 0xffffffffu;
 
 // Three rows a triangle in leaf order: each maps a point to w, u or v (see woop.rs).
@@ -65,7 +63,7 @@ fn meet(place: u32, ray: Ray, hit: Hit) -> Hit {
     return Hit(t, u, v, place);
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(LANES)
 fn closest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let index = (group.y * GROUPS_PER_ROW + group.x) * LANES + lane;
     if index >= arrayLength(&rays) {
@@ -78,7 +76,7 @@ fn closest(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_in
     hits[index] = hit;
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(LANES)
 fn any(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
     let index = (group.y * GROUPS_PER_ROW + group.x) * LANES + lane;
     if index >= arrayLength(&rays) {

@@ -17,6 +17,7 @@ use anyhow::Result;
 use glam::Vec4;
 use obvhs::BvhBuildParams;
 use obvhs::triangle::Triangle;
+use slimbvh_core::launch::{GROUPS_PER_ROW, LANES};
 use std::fmt;
 
 /// The preset of both trees: obvhs' best that does not split triangles.
@@ -52,15 +53,19 @@ impl Walk {
             Self::Cwbvh => include_str!("cwbvh.wgsl"),
         };
         let frame = include_str!("frame.wgsl");
-        format!("const STACK_ROWS = {stack_rows}u;\n{frame}\n{walk}")
+        let counts = format!(
+            "const LANES = {LANES}u;\nconst GROUPS_PER_ROW = {GROUPS_PER_ROW}u;\nconst STACK_ROWS = {stack_rows}u;"
+        );
+        format!("{counts}\n{frame}\n{walk}")
     }
 
-    /// Bytes of workgroup memory that a row of the stack takes: an entry for each of 64 lanes.
+    /// Bytes of workgroup memory that a row of the stack takes: an entry for each lane.
     const fn row_bytes(self) -> u32 {
-        match self {
-            Self::AilaLaine => 4 * 64,
-            Self::Cwbvh => 8 * 64,
-        }
+        let entry_bytes = match self {
+            Self::AilaLaine => 4,
+            Self::Cwbvh => 8,
+        };
+        entry_bytes * LANES as u32
     }
 }
 

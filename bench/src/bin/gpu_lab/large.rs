@@ -3,7 +3,7 @@
 use crate::builds;
 use crate::peers;
 use crate::rayset::STORED;
-use crate::scenes::{large_cells, terrain};
+use crate::scenes::{Subject, large_cells, terrain};
 use crate::session::Session;
 use crate::traces;
 use anyhow::Result;
@@ -12,33 +12,38 @@ use slimbvh::gpu::{GpuError, Mesh as GpuMesh};
 
 /// Measures both terrains, then peers on the smaller one, whose trees take the CPU longest.
 pub fn run(session: &mut Session) -> Result<()> {
-    let cells = large_cells(session.is_quick);
-    for (cells, seconds) in cells {
+    let sizes = large_cells(session.is_quick);
+    let mut smaller = None;
+    for (cells, seconds) in sizes {
         let triangles = format!("terrain with {} triangles", 2 * cells * cells);
         if !session.has(seconds, &triangles)? {
             continue;
         }
-        match one(session, cells) {
+        let subject = terrain(cells, session.seed);
+        match one(session, &subject) {
+            Ok(()) => {
+                smaller.get_or_insert(subject);
+            }
             Err(error) if is_too_large(&error) => {
                 session.note(format!("{triangles}: refused, {error:#}"))?;
             }
-            result => result?,
+            Err(error) => return Err(error),
         }
     }
-    let (smaller, seconds) = cells[0];
-    if session.has(3.0 * seconds, "peers")? {
-        let subject = terrain(smaller, session.seed);
-        peers::measure(session, &subject)?;
+    if session.has(3.0 * sizes[0].1, "peers")? {
+        match smaller {
+            Some(subject) => peers::measure(session, &subject)?,
+            None => session.missed("peers: no terrain fits the device")?,
+        }
     }
     Ok(())
 }
 
-fn one(session: &mut Session, cells: u32) -> Result<()> {
-    let subject = terrain(cells, session.seed);
+fn one(session: &mut Session, subject: &Subject) -> Result<()> {
     let uploaded = GpuMesh::upload(&session.gpu, &subject.mesh)?;
-    builds::measure(session, &subject, &uploaded, (CodeBits::Bits30, "30 bits"))?;
+    builds::measure(session, subject, &uploaded, (CodeBits::Bits30, "30 bits"))?;
     // Plain and the shortest codec.
-    traces::measure(session, &subject, &uploaded, &STORED[..2])
+    traces::measure(session, subject, &uploaded, &STORED[..2])
 }
 
 fn is_too_large(error: &anyhow::Error) -> bool {

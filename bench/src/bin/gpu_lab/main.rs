@@ -1,8 +1,9 @@
 //! What only a real GPU can answer, section by section; `gpu-lab.sh` runs the sections of several builds in turn within a budget.
-//! Each result is a row on standard output as soon as it is measured. Exit codes: 0 done, 1 an answer differs from the CPU's,
+//! Each result is a row on standard output as soon as it is measured. Exit codes: 0 done, 1 an answer is wrong,
 //! 2 usage or input.
 
 mod builds;
+mod judgement;
 mod large;
 mod options;
 mod parity;
@@ -19,20 +20,11 @@ mod traces;
 use anyhow::Result;
 use options::{Options, Task};
 use session::Session;
+use slimbvh_bench::exit;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(wrong) => {
-            eprintln!("WRONG: {wrong} answers are not the CPU's");
-            ExitCode::from(1)
-        }
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    exit::code(run().map(exit::wrong_answers))
 }
 
 /// Returns the number of wrong answers.

@@ -1,5 +1,6 @@
-//! Section `parity`: the GPU's answers are those of the CPU, bit by bit.
+//! Section `parity`: the GPU's answers are those of the CPU.
 
+use crate::judgement::Judgement;
 use crate::rayset::{STORED, config, picture, ray_sets};
 use crate::scenes::{cached, thousands};
 use crate::session::Session;
@@ -23,7 +24,7 @@ pub fn run(session: &mut Session) -> Result<()> {
         for (codec, nodes) in STORED {
             let on_gpu = build(session, &uploaded, nodes)?;
             let on_cpu = Builder::new(config(nodes)).build(&subject.mesh)?;
-            let (mut wrong, mut all) = (0, 0);
+            let (mut judgement, mut all) = (Judgement::default(), 0);
             for set in &sets {
                 let expected: Vec<u32> = match set.question {
                     Question::Closest => {
@@ -38,11 +39,11 @@ pub fn run(session: &mut Session) -> Result<()> {
                     }
                 };
                 let answers = set.ask(&session.gpu, &on_gpu)?;
-                wrong += set.different(&expected, &answers);
+                judgement += session.judge(set, &expected, &answers);
                 all += set.list.len();
             }
             let what = format!("{codec}, {} rays of all kinds", thousands(all));
-            session.wrong(name, &what, wrong)?;
+            session.judged(name, &what, judgement)?;
         }
     }
     Ok(())

@@ -4,16 +4,14 @@ use crate::rayset::{RaySet, STORED, picture, ray_sets};
 use crate::scenes::{Subject, cached, thousands};
 use crate::session::Session;
 use crate::traces::build;
-use anyhow::Result;
+use anyhow::{Context, Result};
 use slimbvh::gpu::{Bvh, Mesh as GpuMesh};
 use slimbvh_bench::gpu_peers::{GpuPeer, PEER_SHARE, PeerTree, Stopwatch, Walk};
 use slimbvh_bench::tracers::{Question, triangles};
 use slimbvh_bench::{Agreement, Answer};
 use slimbvh_core::Hit;
 use slimbvh_lab::measure::rounds::median;
-
-/// slimbvh and the peers.
-const TRACERS: [&str; 3] = ["slimbvh", "aila-laine", "cwbvh"];
+use std::iter;
 
 /// Measures all scenes that fit a cache.
 pub fn run(session: &mut Session) -> Result<()> {
@@ -28,21 +26,26 @@ pub fn run(session: &mut Session) -> Result<()> {
 /// Measures one scene.
 pub fn measure(session: &mut Session, subject: &Subject) -> Result<()> {
     let (gpu, name) = (&session.gpu, &subject.name);
-    let Some(watch) = Stopwatch::new(gpu.device(), Walk::ALL.len() as u32) else {
-        return session.note(format!("peers: {} has no timestamps", gpu.name()));
-    };
     let uploaded = GpuMesh::upload(gpu, &subject.mesh)?;
     let bvh = build(session, &uploaded, STORED[0].1)?;
     let size = picture(session.is_quick);
     let sets = ray_sets(gpu, &subject.mesh, &bvh, size, session.seed)?;
     let list = triangles(&subject.mesh);
-    let mut peers = Vec::new();
-    for walk in Walk::ALL {
-        match GpuPeer::new(gpu, &PeerTree::build(walk, &list)?) {
-            Ok(peer) => peers.push(peer),
-            Err(error) => return session.note(format!("{name}: {error:#}")),
-        }
+    let (peers, reasons) = present(|walk| {
+        let tree = PeerTree::build(walk, &list).with_context(|| walk.to_string())?;
+        GpuPeer::new(gpu, &tree)
+    });
+    for reason in reasons {
+        session.missed(&format!("{name}: {reason}"))?;
     }
+    if peers.is_empty() {
+        return Ok(());
+    }
+    let Some(watch) = Stopwatch::new(gpu.device(), peers.len() as u32) else {
+        return session.missed(&format!("{} has no timestamps", gpu.name()));
+    };
+    let mut tracers = vec!["slimbvh".to_owned()];
+    tracers.extend(peers.iter().map(|peer| peer.walk().to_string()));
     for peer in &peers {
         let (mut other, mut all) = (0, 0);
         for set in &sets {
@@ -55,7 +58,7 @@ pub fn measure(session: &mut Session, subject: &Subject) -> Result<()> {
     }
     for set in &sets {
         session.raise_clock(|| set.time(gpu, &bvh).map(drop))?;
-        let mut rounds = [const { Vec::new() }; TRACERS.len()];
+        let mut rounds = vec![Vec::new(); tracers.len()];
         for round in 0..=session.rounds() {
             let seconds = together(session, set, &bvh, &peers, &watch, round)?;
             for (times, seconds) in rounds.iter_mut().zip(seconds) {
@@ -65,16 +68,17 @@ pub fn measure(session: &mut Session, subject: &Subject) -> Result<()> {
             }
         }
         let kind = set.name;
-        for (tracer, times) in TRACERS.iter().zip(&rounds) {
+        for (tracer, times) in tracers.iter().zip(&rounds) {
             let rate = set.rate(median(&mut times.clone()));
             session.row(name, &format!("{tracer}, {kind}"), "Mrays/s", rate)?;
         }
-        let [slim, plain, wide] = &rounds;
-        for (peer, times) in [("aila-laine", plain), ("cwbvh", wide)] {
+        let (slim, others) = (&rounds[0], &rounds[1..]);
+        for (peer, times) in peers.iter().zip(others) {
             let what = format!("slimbvh, {kind}");
-            session.row(name, &what, &format!("× {peer}"), ratio(slim, times))?;
+            let unit = format!("× {}", peer.walk());
+            session.row(name, &what, &unit, ratio(slim, times))?;
         }
-        if kind == "eye" {
+        if let ("eye", [plain, wide]) = (kind, others) {
             let share = ratio(wide, plain);
             let verdict = if share >= PEER_SHARE {
                 "counts"
@@ -100,7 +104,19 @@ fn ratio(first: &[f64], second: &[f64]) -> f64 {
     median(&mut pairs.map(|(a, b)| b / a).collect::<Vec<_>>())
 }
 
-/// Seconds of each tracer, in the order of [`TRACERS`], of one submission. Who begins changes from round to round.
+/// Those of both peers that can be made, and why others cannot.
+fn present<T>(make: impl Fn(Walk) -> Result<T>) -> (Vec<T>, Vec<String>) {
+    let (mut peers, mut reasons) = (Vec::new(), Vec::new());
+    for walk in Walk::ALL {
+        match make(walk) {
+            Ok(peer) => peers.push(peer),
+            Err(error) => reasons.push(format!("{error:#}")),
+        }
+    }
+    (peers, reasons)
+}
+
+/// Seconds of slimbvh and of each peer in one submission. Who begins changes from round to round.
 fn together(
     session: &Session,
     set: &RaySet,
@@ -108,11 +124,12 @@ fn together(
     peers: &[GpuPeer],
     watch: &Stopwatch,
     round: usize,
-) -> Result<[f64; TRACERS.len()]> {
+) -> Result<Vec<f64>> {
     let gpu = &session.gpu;
     let mut frame = gpu.frame();
-    for turn in 0..TRACERS.len() {
-        match (turn + round) % TRACERS.len() {
+    let tracer_count = 1 + peers.len();
+    for turn in 0..tracer_count {
+        match (turn + round) % tracer_count {
             0 => set.trace(&mut frame, bvh)?,
             number => {
                 let pass = watch.pass(number as u32 - 1);
@@ -124,7 +141,8 @@ fn together(
     watch.resolve(frame.encoder());
     let slim = frame.submit()?.wait()?.total();
     let times = watch.read(gpu.device(), gpu.queue())?;
-    Ok([slim, times[0], times[1]].map(|time| time.as_secs_f64()))
+    let all = iter::once(slim).chain(times);
+    Ok(all.map(|time| time.as_secs_f64()).collect())
 }
 
 /// The number of a peer's answers that are others than slimbvh's, with the leeway of [`Agreement`].
@@ -153,4 +171,23 @@ fn disagreements(session: &Session, set: &RaySet, bvh: &Bvh, peer: &GpuPeer) -> 
 fn closest(words: &[u32]) -> Vec<Answer> {
     let hits: Vec<Hit> = bytemuck::allocation::pod_collect_to_vec(words);
     hits.iter().map(Answer::from).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use anyhow::ensure;
+
+    #[test]
+    fn a_peer_that_is_refused_leaves_the_other() {
+        for refused in Walk::ALL {
+            let (peers, reasons) = present(|walk| {
+                ensure!(walk != refused, "{walk}: its stack is too deep");
+                Ok(walk)
+            });
+            assert_eq!(peers.len(), 1);
+            assert_ne!(peers[0], refused);
+            assert_eq!(reasons, [format!("{refused}: its stack is too deep")]);
+        }
+    }
 }

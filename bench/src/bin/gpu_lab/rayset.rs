@@ -110,8 +110,8 @@ pub fn time_or(stages: &Stages, begin: Instant) -> Duration {
     }
 }
 
-/// Eye rays of a mesh, and shadow and bounce rays from what they hit, which this tree of the mesh tells. Kinds without rays are
-/// left out.
+/// Eye rays of a mesh, and shadow and bounce rays from the hits that a trace of the eye rays through `bvh` finds. Kinds without
+/// rays are left out.
 pub fn ray_sets(
     gpu: &Gpu,
     mesh: &Mesh,
@@ -141,14 +141,5 @@ const fn query(question: Question) -> Query {
     match question {
         Question::Closest => Query::Closest,
         Question::Any => Query::Any,
-    }
-}
-
-impl RaySet {
-    /// The number of rays whose answers differ in any bit.
-    pub fn different(&self, expected: &[u32], answers: &[u32]) -> usize {
-        let words = query(self.question).answer_bytes() as usize / 4;
-        let (a, b) = (expected.chunks(words), answers.chunks(words));
-        a.zip(b).filter(|(a, b)| a != b).count() + expected.len().abs_diff(answers.len())
     }
 }

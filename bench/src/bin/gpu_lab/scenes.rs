@@ -5,7 +5,7 @@ use glam::Vec3;
 use slimbvh::{Mesh, generate};
 use slimbvh_bench::meshes::SUBJECTS;
 
-/// A scene with a name that tells its size.
+/// A scene, named with its size.
 pub struct Subject {
     /// The name in tables.
     pub name: String,

@@ -1,6 +1,8 @@
 //! A run of a section: the GPU, the budget, and what is printed.
 
+use crate::judgement::Judgement;
 use crate::options::Options;
+use crate::rayset::RaySet;
 use crate::row::{Line, Row};
 use crate::sections::Section;
 use anyhow::Result;
@@ -22,7 +24,7 @@ pub struct Session {
     pub is_quick: bool,
     /// Of scenes and of bounce rays.
     pub seed: u64,
-    /// Answers that differ from the CPU's, so far.
+    /// Wrong answers so far.
     pub wrong_answers: u64,
     section: &'static str,
     end: Instant,
@@ -76,10 +78,25 @@ impl Session {
         }))
     }
 
-    /// Prints a number of wrong answers, and counts them.
-    pub fn wrong(&mut self, scene: &str, what: &str, count: usize) -> Result<()> {
-        self.wrong_answers += count as u64;
-        self.row(scene, what, "wrong answers", count as f64)
+    /// Judges the adapter's answers to one set of rays.
+    pub fn judge(&self, set: &RaySet, expected: &[u32], answers: &[u32]) -> Judgement {
+        Judgement::new(set.question, expected, answers, self.is_software)
+    }
+
+    /// Prints a judgement, and counts the wrong answers.
+    pub fn judged(&mut self, scene: &str, what: &str, judgement: Judgement) -> Result<()> {
+        let Judgement {
+            wrong,
+            grazing,
+            last_bits,
+        } = judgement;
+        self.wrong_answers += wrong as u64;
+        self.row(scene, what, "wrong answers", wrong as f64)?;
+        if !self.is_software {
+            self.row(scene, what, "other last bits", last_bits as f64)?;
+            self.row(scene, what, "other answers, grazing", grazing as f64)?;
+        }
+        Ok(())
     }
 
     /// Prints a sentence.
@@ -92,10 +109,15 @@ impl Session {
         let left = self.end.saturating_duration_since(Instant::now());
         let has = left.as_secs_f64() >= seconds;
         if !has {
-            let section = self.section;
-            self.print(&Line::Missed(format!("{section}: {what}")))?;
+            self.missed(what)?;
         }
         Ok(has)
+    }
+
+    /// Prints what of the section is not reached.
+    pub fn missed(&self, what: &str) -> Result<()> {
+        let text = format!("{}: {what}", self.section);
+        self.print(&Line::Missed(text.replace(';', ",")))
     }
 
     /// Rounds after one to warm up.

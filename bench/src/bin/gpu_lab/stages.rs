@@ -12,7 +12,7 @@ use slimbvh_bench::rays::{camera, sun};
 use slimbvh_lab::measure::rounds::median;
 use std::time::Duration;
 
-/// The stage that tells the clock.
+/// `camera`: its time measures the clock.
 const CLOCK: &str = "camera";
 
 /// The stages that are shown.
@@ -40,7 +40,7 @@ pub fn run(session: &mut Session) -> Result<()> {
         ));
     }
     if pictures[0].1.render(&session.gpu)?.total().is_zero() {
-        return session.note(format!("stages: {} has no timestamps", session.gpu.name()));
+        return session.missed(&format!("{} has no timestamps", session.gpu.name()));
     }
     session.raise_clock(|| pictures[0].1.render(&session.gpu).map(drop))?;
     let mut rounds = vec![Vec::new(); pictures.len()];

@@ -1,5 +1,6 @@
 //! Section `rays`: rates of eye, shadow and bounce rays through plain and coded trees, which take turns.
 
+use crate::judgement::Judgement;
 use crate::rayset::{RaySet, STORED, config, picture, ray_sets};
 use crate::scenes::{Subject, cached};
 use crate::session::Session;
@@ -45,8 +46,8 @@ pub fn measure(
     };
     let size = picture(session.is_quick);
     let sets = ray_sets(&session.gpu, &subject.mesh, plain, size, session.seed)?;
-    let wrong = differences(session, &sets, &trees)?;
-    session.wrong(name, "coded against plain, all kinds", wrong)?;
+    let judgement = differences(session, &sets, &trees)?;
+    session.judged(name, "coded against plain, all kinds", judgement)?;
     session.raise_clock(|| sets[0].time(&session.gpu, plain).map(drop))?;
 
     // Seconds of each tree and kind, by round; the first round is not counted.
@@ -70,14 +71,14 @@ pub fn measure(
     Ok(())
 }
 
-/// The number of answers of all other trees that differ from the first tree's in any bit.
-fn differences(session: &Session, sets: &[RaySet], trees: &[(&str, Bvh)]) -> Result<usize> {
-    let mut wrong = 0;
+/// Judges the answers of all other trees by the first tree's.
+fn differences(session: &Session, sets: &[RaySet], trees: &[(&str, Bvh)]) -> Result<Judgement> {
+    let mut judgement = Judgement::default();
     for set in sets {
         let expected = set.ask(&session.gpu, &trees[0].1)?;
         for (_, bvh) in &trees[1..] {
-            wrong += set.different(&expected, &set.ask(&session.gpu, bvh)?);
+            judgement += session.judge(set, &expected, &set.ask(&session.gpu, bvh)?);
         }
     }
-    Ok(wrong)
+    Ok(judgement)
 }

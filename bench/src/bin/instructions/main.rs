@@ -14,6 +14,7 @@ use jobs::{Job, MODES};
 use options::Options;
 use rayon::prelude::*;
 use report::Row;
+use slimbvh_bench::exit;
 use std::process::ExitCode;
 
 /// The largest allowed median of the ratios of auto to off.
@@ -26,17 +27,7 @@ fn main() -> ExitCode {
         Some(growth::WORD) => growth::run(arguments.skip(1)).map(|()| None),
         _ => run(arguments),
     };
-    match result {
-        Ok(None) => ExitCode::SUCCESS,
-        Ok(Some(fault)) => {
-            eprintln!("{fault}");
-            ExitCode::from(1)
-        }
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    exit::code(result)
 }
 
 /// Returns the figure that is above its limit, as a sentence, if any.

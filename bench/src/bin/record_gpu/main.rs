@@ -9,9 +9,9 @@ use anyhow::{Context, Result, bail};
 use measure::MeshRecord;
 use slimbvh::gpu::{AdapterChoice, Gpu};
 use slimbvh::{Mesh, generate};
-use slimbvh_bench::RayOrder;
 use slimbvh_bench::meshes::SUBJECTS;
 use slimbvh_bench::rays::ROWS_OPTION;
+use slimbvh_bench::{RayOrder, exit};
 use std::process::ExitCode;
 
 const USAGE: &str = "\
@@ -23,21 +23,11 @@ record-gpu [--out FILE] [--rounds N] [--rows] [--adapter NAME] [MESH...]
   MESH...         these meshes (default dragon, and large: a terrain of 10 million triangles)";
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(wrong) => {
-            eprintln!("WRONG: {wrong} answers are not the CPU's");
-            ExitCode::from(1)
-        }
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    exit::code(run().map(exit::wrong_answers))
 }
 
 /// Returns the number of wrong answers.
-fn run() -> Result<usize> {
+fn run() -> Result<u64> {
     let (mut out, mut rounds, mut choice) = (None, 9, AdapterChoice::Any);
     let mut order = RayOrder::default();
     let mut names = Vec::new();
@@ -77,7 +67,8 @@ fn run() -> Result<usize> {
     if let Some(path) = &out {
         std::fs::write(path, &text).with_context(|| format!("cannot write {path:?}"))?;
     }
-    Ok(records.iter().map(|record| record.wrong_answers).sum())
+    let wrong: usize = records.iter().map(|record| record.wrong_answers).sum();
+    Ok(wrong as u64)
 }
 
 /// A mesh by name; `None` if its file is missing.

@@ -20,6 +20,7 @@ mod translate;
 use anyhow::{Context, Result};
 use options::{Options, Task};
 use record::Record;
+use slimbvh_bench::exit;
 use std::process::ExitCode;
 
 /// The environment variable that makes a skip a failure.
@@ -31,17 +32,7 @@ fn main() -> ExitCode {
         Some(child::WORD) => child::run(arguments.skip(1)).map(|()| None),
         _ => run(arguments),
     };
-    match result {
-        Ok(None) => ExitCode::SUCCESS,
-        Ok(Some(fault)) => {
-            eprintln!("{fault}");
-            ExitCode::from(1)
-        }
-        Err(error) => {
-            eprintln!("error: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    exit::code(result)
 }
 
 /// Returns what is wrong, if anything.
