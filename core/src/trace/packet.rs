@@ -78,9 +78,10 @@ pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
     }
     let query = Together {
         limit: limits(packet),
+        // All of a packet ask the same, as a rule; which is asked decides nothing but the time.
         goes_farther_first: packet
-            .iter()
-            .all(|lane| lane.collector.goes_farther_first()),
+            .first()
+            .is_some_and(|lane| lane.collector.goes_farther_first()),
         rays,
         packet,
         members: who,
@@ -141,7 +142,7 @@ struct Together<'a, F, C, W: Wide<LANES>, const LANES: usize> {
     packet: &'a mut [Lane<F, C>; LANES],
     /// Below everything for rays that want nothing more.
     limit: W,
-    /// Whether all of them go to the farther of two children first.
+    /// Whether the first of them goes to the farther of two children first.
     goes_farther_first: bool,
     /// A bit for each ray that walks along.
     members: u32,
