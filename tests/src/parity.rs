@@ -56,25 +56,10 @@ pub const GRAZING: usize = 100;
 /// # Errors
 /// The first difference, if there are too many.
 pub fn close_hits(gpu: &[Hit], cpu: &[Hit]) -> Result<(), String> {
-    let differs = |&at: &usize| {
-        let (a, b) = (gpu[at], cpu[at]);
+    same_but_grazing(gpu, cpu, |a, b| {
         let t = close(&[a.t], &[b.t], T_SHARE, f32::MIN_POSITIVE);
         a.primitive != b.primitive || t.is_err()
-    };
-    if gpu.len() != cpu.len() {
-        return Err(format!("{} instead of {}", gpu.len(), cpu.len()));
-    }
-    let different: Vec<usize> = (0..gpu.len()).filter(differs).collect();
-    match different.first() {
-        Some(&at) if different.len() * GRAZING > gpu.len() => Err(format!(
-            "{} of {} differ, first {:?} instead of {:?}",
-            different.len(),
-            gpu.len(),
-            gpu[at],
-            cpu[at]
-        )),
-        _ => Ok(()),
-    }
+    })
 }
 
 /// Checks for the same numbers, except for grazing rays.
@@ -82,13 +67,24 @@ pub fn close_hits(gpu: &[Hit], cpu: &[Hit]) -> Result<(), String> {
 /// # Errors
 /// The first difference, if there are too many.
 pub fn mostly_equal(gpu: &[u32], cpu: &[u32]) -> Result<(), String> {
+    same_but_grazing(gpu, cpu, |a, b| a != b)
+}
+
+/// Checks that answers are as many, and that no more of them differ than rays may graze.
+fn same_but_grazing<T: Debug>(
+    gpu: &[T],
+    cpu: &[T],
+    differ: impl Fn(&T, &T) -> bool,
+) -> Result<(), String> {
     if gpu.len() != cpu.len() {
         return Err(format!("{} instead of {}", gpu.len(), cpu.len()));
     }
-    let different: Vec<usize> = (0..gpu.len()).filter(|&at| gpu[at] != cpu[at]).collect();
+    let different: Vec<usize> = (0..gpu.len())
+        .filter(|&at| differ(&gpu[at], &cpu[at]))
+        .collect();
     match different.first() {
         Some(&at) if different.len() * GRAZING > gpu.len() => Err(format!(
-            "{} of {} differ, first {} instead of {}",
+            "{} of {} differ, first {:?} instead of {:?}",
             different.len(),
             gpu.len(),
             gpu[at],

@@ -5,7 +5,7 @@ use slimbvh::scene::slim::{Section, read, write};
 use slimbvh::{Bvh, CodeBits, Scene};
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, LeafTriangles, PlainNodes, STACK_SIZE, Skip, Stack, Waiting, traverse_with,
+    ClosestOrAny, Distance, STACK_SIZE, Skip, Stack, Waiting, traverse_with,
 };
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Ray};
 use slimbvh_tests::build;
@@ -216,27 +216,31 @@ impl Waiting<NodeRef> for Measured {
     }
 }
 
+/// Walks for the closest hit or for any with this stack. Returns whether the walk came to an end.
+pub fn walked(
+    bvh: &Bvh,
+    ray: &Ray,
+    is_any: bool,
+    stack: &mut impl Waiting<NodeRef, Enter: Distance>,
+) -> bool {
+    let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
+    let ray = PreparedRay::new(ray, bvh.scene_exponent());
+    let mut search = if is_any {
+        ClosestOrAny::any(ray.t_max)
+    } else {
+        ClosestOrAny::closest(ray.t_max)
+    };
+    traverse_with(stack, &nodes, &triangles, &ray, &Skip::NONE, &mut search)
+}
+
 /// How many nodes wait at once in a ray's searches for the closest hit and for any.
 pub fn most_waiting(bvh: &Bvh, ray: &Ray) -> [u32; 2] {
-    let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
-    let ray = PreparedRay::new(ray, bvh.scene_exponent());
-    let searches = [
-        ClosestOrAny::closest(ray.t_max),
-        ClosestOrAny::any(ray.t_max),
-    ];
-    searches.map(|mut search| {
+    [false, true].map(|is_any| {
         let mut stack = Measured {
             stack: Stack::EMPTY,
             most: 0,
         };
-        traverse_with(
-            &mut stack,
-            &nodes,
-            &triangles,
-            &ray,
-            &Skip::NONE,
-            &mut search,
-        );
+        walked(bvh, ray, is_any, &mut stack);
         stack.most
     })
 }

@@ -2,16 +2,14 @@
 
 use super::pictures::check_as;
 use super::trace::Answers;
+use crate::deep_chains::walked;
 use crate::deepest_trees::ladder;
 use slimbvh::gpu::{self, Gpu};
 use slimbvh::{
     BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, NodeCodec, RenderSettings, TreeKind, View,
 };
 use slimbvh_core::launch::LANES;
-use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{
-    ClosestOrAny, LANE_ROWS, LaneStack, LaneWords, LeafTriangles, PlainNodes, Skip, traverse_with,
-};
+use slimbvh_core::trace::{LANE_ROWS, LaneStack, LaneWords};
 use slimbvh_core::{Ray, Vec3};
 use slimbvh_tests::build_as;
 use slimbvh_tests::gpu::{done, gpu, is_software};
@@ -22,23 +20,7 @@ use slimbvh_tests::validate::validate_shape;
 /// Whether a ray's searches for the closest hit and for any need more rows than a lane has.
 pub fn overflows(bvh: &Bvh, ray: &Ray) -> [bool; 2] {
     let mut words: LaneWords = [0; LANE_ROWS * LANES];
-    let (nodes, triangles) = (PlainNodes(bvh.nodes()), LeafTriangles(bvh.leaf_triangles()));
-    let ray = PreparedRay::new(ray, bvh.scene_exponent());
-    let searches = [
-        ClosestOrAny::closest(ray.t_max),
-        ClosestOrAny::any(ray.t_max),
-    ];
-    searches.map(|mut search| {
-        let mut stack = LaneStack::new(&mut words, 7);
-        !traverse_with(
-            &mut stack,
-            &nodes,
-            &triangles,
-            &ray,
-            &Skip::NONE,
-            &mut search,
-        )
-    })
+    [false, true].map(|is_any| !walked(bvh, ray, is_any, &mut LaneStack::new(&mut words, 7)))
 }
 
 /// How many rays do.
