@@ -11,3 +11,4 @@ pub mod scan;
 pub mod snap;
 pub mod sort;
 pub mod topology;
+pub mod wide;

@@ -11,16 +11,26 @@
 )]
 
 mod encode;
+pub mod frame;
+mod full_wide_node;
 mod lattice_leaf;
 mod lattice_node;
 mod lattice_nodes;
 mod leaf_width;
 mod links;
+mod mixed_wide_node;
+mod packed_wide_node;
 mod paper10;
 mod root;
 mod rounded;
+mod rounded_children;
+mod wide_axis;
+mod wide_links;
+mod wide_node;
+mod wide_sources;
 
 pub use encode::{BoxCodec, LatticeCodec, Paper10Codec, PlainNode, node_bounds};
+pub use full_wide_node::FullWideNode;
 pub use lattice_leaf::{
     FINEST_STEP, LatticeTriangles, LeafCorner, encode_narrow_triangle, encode_triangle, scaled_step,
 };
@@ -28,8 +38,10 @@ pub use lattice_node::{
     EncodedNode, decode_node, encode_child, encode_node, links_of, node_words, with_links,
 };
 pub use lattice_nodes::{LatticeCursor, LatticeNodes};
-pub use leaf_width::{LatticeBounds, LeafWidth};
+pub use leaf_width::{LatticeBounds, LeafFrame, LeafWidth};
 pub use links::Links;
+pub use mixed_wide_node::MixedWideNode;
+pub use packed_wide_node::PackedWideNode;
 pub use paper10::{
     EncodedPaper10, Paper10Box, Paper10Cursor, Paper10Node, Paper10Nodes, Paper10Triangle,
     Paper10Triangles, decode_paper10_node, encode_paper10_node, encode_paper10_triangle,
@@ -37,3 +49,8 @@ pub use paper10::{
 };
 pub use root::RootWords;
 pub use rounded::RoundedNode;
+pub use rounded_children::RoundedChildren;
+pub use wide_axis::{WideAxis, wide_axes};
+pub use wide_links::WideLinks;
+pub use wide_node::WideNode;
+pub use wide_sources::{PackedWideNodes, PackedWideRow, WideMixedNodes, WideNodes, WideRow};

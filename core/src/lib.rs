@@ -21,7 +21,7 @@ pub mod reduce;
 pub mod shade;
 pub mod trace;
 
-pub use build::{bounds, cluster, compact, morton, node, refit, scan, snap, sort, topology};
+pub use build::{bounds, cluster, compact, morton, node, refit, scan, snap, sort, topology, wide};
 pub use codec as encode;
 pub use geometry::{
     aabb, float, frustum, lanes, lattice, orientation, planes, ray, slab, triangle, watertight,

@@ -16,6 +16,9 @@ mod query;
 mod rows;
 mod sources;
 mod stack;
+mod wide;
+mod wide_rows;
+mod wide_stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits, UpTo};
 #[cfg(not(target_arch = "spirv"))]
@@ -27,14 +30,23 @@ pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};
 #[cfg(not(target_arch = "spirv"))]
 pub use prepare::PreparedRays;
 pub use query::Distance;
+pub(crate) use rows::in_order;
 pub use rows::{NodeRow, NodeRows, TrianglePair, TriangleRows};
 pub use sources::{BruteForce, LeafTriangles, PlainNodes};
-pub use stack::{BoxColumns, BoxCursor, Column, Cursor, STACK_SIZE, Stack, Waiting};
+pub use stack::{
+    BoxColumns, BoxCursor, Column, Cursor, Empty, Enter, Rows, STACK_SIZE, Stack, Waiting,
+};
+pub use wide::{MOST_WIDE_NODES, WideFork, WideRef, child_count};
+pub use wide_rows::{FullWideNodes, FullWideRow};
+pub use wide_stack::{LaneListStack, LaneRows, ListStack, OwnRows, WideStack, WordRows};
 
 /// Where the traversal finds nodes.
 pub trait NodeSource {
-    /// A node on the stack: its reference, and the decoded box where decoding its children needs that.
-    type Cursor: Cursor;
+    /// A node that is walked to: its reference, and the decoded box where decoding its children needs that.
+    type Cursor: Copy;
+
+    /// An inner node, opened: with two children or up to four.
+    type Node: Fork<Cursor = Self::Cursor>;
 
     /// A leaf's decoded box, where triangles are decoded relative to it; else `()`.
     type Bounds: Copy;
@@ -42,24 +54,77 @@ pub trait NodeSource {
     /// A leaf without triangles; where there are no nodes, anything.
     const NOTHING: Self::Cursor;
 
+    /// Whether rays are tested against [`Self::root_planes`] before they walk: where the root's children's boxes may reach beyond
+    /// it.
+    const TESTS_ROOT: bool = false;
+
     /// Where to begin, for a ray whose axes are in this order.
     fn root(&self, axes: [u32; 3]) -> Self::Cursor;
 
-    /// What a cursor stands for: a leaf and its triangles, or an inner node.
-    fn leaf(&self, cursor: Self::Cursor) -> LeafRun<Self::Bounds>;
+    /// The planes of the root's exact box, twice.
+    #[inline(always)]
+    fn root_planes(&self, _axes: [u32; 3]) -> [PlanePair; 3] {
+        [PlanePair::ZERO; 3]
+    }
+
+    /// Whether a cursor stands for a leaf.
+    fn is_leaf(&self, cursor: Self::Cursor) -> bool;
+
+    /// A leaf's triangles.
+    fn leaf(&self, cursor: Self::Cursor, axes: [u32; 3]) -> LeafRun<Self::Bounds>;
 
     /// An inner node's children.
-    fn children(&self, cursor: Self::Cursor, axes: [u32; 3]) -> Children<Self::Cursor>;
+    fn children(&self, cursor: Self::Cursor, order: Order) -> Self::Node;
+
+    /// The node that has waited.
+    fn resume(&self, waited: <Self::Node as Fork>::Waiting) -> Self::Cursor;
 
     /// More than there are inner nodes: no traversal opens more nodes than this, whatever the source holds.
     fn step_limit(&self) -> u32;
 }
 
-/// What a cursor stands for.
+/// In which order rays look at coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct Order {
+    /// Which of x, y, z comes first, second and last.
+    pub axes: [u32; 3],
+    /// For each of these axes 1 where a wide node's upper planes are asked for before its lower ones, else 0.
+    pub reversed: [u32; 3],
+}
+
+impl Order {
+    /// These axes, lower planes first.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of(axes: [u32; 3]) -> Self {
+        Self {
+            axes,
+            reversed: [0; 3],
+        }
+    }
+}
+
+/// An inner node, opened.
+pub trait Fork: Copy {
+    /// A child that is walked to ([`NodeSource::Cursor`]).
+    type Cursor: Copy;
+
+    /// What stands for a child that waits.
+    type Waiting: Copy;
+
+    /// A stack of the walk's own for such nodes.
+    type Stack<E: Enter>: Waiting<Self, Enter = E> + Empty;
+
+    /// A stack for a GPU's thread in its private memory, which should be small.
+    type PrivateStack: Waiting<Self, Enter: Distance> + Empty;
+
+    /// How many children there are.
+    fn child_count(&self) -> u32;
+}
+
+/// A leaf's triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct LeafRun<B> {
-    /// Whether it is a leaf.
-    pub is_leaf: bool,
     /// Where its triangles begin.
     pub first: u32,
     /// The number of its triangles.
@@ -69,12 +134,11 @@ pub struct LeafRun<B> {
 }
 
 impl<B: Copy> LeafRun<B> {
-    /// What a reference stands for, and its decoded box.
+    /// What a reference to a leaf stands for, and its decoded box.
     #[inline(always)]
     #[must_use]
     pub const fn of(node: NodeRef, bounds: B) -> Self {
         Self {
-            is_leaf: node.is_leaf(),
             first: node.first(),
             count: node.count(),
             bounds,
@@ -93,7 +157,7 @@ pub struct LeafSlot<B> {
     pub bounds: B,
 }
 
-/// An inner node, opened.
+/// An inner node with two children, opened.
 #[derive(Clone, Copy)]
 pub struct Children<C> {
     /// Both children's planes, left child first, in the order of the ray's axes.
@@ -102,6 +166,18 @@ pub struct Children<C> {
     pub left: C,
     /// The children.
     pub right: C,
+}
+
+impl<C: Cursor> Fork for Children<C> {
+    type Cursor = C;
+    type Waiting = C;
+    type Stack<E: Enter> = Stack<C, E>;
+    type PrivateStack = Stack<C>;
+
+    #[inline(always)]
+    fn child_count(&self) -> u32 {
+        2
+    }
 }
 
 /// Where the traversal finds triangles, in leaves whose decoded boxes are of this type.
@@ -122,7 +198,7 @@ pub fn traverse<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Co
     filter: &F,
     collector: &mut C,
 ) {
-    let mut stack: Stack<N::Cursor> = Stack::EMPTY;
+    let mut stack = <<N::Node as Fork>::Stack<f32> as Empty>::EMPTY;
     traverse_with(&mut stack, nodes, triangles, ray, filter, collector);
 }
 
@@ -142,7 +218,7 @@ where
     T: TriangleSource<N::Bounds>,
     F: HitFilter,
     C: Collector,
-    S: Waiting<N::Cursor, Enter: Distance>,
+    S: Waiting<N::Node, Enter: Distance>,
 {
     let query = Single {
         ray,
@@ -159,8 +235,8 @@ const DONE: u32 = u32::MAX;
 /// Walks the tree from the root, the child that the query wants first, and lets the query test every triangle on the way.
 /// Returns whether it came to an end: false where the stack was full.
 ///
-/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. The tree is binary:
-/// [`Children`], [`Query`] and the links of nodes hold two children.
+/// The walk skips a node only if all rays miss its box or enter it beyond their collectors' limits. How many children nodes have
+/// is a matter of the source ([`NodeSource::Node`]) and of the stack ([`Waiting::go`]).
 ///
 /// The inner loop opens nodes only, so that lanes of a GPU do the same for as long as possible, and what the leaves' hits need is
 /// not carried through it (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs", while-while).
@@ -169,7 +245,7 @@ fn walk<N, T, Q, S>(stack: &mut S, nodes: &N, triangles: &T, mut query: Q) -> bo
 where
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
-    S: Waiting<N::Cursor>,
+    S: Waiting<N::Node>,
     Q: Query<N, T, S::Enter>,
 {
     let mut steps = nodes.step_limit();
@@ -177,41 +253,31 @@ where
     // Masked once here, so that no source has to check them at each node.
     let [a, b, c] = query.axes();
     let axes = [a & 3, b & 3, c & 3];
+    let order = Order {
+        axes,
+        reversed: query.reversed(),
+    };
     let mut cursor = nodes.root(axes);
+    if N::TESTS_ROOT {
+        let root = query.open(nodes.root_planes(axes));
+        query.follow(root.enter_left);
+        if !root.meets_left {
+            waiting = DONE;
+        }
+    }
 
     while waiting <= S::ROWS {
-        while (waiting <= S::ROWS) & !nodes.leaf(cursor).is_leaf {
-            let node = nodes.children(cursor, axes);
-            let opened = query.open(node.planes);
-            if opened.meets_left | opened.meets_right {
-                let goes_left = opened.meets_left & (opened.left_first | !opened.meets_right);
-                cursor = if goes_left { node.left } else { node.right };
-                query.follow(if goes_left {
-                    opened.enter_left
-                } else {
-                    opened.enter_right
-                });
-                if opened.meets_left & opened.meets_right {
-                    let (far, enter) = if goes_left {
-                        (node.right, opened.enter_right)
-                    } else {
-                        (node.left, opened.enter_left)
-                    };
-                    // Beyond the last row the loops end.
-                    stack.put(waiting, far, enter);
-                    waiting += 1;
-                }
-            } else {
-                waiting = waiting.wrapping_sub(1);
-                cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
-            }
+        while (waiting <= S::ROWS) & !nodes.is_leaf(cursor) {
+            let node = nodes.children(cursor, order);
+            query.count_node(node.child_count());
+            cursor = stack.go(node, nodes, &mut query, &mut waiting);
             steps = steps.wrapping_sub(1);
             if steps == 0 {
                 waiting = DONE;
             }
         }
         if waiting <= S::ROWS {
-            let run = nodes.leaf(cursor);
+            let run = nodes.leaf(cursor, axes);
             for number in 0..run.count {
                 let slot = LeafSlot {
                     first: run.first,
@@ -220,31 +286,13 @@ where
                 };
                 query.test(triangles, &slot);
             }
-            waiting = waiting.wrapping_sub(1);
-            cursor = take::<N, T, Q, S>(stack, waiting, &mut query);
+            cursor = stack.take(nodes, &mut query, &mut waiting);
             if query.is_done() {
                 waiting = DONE;
             }
         }
     }
     waiting == DONE
-}
-
-/// The node that waits in a row; one that the rays enter beyond their limits is a leaf without triangles. Where no node waits,
-/// what comes out means nothing: the walk is over.
-#[inline(always)]
-fn take<N, T, Q, S>(stack: &S, row: u32, query: &mut Q) -> N::Cursor
-where
-    N: NodeSource,
-    T: TriangleSource<N::Bounds>,
-    S: Waiting<N::Cursor>,
-    Q: Query<N, T, S::Enter>,
-{
-    if query.is_due(stack.enter(row)) {
-        stack.cursor(row)
-    } else {
-        N::NOTHING
-    }
 }
 
 /// The hit with the smallest `(t, primitive)`, or [`Hit::MISS`].

@@ -254,7 +254,7 @@ const SHORTEST: f32 = f32::from_bits((127 - 60) << 23);
 
 /// Half the surface of the box around two, at least that of a cube of side [`SHORTEST`].
 #[inline(always)]
-fn joint_area(a: &WideBox, b: &WideBox, opaque_zero: u32) -> f32 {
+pub(super) fn joint_area(a: &WideBox, b: &WideBox, opaque_zero: u32) -> f32 {
     let joint = a.union(*b);
     let side = (joint.max - joint.min).max(Vec4::splat(SHORTEST));
     let [x, y, z, _] = side.to_array();

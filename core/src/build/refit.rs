@@ -83,7 +83,7 @@ pub const fn pyramid_size(triangle_count: u32) -> u32 {
 }
 
 /// A box in vectors of four, the last lane unused.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct WideBox {
     pub(crate) min: Vec4,
     pub(crate) max: Vec4,
@@ -94,6 +94,14 @@ impl WideBox {
         min: Vec4::splat(f32::MAX),
         max: Vec4::splat(-f32::MAX),
     };
+
+    #[inline(always)]
+    pub(crate) fn around(bounds: Aabb) -> Self {
+        Self {
+            min: bounds.min.extend(0.0),
+            max: bounds.max.extend(0.0),
+        }
+    }
 
     #[inline(always)]
     pub(crate) fn union(self, other: Self) -> Self {

@@ -1,6 +1,6 @@
 //! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
 
-use super::leaf_width::{LatticeBounds, LeafWidth};
+use super::leaf_width::{LeafFrame, LeafWidth};
 use crate::geometry::float::{exponent, whole_number};
 use crate::geometry::lattice::{LatticeBox, lattice_steps};
 use crate::geometry::ray::NO_PRIMITIVE;
@@ -133,8 +133,9 @@ pub struct LatticeTriangles<'a> {
 impl LatticeTriangles<'_> {
     /// Where a triangle's words begin.
     #[inline(always)]
-    fn begin(slot: &LeafSlot<LatticeBounds>, width: LeafWidth) -> u32 {
-        slot.first.wrapping_add(slot.number * width.words())
+    fn begin(slot: &LeafSlot<LeafFrame>) -> u32 {
+        slot.first
+            .wrapping_add(slot.number * slot.bounds.width.words())
     }
 
     /// A vertex of one word, coordinates in the order of the axes, as those of its leaf's corner are.
@@ -173,12 +174,11 @@ impl LatticeTriangles<'_> {
     }
 }
 
-impl TriangleSource<LatticeBounds> for LatticeTriangles<'_> {
+impl TriangleSource<LeafFrame> for LatticeTriangles<'_> {
     #[inline(always)]
-    fn corners(&self, slot: &LeafSlot<LatticeBounds>, axes: [u32; 3]) -> [[f32; 3]; 3] {
-        let width = LeafWidth::of_bounds(&slot.bounds, self.step);
-        let begin = Self::begin(slot, width);
-        let min = slot.bounds.min;
+    fn corners(&self, slot: &LeafSlot<LeafFrame>, axes: [u32; 3]) -> [[f32; 3]; 3] {
+        let LeafFrame { min, width } = slot.bounds;
+        let begin = Self::begin(slot);
         match width {
             LeafWidth::Narrow => [
                 self.narrow(begin, min, axes),
@@ -199,15 +199,15 @@ impl TriangleSource<LatticeBounds> for LatticeTriangles<'_> {
     }
 
     #[inline(always)]
-    fn primitive(&self, slot: &LeafSlot<LatticeBounds>) -> u32 {
-        let width = LeafWidth::of_bounds(&slot.bounds, self.step);
-        let at = Self::begin(slot, width).wrapping_add(3 * width.vertex_words());
+    fn primitive(&self, slot: &LeafSlot<LeafFrame>) -> u32 {
+        let at = Self::begin(slot).wrapping_add(3 * slot.bounds.width.vertex_words());
         crate::load(self.words, at, NO_PRIMITIVE)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::leaf_width::LatticeBounds;
     use super::*;
     use proptest::prelude::*;
 
@@ -249,8 +249,8 @@ mod tests {
             let triangles = LatticeTriangles { words: &words, step: 0.5 };
             for axes in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
                 let order = |v: [i32; 3]| axes.map(|axis: u32| v[axis as usize]);
-                let frame = LatticeBounds::new(&bounds, 0.5, axes);
-                prop_assert_eq!(LeafWidth::of_bounds(&frame, 0.5), width);
+                let frame = LeafFrame::of(&LatticeBounds::new(&bounds, 0.5, axes), 0.5);
+                prop_assert_eq!(frame.width, width);
                 let slot = LeafSlot { first, number: 1, bounds: frame };
                 let expected = vertices.map(|v| order(v).map(|x| x as f32 * 0.5));
                 prop_assert_eq!(triangles.corners(&slot, axes), expected);

@@ -1,12 +1,12 @@
 //! Nodes of the lattice codec as the traversal sees them.
 
 use super::lattice_node::{links_of, sides_of};
-use super::leaf_width::{LatticeBounds, LeafWidth};
+use super::leaf_width::{LatticeBounds, LeafFrame, LeafWidth};
 use crate::build::node::NodeRef;
 use crate::geometry::float::whole_number;
 use crate::geometry::lattice::LatticeBox;
 use crate::geometry::planes::PlanePair;
-use crate::trace::{BoxCursor, Children, LeafRun, NodeSource};
+use crate::trace::{BoxCursor, Children, LeafRun, NodeSource, Order};
 use glam::Vec4;
 
 /// A node or a leaf, and its box. 48 bytes, also where vectors need not be aligned: shaders align them.
@@ -127,7 +127,8 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
     for LatticeNodes<'_, BITS, WORDS, MIXED>
 {
     type Cursor = LatticeCursor;
-    type Bounds = LatticeBounds;
+    type Node = Children<LatticeCursor>;
+    type Bounds = LeafFrame;
 
     const NOTHING: LatticeCursor = LatticeCursor {
         node: NodeRef::EMPTY_LEAF,
@@ -147,12 +148,26 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: LatticeCursor) -> LeafRun<LatticeBounds> {
-        LeafRun::of(cursor.node, cursor.bounds)
+    fn is_leaf(&self, cursor: LatticeCursor) -> bool {
+        cursor.node.is_leaf()
     }
 
     #[inline(always)]
-    fn children(&self, cursor: LatticeCursor, axes: [u32; 3]) -> Children<LatticeCursor> {
+    fn leaf(&self, cursor: LatticeCursor, _axes: [u32; 3]) -> LeafRun<LeafFrame> {
+        LeafRun::of(cursor.node, LeafFrame::of(&cursor.bounds, self.step))
+    }
+
+    #[inline(always)]
+    fn resume(&self, waited: LatticeCursor) -> LatticeCursor {
+        waited
+    }
+
+    #[inline(always)]
+    fn children(
+        &self,
+        cursor: LatticeCursor,
+        Order { axes, .. }: Order,
+    ) -> Children<LatticeCursor> {
         let index = cursor.node.index() as usize;
         if index >= self.nodes.len() {
             return Children {

@@ -35,6 +35,28 @@ impl LatticeBounds {
     }
 }
 
+/// What a leaf's triangles are decoded relative to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(16))]
+pub struct LeafFrame {
+    /// The smallest coordinates of the leaf's decoded box, in the scene's unit and in the order of the ray's axes.
+    pub min: Vec4,
+    /// The width of its triangles.
+    pub width: LeafWidth,
+}
+
+impl LeafFrame {
+    /// The frame of a leaf with this box.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(bounds: &LatticeBounds, step: f32) -> Self {
+        Self {
+            min: bounds.min,
+            width: LeafWidth::of_bounds(bounds, step),
+        }
+    }
+}
+
 /// How many bits a coordinate takes, by the extent of the leaf's box. All triangles of a leaf have the same.
 ///
 /// ```text
@@ -59,8 +81,15 @@ impl LeafWidth {
     #[must_use]
     pub fn of(bounds: &LatticeBox) -> Self {
         let extent = |axis: usize| bounds.max[axis].wrapping_sub(bounds.min[axis]) as u32;
+        Self::of_extents([extent(0), extent(1), extent(2)])
+    }
+
+    /// The width of the triangles in a leaf whose box has these extents in steps.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of_extents([a, b, c]: [u32; 3]) -> Self {
         // Their bits together are as long as the longest.
-        let any = extent(0) | extent(1) | extent(2);
+        let any = a | b | c;
         if any < 1 << 10 {
             Self::Narrow
         } else if any < 1 << 21 {

@@ -9,7 +9,7 @@ use crate::geometry::orientation::product;
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::NO_PRIMITIVE;
 use crate::geometry::triangle::LeafTriangle;
-use crate::trace::{BoxCursor, Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
+use crate::trace::{BoxCursor, Children, LeafRun, LeafSlot, NodeSource, Order, TriangleSource};
 use bytemuck::{Pod, Zeroable};
 
 /// The largest number of 10 bits.
@@ -272,6 +272,7 @@ pub struct Paper10Nodes<'a> {
 
 impl NodeSource for Paper10Nodes<'_> {
     type Cursor = Paper10Cursor;
+    type Node = Children<Paper10Cursor>;
     type Bounds = Paper10Box;
 
     const NOTHING: Paper10Cursor = Paper10Cursor {
@@ -302,12 +303,26 @@ impl NodeSource for Paper10Nodes<'_> {
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: Paper10Cursor) -> LeafRun<Paper10Box> {
+    fn is_leaf(&self, cursor: Paper10Cursor) -> bool {
+        cursor.node.is_leaf()
+    }
+
+    #[inline(always)]
+    fn leaf(&self, cursor: Paper10Cursor, _axes: [u32; 3]) -> LeafRun<Paper10Box> {
         LeafRun::of(cursor.node, cursor.bounds)
     }
 
     #[inline(always)]
-    fn children(&self, cursor: Paper10Cursor, axes: [u32; 3]) -> Children<Paper10Cursor> {
+    fn resume(&self, waited: Paper10Cursor) -> Paper10Cursor {
+        waited
+    }
+
+    #[inline(always)]
+    fn children(
+        &self,
+        cursor: Paper10Cursor,
+        Order { axes, .. }: Order,
+    ) -> Children<Paper10Cursor> {
         let node = crate::load(self.nodes, cursor.node.index(), Paper10Node::EMPTY);
         let a = decode_box(node.left_box, &cursor.bounds, axes, self.opaque_zero);
         let b = decode_box(node.right_box, &cursor.bounds, axes, self.opaque_zero);

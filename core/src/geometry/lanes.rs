@@ -152,6 +152,12 @@ pub trait Wide<const LANES: usize>: Lanes {
     /// The number of each lane.
     fn to_array(self) -> [f32; LANES];
 
+    /// The number of one lane, where it lies. Of one beyond the last, that of another.
+    #[inline(always)]
+    fn lane(&self, i: usize) -> f32 {
+        self.to_array()[i % LANES]
+    }
+
     /// Transposes: takes a row of numbers for each lane, returns the first numbers of all rows, then the second, and so on.
     #[inline(always)]
     #[must_use]

@@ -21,9 +21,9 @@ pub trait Collector {
         false
     }
 
-    /// Called for each inner node that is opened by a ray that walks alone.
+    /// Called for each inner node that is opened by a ray that walks alone, with the number of its children, whose boxes are tested.
     #[inline(always)]
-    fn count_node(&mut self) {}
+    fn count_node(&mut self, _children: u32) {}
 
     /// Called for each triangle that is tested by a ray that walks alone.
     #[inline(always)]
@@ -261,8 +261,10 @@ fn precedes(a: &Hit, b: &Hit) -> bool {
 pub struct Counted<C> {
     /// The answer.
     pub inner: C,
-    /// Inner nodes opened; each tests two boxes.
+    /// Inner nodes opened.
     pub node_count: u32,
+    /// Boxes tested: the opened nodes' children.
+    pub box_count: u32,
     /// Triangles tested.
     pub triangle_count: u32,
 }
@@ -275,6 +277,7 @@ impl<C> Counted<C> {
         Self {
             inner,
             node_count: 0,
+            box_count: 0,
             triangle_count: 0,
         }
     }
@@ -297,8 +300,9 @@ impl<C: Collector> Collector for Counted<C> {
     }
 
     #[inline(always)]
-    fn count_node(&mut self) {
+    fn count_node(&mut self, children: u32) {
         self.node_count += 1;
+        self.box_count += children;
     }
 
     #[inline(always)]

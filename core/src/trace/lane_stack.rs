@@ -6,7 +6,7 @@
 //!
 //! Word `lane` of each row of [`LANES`] words is the lane's own, so that lanes at the same row use different banks.
 
-use super::stack::{BoxCursor, Waiting};
+use super::stack::{BoxCursor, Rows};
 use crate::build::node::NodeRef;
 use crate::launch::LANES;
 
@@ -38,11 +38,11 @@ impl<'a> LaneStack<'a> {
 
     #[inline(always)]
     const fn place(&self, row: u32) -> usize {
-        place(row % LANE_ROWS as u32, self.lane)
+        lane_place(row % LANE_ROWS as u32, self.lane)
     }
 }
 
-impl Waiting<NodeRef> for LaneStack<'_> {
+impl Rows<NodeRef> for LaneStack<'_> {
     type Enter = ();
 
     const ROWS: u32 = LANE_ROWS as u32;
@@ -92,7 +92,7 @@ impl<'a> LaneBoxStack<'a> {
 
     #[inline(always)]
     const fn place(&self, row: u32, word: u32) -> usize {
-        place(
+        lane_place(
             row % LANE_BOX_ROWS as u32 * BOX_WORDS as u32 + word,
             self.lane,
         )
@@ -104,7 +104,7 @@ impl<'a> LaneBoxStack<'a> {
     }
 }
 
-impl<C: BoxCursor> Waiting<C> for LaneBoxStack<'_> {
+impl<C: BoxCursor> Rows<C> for LaneBoxStack<'_> {
     type Enter = ();
 
     const ROWS: u32 = LANE_BOX_ROWS as u32;
@@ -144,6 +144,6 @@ impl<C: BoxCursor> Waiting<C> for LaneBoxStack<'_> {
 
 /// A lane's word of a row of words.
 #[inline(always)]
-const fn place(word_row: u32, lane: u32) -> usize {
+pub(super) const fn lane_place(word_row: u32, lane: u32) -> usize {
     (word_row * LANES as u32 + lane) as usize
 }

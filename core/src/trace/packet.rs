@@ -4,15 +4,17 @@
 //! ([`crate::geometry::lanes`]), and no answer depends on which other nodes are opened.
 
 use super::prepare::PreparedRays;
-use super::query::{Opened, Query};
-use super::stack::Enter;
+use super::query::{ChildList, NOT_MET, Opened, Query, Rays, key};
+use super::stack::{Empty, Enter};
+use super::wide::WideFork;
 use super::{
-    Collector, Cursor, HitFilter, LeafSlot, NodeSource, Stack, TriangleSource, traverse_with, walk,
+    Collector, Fork, HitFilter, LeafSlot, NodeSource, TriangleSource, traverse_with, walk,
 };
+use crate::build::wide::WIDTH;
 use crate::geometry::lanes::{Lanes, Wide};
 use crate::geometry::planes::{BoxSpan, PlanePair, Planes};
 use crate::geometry::ray::{Hit, PreparedRay};
-use crate::geometry::slab::crossings;
+use crate::geometry::slab::{FourPlanes, crossings};
 use crate::geometry::watertight::{Meeting, meet};
 use core::array::from_fn;
 
@@ -31,19 +33,19 @@ fn limits<W: Wide<LANES>, F, C: Collector, const LANES: usize>(packet: &[Lane<F,
     W::from_array(from_fn(|i| packet[i].collector.limit()))
 }
 
-/// Memory for a packet, and for rays that walk alone. It need not be cleared in between.
+/// Memory for a packet over nodes opened as `F`, and for rays that walk alone. It need not be cleared in between.
 #[derive(Clone, Copy)]
-pub struct PacketStacks<C: Cursor, W: Lanes> {
-    together: Stack<C, Entries<W>>,
+pub struct PacketStacks<F: Fork, W: Lanes> {
+    together: F::Stack<Entries<W>>,
     /// For one ray.
-    pub alone: Stack<C>,
+    pub alone: F::Stack<f32>,
 }
 
-impl<C: Cursor, W: Lanes> PacketStacks<C, W> {
+impl<F: Fork, W: Lanes> PacketStacks<F, W> {
     /// Nothing waits.
     pub const EMPTY: Self = Self {
-        together: Stack::EMPTY,
-        alone: Stack::EMPTY,
+        together: Empty::EMPTY,
+        alone: Empty::EMPTY,
     };
 }
 
@@ -51,7 +53,7 @@ impl<C: Cursor, W: Lanes> PacketStacks<C, W> {
 /// side by side. One that is left over walks alone.
 #[inline(always)]
 pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
-    stacks: &mut PacketStacks<N::Cursor, W>,
+    stacks: &mut PacketStacks<N::Node, W>,
     nodes: &N,
     triangles: &T,
     rays: &mut PreparedRays<W, LANES>,
@@ -93,7 +95,7 @@ pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
 /// [`super::traverse_with`] of one ray, never part of its caller.
 #[inline(never)]
 pub fn trace_alone<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter, C: Collector>(
-    stack: &mut Stack<N::Cursor>,
+    stack: &mut <N::Node as Fork>::Stack<f32>,
     nodes: &N,
     triangles: &T,
     ray: &PreparedRay,
@@ -134,7 +136,46 @@ impl<W: Lanes> Enter for Entries<W> {
         enter: W::ZERO,
         who: 0,
     };
+
+    type Four = FourEntries<W>;
+    const FOUR: FourEntries<W> = FourEntries {
+        enter: [W::ZERO; WIDTH],
+        who: [0; WIDTH],
+    };
+
+    #[inline(always)]
+    fn of(four: &FourEntries<W>, child: u32) -> Self {
+        let child = child as usize % WIDTH;
+        Self {
+            enter: four.enter[child],
+            who: four.who[child],
+        }
+    }
 }
+
+/// [`Entries`] of a wide node's children.
+#[derive(Clone, Copy, Debug)]
+pub struct FourEntries<W> {
+    enter: [W; WIDTH],
+    who: [u32; WIDTH],
+}
+
+/// For each set of children, a bit each, the list of them as they are stored.
+const LISTS: [ChildList; 1 << WIDTH] = {
+    let mut lists = [ChildList::NONE; 1 << WIDTH];
+    let mut set = 0;
+    while set < lists.len() {
+        let mut child = WIDTH as u32;
+        while child > 0 {
+            child -= 1;
+            if set >> child & 1 == 1 {
+                lists[set] = lists[set].after(child);
+            }
+        }
+        set += 1;
+    }
+    lists
+};
 
 /// Rays that walk together.
 struct Together<'a, F, C, W: Wide<LANES>, const LANES: usize> {
@@ -173,10 +214,8 @@ impl<F, C, W: Wide<LANES>, const LANES: usize> Together<'_, F, C, W, LANES> {
     }
 }
 
-impl<N, T, F, C, W, const LANES: usize> Query<N, T, Entries<W>> for Together<'_, F, C, W, LANES>
+impl<F, C, W, const LANES: usize> Rays<Entries<W>> for Together<'_, F, C, W, LANES>
 where
-    N: NodeSource,
-    T: TriangleSource<N::Bounds>,
     F: HitFilter,
     C: Collector,
     W: Wide<LANES>,
@@ -184,6 +223,11 @@ where
     #[inline(always)]
     fn axes(&self) -> [u32; 3] {
         self.rays.axes
+    }
+
+    #[inline(always)]
+    fn reversed(&self) -> [u32; 3] {
+        [0; 3]
     }
 
     #[inline(always)]
@@ -217,10 +261,80 @@ where
     }
 
     #[inline(always)]
+    fn open_wide<P: FourPlanes>(
+        &mut self,
+        node: &WideFork<P>,
+        enters: &mut FourEntries<W>,
+    ) -> ChildList {
+        let ([a, b, c], [x, y, z]) = (node.first, node.second);
+        let boxes = [a, b, c, x, y, z].map(|planes| planes.planes().to_array());
+        let met = [0, 1, 2, 3].map(|child| {
+            let [a, b, c, x, y, z] = boxes.map(|planes| planes[child]);
+            self.meet([a, b, c], [x, y, z])
+        });
+        let there = a.planes().cmple(x.planes()).bitmask();
+        let who: [u32; WIDTH] = from_fn(|child| {
+            if there >> child & 1 == 1 {
+                met[child].who
+            } else {
+                0
+            }
+        });
+        let any = who[0] | who[1] | who[2] | who[3];
+        let mask = (who[0] != 0) as u32
+            | ((who[1] != 0) as u32) << 1
+            | ((who[2] != 0) as u32) << 2
+            | ((who[3] != 0) as u32) << 3;
+        if let Some(list) = ChildList::of_few(mask) {
+            // No order is asked for.
+            self.who = any;
+            return list;
+        }
+        for (to, entries) in enters.enter.iter_mut().zip(&met) {
+            *to = entries.enter;
+        }
+        enters.who = who;
+        if self.goes_farther_first {
+            let list = LISTS[mask as usize % LISTS.len()];
+            self.who = enters.who[list.first() as usize % WIDTH];
+            return list;
+        }
+        // The first ray that meets any of them decides about their order.
+        let first = any.trailing_zeros() as usize % LANES;
+        let mut keys = [NOT_MET; WIDTH];
+        for (child, key_of) in (0..).zip(&mut keys) {
+            let enter = enters.enter[child as usize].lane(first);
+            let own = key(enter, child, self.goes_farther_first);
+            *key_of = if who[child as usize] != 0 {
+                own
+            } else {
+                NOT_MET
+            };
+        }
+        let list = ChildList::sorted(keys);
+        self.who = enters.who[list.first() as usize % WIDTH];
+        list
+    }
+
+    #[inline(always)]
     fn follow(&mut self, entries: Entries<W>) {
         self.who = entries.who;
     }
 
+    #[inline(always)]
+    fn is_done(&self) -> bool {
+        self.members & W::bits(self.rays.lanes.t_min.at_most(self.limit)) == 0
+    }
+}
+
+impl<N, T, F, C, W, const LANES: usize> Query<N, T, Entries<W>> for Together<'_, F, C, W, LANES>
+where
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+    F: HitFilter,
+    C: Collector,
+    W: Wide<LANES>,
+{
     #[inline(always)]
     fn test(&mut self, triangles: &T, slot: &LeafSlot<N::Bounds>) {
         let axes = self.rays.axes;
@@ -241,10 +355,5 @@ where
             }
             self.limit = limits(self.packet);
         }
-    }
-
-    #[inline(always)]
-    fn is_done(&self) -> bool {
-        self.members & W::bits(self.rays.lanes.t_min.at_most(self.limit)) == 0
     }
 }

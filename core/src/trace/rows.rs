@@ -1,6 +1,6 @@
 //! Plain nodes and triangles as rows of 16 bytes, which a GPU reads with one load each.
 
-use super::{Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
+use super::{Children, LeafRun, LeafSlot, NodeSource, Order, TriangleSource};
 use crate::build::node::{Node, NodeRef};
 use crate::geometry::triangle::LeafTriangle;
 use glam::Vec4;
@@ -20,6 +20,7 @@ pub struct NodeRows<'a>(pub &'a [NodeRow]);
 
 impl NodeSource for NodeRows<'_> {
     type Cursor = NodeRef;
+    type Node = Children<NodeRef>;
     type Bounds = ();
 
     const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
@@ -30,17 +31,24 @@ impl NodeSource for NodeRows<'_> {
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
-        LeafRun {
-            // Leaves have the highest bit. The same comparison answers for an index out of range, which is opened by no walk.
-            is_leaf: cursor.index() as usize >= self.0.len(),
-            ..LeafRun::of(cursor, ())
-        }
+    fn is_leaf(&self, cursor: NodeRef) -> bool {
+        // Leaves have the highest bit. The same comparison answers for an index out of range, which is opened by no walk.
+        cursor.index() as usize >= self.0.len()
     }
 
     #[inline(always)]
-    fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
-        // In range, as `leaf` has said no: the compiler sees it, and checks nothing.
+    fn leaf(&self, cursor: NodeRef, _axes: [u32; 3]) -> LeafRun<()> {
+        LeafRun::of(cursor, ())
+    }
+
+    #[inline(always)]
+    fn resume(&self, waited: NodeRef) -> NodeRef {
+        waited
+    }
+
+    #[inline(always)]
+    fn children(&self, cursor: NodeRef, Order { axes, .. }: Order) -> Children<NodeRef> {
+        // In range, as `is_leaf` has said no: the compiler sees it, and checks nothing.
         let index = cursor.index() as usize;
         // Rows are read where they lie: rows in registers could not be indexed by axis.
         let links = self.0[index][3];
@@ -111,7 +119,7 @@ impl<B: Copy> TriangleSource<B> for TriangleRows<'_> {
 
 /// Coordinates in the order of a ray's axes, each the next after the last: by selection, as registers have no index.
 #[inline(always)]
-const fn in_order([x, y, z]: [f32; 3], axes: [u32; 3]) -> [f32; 3] {
+pub(crate) const fn in_order([x, y, z]: [f32; 3], axes: [u32; 3]) -> [f32; 3] {
     if axes[0] == 0 {
         [x, y, z]
     } else if axes[0] == 1 {

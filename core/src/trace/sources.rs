@@ -1,6 +1,6 @@
 //! Where nodes and triangles come from: the plain tree, and the brute-force list that every tree must agree with.
 
-use super::{Children, LeafRun, LeafSlot, NodeSource, TriangleSource};
+use super::{Children, LeafRun, LeafSlot, NodeSource, Order, TriangleSource};
 use crate::build::node::{Node, NodeRef};
 use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::NO_PRIMITIVE;
@@ -12,6 +12,7 @@ pub struct PlainNodes<'a>(pub &'a [Node]);
 
 impl NodeSource for PlainNodes<'_> {
     type Cursor = NodeRef;
+    type Node = Children<NodeRef>;
     type Bounds = ();
 
     const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
@@ -26,12 +27,22 @@ impl NodeSource for PlainNodes<'_> {
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
+    fn is_leaf(&self, cursor: NodeRef) -> bool {
+        cursor.is_leaf()
+    }
+
+    #[inline(always)]
+    fn leaf(&self, cursor: NodeRef, _axes: [u32; 3]) -> LeafRun<()> {
         LeafRun::of(cursor, ())
     }
 
     #[inline(always)]
-    fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
+    fn resume(&self, waited: NodeRef) -> NodeRef {
+        waited
+    }
+
+    #[inline(always)]
+    fn children(&self, cursor: NodeRef, Order { axes, .. }: Order) -> Children<NodeRef> {
         // Rows are read where they lie: a node in registers could not be indexed by axis.
         let index = cursor.index() as usize;
         if index >= self.0.len() {
@@ -68,6 +79,7 @@ pub struct BruteForce(pub u32);
 
 impl NodeSource for BruteForce {
     type Cursor = ();
+    type Node = Children<()>;
     type Bounds = ();
 
     const NOTHING: () = ();
@@ -76,9 +88,13 @@ impl NodeSource for BruteForce {
     fn root(&self, _axes: [u32; 3]) {}
 
     #[inline(always)]
-    fn leaf(&self, (): ()) -> LeafRun<()> {
+    fn is_leaf(&self, (): ()) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn leaf(&self, (): (), _axes: [u32; 3]) -> LeafRun<()> {
         LeafRun {
-            is_leaf: true,
             first: 0,
             count: self.0,
             bounds: (),
@@ -86,7 +102,10 @@ impl NodeSource for BruteForce {
     }
 
     #[inline(always)]
-    fn children(&self, (): (), _axes: [u32; 3]) -> Children<()> {
+    fn resume(&self, (): ()) {}
+
+    #[inline(always)]
+    fn children(&self, (): (), _order: Order) -> Children<()> {
         Children {
             planes: [PlanePair::ZERO; 3],
             left: (),
