@@ -1,6 +1,9 @@
 //! Stage `encode`: plain nodes and triangles in codecs. Each thread finds its node's box by itself, from the root down.
 
+pub mod wide;
+
 use crate::thread_index;
+use crate::trace::root_words;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
     FINEST_STEP, LatticeCodec, LeafCorner, Links, Paper10Box, Paper10Codec, Paper10Node,
@@ -198,15 +201,6 @@ pub(crate) fn lattice_step(exponent: &UVec4, step: &UVec4) -> i32 {
         step.x as i32
     } else {
         scaled_step(step.x as i32, exponent.x as i32)
-    }
-}
-
-/// The root of a coded tree, from a uniform.
-#[inline(always)]
-pub(crate) fn root_words(root: &[UVec4; 2]) -> RootWords {
-    RootWords {
-        low: root[0].to_array(),
-        high: root[1].to_array(),
     }
 }
 

@@ -8,6 +8,13 @@
     clippy::too_many_arguments,
     reason = "an entry point's arguments are its bindings"
 )]
+#![cfg_attr(
+    not(all(feature = "plain", feature = "coded", feature = "wide")),
+    allow(
+        dead_code,
+        reason = "a part of the entry points does not use all that they share"
+    )
+)]
 #![allow(
     clippy::needless_range_loop,
     reason = "iterator chains over workgroup memory do not compile to SPIR-V"
@@ -18,22 +25,38 @@ use group::atomic_add;
 use slimbvh_core::launch::{self, LANES};
 use slimbvh_core::tile::Tiles;
 
+#[cfg(feature = "plain")]
 pub mod bounds;
+#[cfg(feature = "plain")]
 pub mod camera;
+#[cfg(feature = "plain")]
 pub mod classify;
+#[cfg(feature = "plain")]
 pub mod compact;
+#[cfg(feature = "plain")]
 pub mod decide;
+#[cfg(feature = "plain")]
 pub mod encode;
 mod group;
+#[cfg(feature = "plain")]
 pub mod morton;
+#[cfg(feature = "plain")]
 pub mod refit;
+#[cfg(feature = "plain")]
 pub mod scan;
+#[cfg(feature = "plain")]
 pub mod shade;
+#[cfg(feature = "plain")]
 pub mod snap;
+#[cfg(feature = "plain")]
 pub mod sort;
+#[cfg(feature = "plain")]
 pub mod topology;
 pub mod trace;
+#[cfg(feature = "plain")]
 pub mod view;
+#[cfg(feature = "plain")]
+pub mod wide;
 
 /// Steps that halve or double a distance between 1 and LANES.
 const LANE_STEPS: u32 = LANES.ilog2();

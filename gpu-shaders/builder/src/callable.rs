@@ -1,5 +1,5 @@
 //! The texts for users' own WGSL: what the entry points `call_trace` and `call_trace_in_group` do, as functions that other WGSL
-//! can call. The second text goes behind the first: it has no item that the first one has.
+//! can call. The second text goes behind the first: it has no item that the first one has. Of each kind of tree there are both.
 
 use anyhow::{Context, Result, anyhow, bail};
 use naga::back::wgsl::{WriterFlags, write_string};
@@ -8,11 +8,70 @@ use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Handle, Module, Type, TypeInner};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// A kind of tree that has texts.
+struct Kind {
+    /// The end of its entry points' names and of its files'.
+    suffix: &'static str,
+    /// Whether the tree has a root in a binding of its own, after the triangles.
+    has_root: bool,
+}
+
+const KINDS: [Kind; 5] = [
+    Kind {
+        suffix: "",
+        has_root: false,
+    },
+    Kind {
+        suffix: "_w4_f32",
+        has_root: false,
+    },
+    Kind {
+        suffix: "_w4_64_f32",
+        has_root: true,
+    },
+    Kind {
+        suffix: "_w4_64_lattice",
+        has_root: true,
+    },
+    Kind {
+        suffix: "_w4_48_lattice",
+        has_root: true,
+    },
+];
+
+impl Kind {
+    /// What bindings are called, in order, and how many of them stay bindings; the others become private variables, by which callers
+    /// hand over rays and take hits.
+    fn globals(&self) -> (Vec<&'static str>, u32) {
+        let root = if self.has_root {
+            &["slimbvh_root"][..]
+        } else {
+            &[]
+        };
+        let bindings = [&TREE, root].concat();
+        let count = bindings.len() as u32;
+        ([&bindings[..], &CALL].concat(), count)
+    }
+}
+
+/// Bindings that all trees have.
+const TREE: [&str; 3] = ["slimbvh_exponent", "slimbvh_nodes", "slimbvh_triangles"];
+
+/// What a call hands over, and takes.
+const CALL: [&str; 6] = [
+    "slimbvh_origin",
+    "slimbvh_direction",
+    "slimbvh_any_will_do",
+    "slimbvh_hit",
+    "slimbvh_lane",
+    "slimbvh_overflowed",
+];
+
 /// A text.
 struct Text {
-    /// The entry point that it is made of.
+    /// The entry point that it is made of, but for its end.
     entry_point: &'static str,
-    /// Its file.
+    /// Its file, but for its end.
     file: &'static str,
     /// What the entry point's function is called in it.
     function: &'static str,
@@ -27,17 +86,17 @@ struct Text {
 const TEXTS: [Text; 2] = [
     Text {
         entry_point: "call_trace",
-        file: "slimbvh.wgsl",
+        file: "slimbvh",
         function: "slimbvh_trace",
         head: "\
 // Made by slimbvh's shader builder from its Rust: rays traced from your own WGSL. Put this text before yours, bind the
-// tree's exponent, nodes and triangles to group 0, and call
+// tree's exponent, nodes, triangles and, if it has one, root to group 0, and call
 //
 //   slimbvh_closest_hit(origin, t_min, direction, t_max) -> SlimbvhHit
 //   slimbvh_any_hit(origin, t_min, direction, t_max) -> bool
 //
 // from any stage. t is in units of the direction's length; a miss has the primitive 0xffffffff. The stack is private
-// memory, 1 KiB an invocation: in compute shaders the functions of slimbvh_compute.wgsl are faster.
+// memory, up to 1 KiB an invocation: in compute shaders the functions of the text slimbvh_compute are faster.
 
 ",
         wrappers: include_str!("callable.wgsl"),
@@ -55,17 +114,17 @@ fn caller(@builtin(global_invocation_id) id: vec3<u32>) {
     },
     Text {
         entry_point: "call_trace_in_group",
-        file: "slimbvh_compute.wgsl",
+        file: "slimbvh_compute",
         function: "slimbvh_trace_in_group",
         head: "\
 // Made by slimbvh's shader builder from its Rust: rays traced from your own compute shaders, with the stacks in workgroup
-// memory. Put this text behind slimbvh.wgsl, and call
+// memory. Put this text behind the text slimbvh of the same kind of tree, and call
 //
 //   slimbvh_closest_hit_in_group(lane, origin, t_min, direction, t_max) -> SlimbvhHit
 //   slimbvh_any_hit_in_group(lane, origin, t_min, direction, t_max) -> bool
 //
 // lane is the invocation's local_invocation_index. The stacks are 8 KiB for 64 invocations, 32 nodes each, whatever the
-// size of the workgroup. A ray that needs more is traced again by the functions of slimbvh.wgsl; so is every ray of a lane
+// size of the workgroup. A ray that needs more is traced again by the functions of the first text; so is every ray of a lane
 // from 64 on, so workgroups should have 64 invocations or fewer. Two invocations with the same lane get wrong answers.
 // There is no barrier inside: calls may stand in branches and loops.
 //
@@ -95,21 +154,11 @@ fn caller(@builtin(local_invocation_index) lane: u32) {
     },
 ];
 
-/// What bindings are called, in order.
-const GLOBALS: [&str; 9] = [
-    "slimbvh_exponent",
-    "slimbvh_nodes",
-    "slimbvh_triangles",
-    "slimbvh_origin",
-    "slimbvh_direction",
-    "slimbvh_any_will_do",
-    "slimbvh_hit",
-    "slimbvh_lane",
-    "slimbvh_overflowed",
-];
-
-/// How many of them stay bindings; the others become private variables, by which callers hand over rays and take hits.
-const BINDING_COUNT: u32 = 3;
+impl Text {
+    fn entry_point_of(&self, kind: &Kind) -> String {
+        format!("{}{}", self.entry_point, kind.suffix)
+    }
+}
 
 /// What the variable in workgroup memory is called.
 const STACKS: &str = "slimbvh_stacks";
@@ -117,20 +166,33 @@ const STACKS: &str = "slimbvh_stacks";
 /// Whether an entry point becomes a text.
 #[must_use]
 pub fn is_called(entry_point: &str) -> bool {
-    TEXTS.iter().any(|text| text.entry_point == entry_point)
+    let mut texts = TEXTS
+        .iter()
+        .flat_map(|text| KINDS.iter().map(move |kind| (text, kind)));
+    texts.any(|(text, kind)| text.entry_point_of(kind) == entry_point)
 }
 
 /// Turns the modules of the entry points into texts, by their files.
 ///
 /// # Errors
 /// Where one is missing, its bindings are not those expected, or the texts cannot be used.
-pub fn texts(mut modules: BTreeMap<String, Module>) -> Result<Vec<(&'static str, String)>> {
+pub fn texts(mut modules: BTreeMap<String, Module>) -> Result<Vec<(String, String)>> {
+    let mut texts = Vec::new();
+    for kind in &KINDS {
+        texts.extend(texts_of(kind, &mut modules)?);
+    }
+    Ok(texts)
+}
+
+/// The texts of one kind of tree.
+fn texts_of(kind: &Kind, modules: &mut BTreeMap<String, Module>) -> Result<Vec<(String, String)>> {
     let mut structs = Structs::default();
     let (mut all, mut declared) = (String::new(), BTreeSet::new());
     let mut texts = Vec::new();
     for text in TEXTS {
-        let module = modules.remove(text.entry_point).context(text.entry_point)?;
-        let own = translated(&text, module, &mut structs).context(text.entry_point)?;
+        let entry_point = text.entry_point_of(kind);
+        let module = modules.remove(&entry_point).context(entry_point.clone())?;
+        let own = translated(&text, kind, module, &mut structs).context(entry_point)?;
         let new = items(&own).filter(|&item| declared.insert(item.to_owned()));
         let new: String = new.map(|item| format!("{item}\n\n")).collect();
         let made = format!("{}{new}{}", text.head, text.wrappers);
@@ -139,17 +201,22 @@ pub fn texts(mut modules: BTreeMap<String, Module>) -> Result<Vec<(&'static str,
         let parsed =
             parse_str(&called).map_err(|error| anyhow!("{}", error.emit_to_string(&called)))?;
         validate(&parsed)?;
-        texts.push((text.file, made));
+        texts.push((format!("{}{}.wgsl", text.file, kind.suffix), made));
     }
     Ok(texts)
 }
 
 /// The module in WGSL, all names its own.
-fn translated(text: &Text, mut module: Module, structs: &mut Structs) -> Result<String> {
+fn translated(
+    text: &Text,
+    kind: &Kind,
+    mut module: Module,
+    structs: &mut Structs,
+) -> Result<String> {
     module.entry_points.clear();
     name_function(&mut module, text.function)?;
     structs.name(&mut module)?;
-    name_globals(&mut module)?;
+    name_globals(&mut module, kind)?;
     let info = validate(&module)?;
     write_string(&module, &info, WriterFlags::empty()).context("naga cannot translate it")
 }
@@ -224,7 +291,8 @@ fn shape(module: &Module, ty: Handle<Type>) -> String {
     }
 }
 
-fn name_globals(module: &mut Module) -> Result<()> {
+fn name_globals(module: &mut Module, kind: &Kind) -> Result<()> {
+    let (globals, binding_count) = kind.globals();
     let mut has_stacks = false;
     for (_, global) in module.global_variables.iter_mut() {
         let Some(binding) = global.binding else {
@@ -235,11 +303,11 @@ fn name_globals(module: &mut Module) -> Result<()> {
             global.name = Some(STACKS.to_owned());
             continue;
         };
-        let name = GLOBALS
+        let name = globals
             .get(binding.binding as usize)
             .context("too many bindings")?;
         global.name = Some((*name).to_owned());
-        if binding.binding >= BINDING_COUNT {
+        if binding.binding >= binding_count {
             global.binding = None;
             global.space = AddressSpace::Private;
         }

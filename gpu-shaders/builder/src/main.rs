@@ -27,6 +27,8 @@ struct ShaderCrate {
     output: &'static str,
     /// The endings of the files made there; others are left alone.
     made: &'static [&'static str],
+    /// The features of its parts, which are compiled one after the other; none for a crate without parts.
+    parts: &'static [&'static str],
     /// Whether tests/no-panic proves all its entry points unable to panic, so that no panic need be compiled.
     cannot_panic: bool,
 }
@@ -36,12 +38,14 @@ const CRATES: [ShaderCrate; 2] = [
         folder: "gpu-shaders",
         output: "host/shaders",
         made: &["spv", "wgsl", "json", "rs"],
+        parts: &["plain", "coded", "wide"],
         cannot_panic: true,
     },
     ShaderCrate {
         folder: "host/examples/own_shader/shader",
         output: "host/examples/own_shader",
         made: &["spv"],
+        parts: &[],
         cannot_panic: false,
     },
 ];
@@ -101,8 +105,7 @@ fn build(root: &Path) -> Result<Files> {
     for shader_crate in &CRATES {
         let ShaderCrate { output, made, .. } = shader_crate;
         let mut called = BTreeMap::new();
-        for (name, path) in compile(root, shader_crate)? {
-            let compiled = fs::read(&path).with_context(|| path.display().to_string())?;
+        for (name, compiled) in compile(root, shader_crate)? {
             let module = Module::new(&name, &compiled).context(name.clone())?;
             check_paths(&module.spirv, root).context(name.clone())?;
             if callable::is_called(&name) {
@@ -139,12 +142,44 @@ fn build(root: &Path) -> Result<Files> {
     Ok(files)
 }
 
-/// Compiles a crate. Returns the path of each entry point's module, by its short name.
-fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, PathBuf>> {
+/// Compiles a crate. Returns the module of each entry point as it is compiled, by its short name.
+fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, Vec<u8>>> {
+    let mut modules = BTreeMap::new();
+    if shader_crate.parts.is_empty() {
+        compile_part(root, shader_crate, None, &mut modules)?;
+    }
+    for part in shader_crate.parts {
+        compile_part(root, shader_crate, Some(part), &mut modules)?;
+    }
+    // Releases of rust-gpu have lost entry points without an error.
+    let folder = shader_crate.folder;
+    let declared = kernels::declared(&root.join(folder))?;
+    let found: BTreeSet<String> = modules.keys().cloned().collect();
+    if found != declared {
+        let missing: Vec<_> = declared.difference(&found).collect();
+        let unknown: Vec<_> = found.difference(&declared).collect();
+        bail!(
+            "entry points of {folder}: declared but not compiled {missing:?}, compiled but not declared {unknown:?}"
+        );
+    }
+    Ok(modules)
+}
+
+/// Compiles a part of a crate, or all of it, and adds its modules.
+fn compile_part(
+    root: &Path,
+    shader_crate: &ShaderCrate,
+    part: Option<&str>,
+    modules: &mut BTreeMap<String, Vec<u8>>,
+) -> Result<()> {
     let target = std::env::var_os("CARGO_TARGET_DIR")
         .map_or_else(|| root.join("gpu-shaders/builder/target"), PathBuf::from);
     let mut builder = SpirvBuilder::new(root.join(shader_crate.folder), "spirv-unknown-vulkan1.2");
     builder.multimodule = true;
+    if let Some(part) = part {
+        builder.shader_crate_features.default_features = false;
+        builder.shader_crate_features.features = vec![part.to_owned()];
+    }
     if shader_crate.cannot_panic {
         // Sound as no panic can be reached: what is unreachable is never run.
         builder.shader_panic_strategy =
@@ -163,25 +198,16 @@ fn compile(root: &Path, shader_crate: &ShaderCrate) -> Result<BTreeMap<String, P
         .build()
         .with_context(|| format!("{folder} does not compile"))?;
 
-    // Releases of rust-gpu have lost entry points without an error.
-    let names: Vec<&str> = result.entry_points.iter().map(|e| short(e)).collect();
-    let found: BTreeSet<String> = names.iter().map(|&name| name.to_owned()).collect();
-    let declared = kernels::declared(&root.join(folder))?;
-    if found != declared || names.len() != declared.len() {
-        let missing: Vec<_> = declared.difference(&found).collect();
-        let unknown: Vec<_> = found.difference(&declared).collect();
-        bail!(
-            "entry points of {folder}: declared but not compiled {missing:?}, compiled but not declared {unknown:?}, {} in all",
-            names.len()
-        );
+    let ModuleResult::MultiModule(paths) = result.module else {
+        bail!("the backend made one module for all entry points");
+    };
+    for (entry, path) in paths {
+        let module = fs::read(&path).with_context(|| path.display().to_string())?;
+        if modules.insert(short(&entry).to_owned(), module).is_some() {
+            bail!("{folder} has two entry points {:?}", short(&entry));
+        }
     }
-    Ok(match result.module {
-        ModuleResult::MultiModule(modules) => modules
-            .into_iter()
-            .map(|(entry, path)| (short(&entry).to_owned(), path))
-            .collect(),
-        ModuleResult::SingleModule(_) => bail!("the backend made one module for all entry points"),
-    })
+    Ok(())
 }
 
 /// The function's name, without its module's.

@@ -1,62 +1,137 @@
-//! Entry points that become functions for other people's WGSL: the shader builder makes private variables of the bindings from 3
-//! on, and the texts `host/shaders/slimbvh.wgsl` and `slimbvh_compute.wgsl` of it all.
+//! Entry points that become functions for other people's WGSL: the shader builder makes private variables of the bindings behind
+//! the tree's, and of it all the texts `host/shaders/slimbvh.wgsl` and `slimbvh_compute.wgsl`, and those of wide trees.
 //!
-//! Both read the scene's exponent, the tree, a ray's origin with `t_min` and its direction with `t_max`, and whether any hit will
-//! do: 1, or else 0. Both store the hit, as bits.
+//! All read the scene's exponent, the tree, a ray's origin with `t_min` and its direction with `t_max`, and whether any hit will
+//! do: 1, or else 0. All store the hit, as bits.
 
+use super::{root_words, step};
 use glam::{UVec4, Vec4};
+use slimbvh_core::codec::{
+    LatticeTriangles, PackedWideNodes, PackedWideRow, WideMixedNodes, WideNodes, WideRow,
+};
 use slimbvh_core::launch::LANES;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Distance, LaneStack, LaneWords, NodeRow, NodeRows, Skip, Stack, TrianglePair,
-    TriangleRows, Waiting, traverse_with,
+    ClosestOrAny, Distance, Empty, Fork, FullWideNodes, FullWideRow, LaneListStack, LaneStack,
+    LaneWords, NodeRow, NodeRows, NodeSource, Skip, TrianglePair, TriangleRows, TriangleSource,
+    Waiting, traverse_with,
 };
-use slimbvh_core::{Hit, NodeRef, Ray};
+use slimbvh_core::{Hit, Ray};
 use spirv_std_macros::spirv;
 
-/// For any stage: the stack is the invocation's own.
-#[spirv(compute(threads(1)))]
-pub fn call_trace(
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[NodeRow],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[TrianglePair],
-    #[spirv(uniform, descriptor_set = 0, binding = 3)] origin: &Vec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 4)] direction: &Vec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 5)] any_will_do: &u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] hit: &mut UVec4,
-) {
-    let mut stack: Stack<NodeRef> = Stack::EMPTY;
-    let tree = (&NodeRows(nodes), &TriangleRows(triangles));
-    let ray = prepared(origin, direction, exponent);
-    answer(&mut stack, tree, &ray, *any_will_do, hit);
+/// Both entry points of one kind of tree. The first line lists the bindings: after the root, where the tree has one, come the numbers
+/// for a call's arguments; the second names the lane's stack. Sources as in `trace_kernels`.
+///
+/// - For any stage: the stack is the invocation's own.
+/// - For compute shaders: the stack is the lane's rows of an array of the workgroup. Stores also whether the stack was full; the hit is
+///   then a miss. For lanes without rows, those from [`LANES`] on, it always is.
+macro_rules! call_kernels {
+    (
+        [($($root:ident 3)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt]
+        [$stack:path]
+        |$nodes:ident: $node:ty, $triangles:ident: $triangle:ty| $node_source:expr, $triangle_source:expr;
+        pub fn $alone:ident;
+        pub fn $in_group:ident;
+    ) => {
+        /// For any stage: the stack is the invocation's own.
+        #[spirv(compute(threads(1)))]
+        pub fn $alone(
+            #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $triangles: &[$triangle],
+            $(#[spirv(uniform, descriptor_set = 0, binding = 3)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] origin: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] direction: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] any_will_do: &u32,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] hit: &mut UVec4,
+        ) {
+            $(let $root = root_words($root);)?
+            let (nodes, triangles) = ($node_source, $triangle_source);
+            let mut stack = private_stack(&nodes);
+            let ray = prepared(origin, direction, exponent);
+            answer(&mut stack, (&nodes, &triangles), &ray, *any_will_do, hit);
+        }
+
+        /// For compute shaders: the stack is the lane's rows of an array of the workgroup.
+        #[spirv(compute(threads(64)))]
+        pub fn $in_group(
+            #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $triangles: &[$triangle],
+            $(#[spirv(uniform, descriptor_set = 0, binding = 3)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] origin: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] direction: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] any_will_do: &u32,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] hit: &mut UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $e)] lane: &u32,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] overflowed: &mut u32,
+            #[spirv(workgroup)] words: &mut LaneWords,
+        ) {
+            $(let $root = root_words($root);)?
+            let tree = (&$node_source, &$triangle_source);
+            let ray = prepared(origin, direction, exponent);
+            let mut is_whole = false;
+            if *lane < LANES as u32 {
+                let stack = &mut $stack(words, *lane);
+                is_whole = answer(stack, tree, &ray, *any_will_do, hit);
+            }
+            if !is_whole {
+                *hit = bits(Hit::MISS);
+            }
+            *overflowed = !is_whole as u32;
+        }
+    };
 }
 
-/// For compute shaders: the stack is the lane's rows of an array of the workgroup. Stores also whether the stack was full; the hit
-/// is then a miss. For lanes without rows, those from [`LANES`] on, it always is.
-#[spirv(compute(threads(64)))]
-pub fn call_trace_in_group(
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[NodeRow],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[TrianglePair],
-    #[spirv(uniform, descriptor_set = 0, binding = 3)] origin: &Vec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 4)] direction: &Vec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 5)] any_will_do: &u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] hit: &mut UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 7)] lane: &u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] overflowed: &mut u32,
-    #[spirv(workgroup)] words: &mut LaneWords,
-) {
-    let tree = (&NodeRows(nodes), &TriangleRows(triangles));
-    let ray = prepared(origin, direction, exponent);
-    let mut is_whole = false;
-    if *lane < LANES as u32 {
-        let stack = &mut LaneStack::new(words, *lane);
-        is_whole = answer(stack, tree, &ray, *any_will_do, hit);
-    }
-    if !is_whole {
-        *hit = bits(Hit::MISS);
-    }
-    *overflowed = !is_whole as u32;
+call_kernels! {
+    [() 3 4 5 6 7 8]
+    [LaneStack::new]
+    |nodes: NodeRow, triangles: TrianglePair| NodeRows(nodes), TriangleRows(triangles);
+    pub fn call_trace;
+    pub fn call_trace_in_group;
+}
+
+call_kernels! {
+    [() 3 4 5 6 7 8]
+    [LaneListStack::new]
+    |nodes: FullWideRow, triangles: TrianglePair| FullWideNodes(nodes), TriangleRows(triangles);
+    pub fn call_trace_w4_f32;
+    pub fn call_trace_in_group_w4_f32;
+}
+
+call_kernels! {
+    [(root 3) 4 5 6 7 8 9]
+    [LaneListStack::new]
+    |nodes: WideRow, triangles: TrianglePair|
+        WideNodes { nodes, root: root.lattice(), step: step(&root) }, TriangleRows(triangles);
+    pub fn call_trace_w4_64_f32;
+    pub fn call_trace_in_group_w4_64_f32;
+}
+
+call_kernels! {
+    [(root 3) 4 5 6 7 8 9]
+    [LaneListStack::new]
+    |nodes: WideRow, triangles: u32|
+        WideMixedNodes { nodes, root: root.lattice(), step: step(&root) },
+        LatticeTriangles { words: triangles, step: step(&root) };
+    pub fn call_trace_w4_64_lattice;
+    pub fn call_trace_in_group_w4_64_lattice;
+}
+
+call_kernels! {
+    [(root 3) 4 5 6 7 8 9]
+    [LaneListStack::new]
+    |nodes: PackedWideRow, triangles: u32|
+        PackedWideNodes { nodes, root: root.lattice(), step: step(&root) },
+        LatticeTriangles { words: triangles, step: step(&root) };
+    pub fn call_trace_w4_48_lattice;
+    pub fn call_trace_in_group_w4_48_lattice;
+}
+
+/// A stack of the invocation's own for these nodes.
+#[inline(always)]
+fn private_stack<N: NodeSource>(_: &N) -> <N::Node as Fork>::PrivateStack {
+    Empty::EMPTY
 }
 
 #[inline(always)]
@@ -72,13 +147,18 @@ fn prepared(origin: &Vec4, direction: &Vec4, exponent: &UVec4) -> PreparedRay {
 
 /// Stores the hit. Returns whether the stack sufficed.
 #[inline(always)]
-fn answer<S: Waiting<NodeRef, Enter: Distance>>(
+fn answer<S, N, T>(
     stack: &mut S,
-    (nodes, triangles): (&NodeRows<'_>, &TriangleRows<'_>),
+    (nodes, triangles): (&N, &T),
     ray: &PreparedRay,
     any_will_do: u32,
     hit: &mut UVec4,
-) -> bool {
+) -> bool
+where
+    S: Waiting<N::Node, Enter: Distance>,
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+{
     let mut collector = if any_will_do == 1 {
         ClosestOrAny::any(ray.t_max)
     } else {

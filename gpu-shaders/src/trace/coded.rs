@@ -1,27 +1,18 @@
 //! Kernels that trace trees in codecs, a row each.
 
 use super::overflow::noted;
-use super::{scaled_target, store};
-use crate::encode::root_words;
+use super::{root_words, scaled_target, step, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::classify::{FacingFilter, PackedSides};
 use slimbvh_core::codec::{
     LatticeNodes, LatticeTriangles, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles,
-    RootWords,
 };
-use slimbvh_core::float::power_of_two;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{LaneBoxStack, LaneBoxWords, TrianglePair, TriangleRows};
 use slimbvh_core::{Hit, Ray};
 use spirv_std_macros::spirv;
-
-/// The lattice's step.
-#[inline(always)]
-fn step(root: &RootWords) -> f32 {
-    power_of_two(root.step_exponent())
-}
 
 trace_kernels! {
     [(root) 1 2 3 4 5 6 7 8 9]

@@ -44,6 +44,7 @@ pub fn noted(thread: u32, length: u32, ray_count: u32, list: &[u32]) -> u32 {
 
 /// One thread works. Reads the length of a list that is a buffer of its own, and clears it. Stores `[length, x, y, z]`, with the dispatch of
 /// a thread for each ray of the list.
+#[cfg(feature = "plain")]
 #[spirv(compute(threads(64)))]
 pub fn trace_groups(
     #[spirv(global_invocation_id)] id: UVec3,

@@ -7,8 +7,8 @@ use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
-    AnyHit, ClosestHit, Counted, HitFilter, NearestHits, NodeSource, Skip, TriangleSource, UpTo,
-    Waiting, any_hit, closest_hit, traverse, traverse_with,
+    AnyHit, ClosestHit, Counted, Empty, Fork, HitFilter, NearestHits, NodeSource, Skip,
+    TriangleSource, UpTo, Waiting, traverse, traverse_with,
 };
 use slimbvh_core::{Hit, Ray};
 
@@ -22,7 +22,7 @@ pub fn closest<S, N, T>(
     hits: &mut [Hit],
     list: &mut [u32],
 ) where
-    S: Waiting<N::Cursor, Enter = ()>,
+    S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
@@ -48,7 +48,7 @@ pub fn any<S, N, T>(
     found: &mut [u32],
     list: &mut [u32],
 ) where
-    S: Waiting<N::Cursor, Enter = ()>,
+    S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
@@ -74,7 +74,7 @@ pub fn nearest<S, N, T>(
     hits: &mut [[Hit; NEAREST_COUNT]],
     list: &mut [u32],
 ) where
-    S: Waiting<N::Cursor, Enter = ()>,
+    S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
@@ -106,7 +106,15 @@ pub fn listed_rays<N: NodeSource, T: TriangleSource<N::Bounds>>(
     if (i as usize) < rays.len() {
         let ray = PreparedRay::new(&rays[i as usize], exponent);
         let mut collector = UpTo::<NEAREST_COUNT>::new(hit_count, ray.t_max);
-        traverse(nodes, triangles, &ray, &Skip::NONE, &mut collector);
+        let mut stack = <<N::Node as Fork>::PrivateStack as Empty>::EMPTY;
+        traverse_with(
+            &mut stack,
+            nodes,
+            triangles,
+            &ray,
+            &Skip::NONE,
+            &mut collector,
+        );
         if hit_count == 0 {
             put(i, collector.hits[0].is_hit() as u32, answers);
         } else {
@@ -184,7 +192,7 @@ pub fn paths<S, N, T, F: HitFilter>(
     hits: &mut [Hit],
     tally: &mut [u32],
 ) where
-    S: Waiting<N::Cursor, Enter = ()>,
+    S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
@@ -216,7 +224,11 @@ pub fn listed_path<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
 ) {
     let i = i as usize;
     if i < paths.len() && i < hits.len() {
-        let hit = closest_hit(nodes, triangles, &paths[i].ray, 0, filter);
+        let ray = PreparedRay::new(&paths[i].ray, 0);
+        let mut collector = ClosestHit::new(ray.t_max);
+        let mut stack = <<N::Node as Fork>::PrivateStack as Empty>::EMPTY;
+        traverse_with(&mut stack, nodes, triangles, &ray, filter, &mut collector);
+        let hit = ray.restore(collector.hit);
         hits[i] = hit;
         count(tally, 1, hit.is_hit() as u32);
     }
@@ -258,7 +270,7 @@ pub fn shadows<S, N, T, F: HitFilter>(
     paths: &mut [Path],
     tally: &mut [u32],
 ) where
-    S: Waiting<N::Cursor, Enter = ()>,
+    S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
@@ -287,11 +299,14 @@ pub fn listed_shadow<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
     paths: &mut [Path],
 ) {
     let i = i as usize;
-    if i < shadows.len()
-        && i < paths.len()
-        && !any_hit(nodes, triangles, &shadows[i].ray, 0, filter)
-    {
-        light(i, shadows, paths);
+    if i < shadows.len() && i < paths.len() {
+        let ray = PreparedRay::new(&shadows[i].ray, 0);
+        let mut collector = AnyHit::new(ray.t_max);
+        let mut stack = <<N::Node as Fork>::PrivateStack as Empty>::EMPTY;
+        traverse_with(&mut stack, nodes, triangles, &ray, filter, &mut collector);
+        if !collector.found {
+            light(i, shadows, paths);
+        }
     }
 }
 

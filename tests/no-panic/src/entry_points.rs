@@ -2,9 +2,9 @@
 //! any numbers. The list is the shader builder's, which fails where it differs from what the source text declares.
 
 use slimbvh_shaders::{
-    bounds::*, camera::*, classify::*, compact::*, decide::*, encode::*, morton::*, refit::*,
-    scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*, trace::coded::*,
-    trace::overflow::*, trace::*, view::*,
+    bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*,
+    morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*,
+    trace::coded::*, trace::overflow::*, trace::plain::*, trace::wide::*, view::*, wide::*,
 };
 
 macro_rules! kernels {
@@ -15,6 +15,14 @@ macro_rules! kernels {
             $(|| $lab as *const (),)*
             || call_trace as *const (),
             || call_trace_in_group as *const (),
+            || call_trace_w4_f32 as *const (),
+            || call_trace_in_group_w4_f32 as *const (),
+            || call_trace_w4_64_f32 as *const (),
+            || call_trace_in_group_w4_64_f32 as *const (),
+            || call_trace_w4_64_lattice as *const (),
+            || call_trace_in_group_w4_64_lattice as *const (),
+            || call_trace_w4_48_lattice as *const (),
+            || call_trace_in_group_w4_48_lattice as *const (),
         ];
     };
 }
