@@ -44,8 +44,8 @@ pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
 pub use tree::{
-    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, RefitError, TreeError, check_codecs,
-    sah_cost,
+    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, Reads, RefitError, TreeError, WideStore,
+    check_codecs, sah_cost,
 };
 
 /// The examples of the repository's README.

@@ -91,18 +91,18 @@ impl Builder {
     /// Checks that the builder can store the mesh.
     fn check(&self, mesh: &Mesh) -> Result<(), MeshError> {
         mesh.validate()?;
-        let Some(step_exponent) = self.config.mesh.step_exponent() else {
-            return Ok(());
-        };
         let triangle_count = mesh.indices.len();
-        let limit = most_triangles(self.config.mesh);
+        let limit = most_triangles(self.config.nodes, self.config.mesh);
         if triangle_count > limit {
             return Err(MeshError::TooManyTriangles {
                 triangle_count,
                 limit,
             });
         }
-        mesh.check_lattice(step_exponent)
+        match self.config.mesh.step_exponent() {
+            Some(step_exponent) => mesh.check_lattice(step_exponent),
+            None => Ok(()),
+        }
     }
 
     /// Sorts a mesh's triangles, all or those of a set.
@@ -266,6 +266,11 @@ impl Builder {
         if bvh.triangle_count() != bvh.mesh_triangle_count {
             return Err(RefitError::Reduced);
         }
+        let codecs = (self.config.nodes, self.config.mesh);
+        if bvh.keeps_shape(codecs) {
+            self.refit_wide(&mut stages, mesh, bvh);
+            return Ok(stages);
+        }
         // A tree in a codec is decoded first; its boxes are replaced.
         let mut decoded = match bvh.stored.as_plain() {
             Some(_) => None,
@@ -286,6 +291,22 @@ impl Builder {
         Ok(stages)
     }
 
+    /// The refit of a wide tree that stays as it is stored: its nodes keep their children and their places.
+    fn refit_wide(&mut self, stages: &mut Stages, mesh: &Mesh, bvh: &mut Bvh) {
+        let mut shape = stages.time("decode", || bvh.stored.wide_shape());
+        let triangles = mesh.triangles();
+        let bounds = stages.time("bounds", || scene_bounds(&triangles));
+        bvh.set_bounds(bounds);
+        let scale = PowerOfTwo::new(bvh.scene_exponent);
+        let leaves = &mut shape.triangles;
+        stages.time("snap", || gather_again(&triangles, &scale, leaves));
+        stages.time("refit", || fill_pyramid(leaves, &mut self.pyramid));
+        let scene = (self.pyramid.as_slice(), bvh.scene_exponent);
+        let (encoder, mesh) = (&mut self.encoder, self.config.mesh);
+        let stored = &mut bvh.stored;
+        stages.time("encode", || encoder.store_again(mesh, shape, scene, stored));
+    }
+
     /// Stage `refit` of all boxes for a plain tree; stage `encode`, which refits as it goes, for a codec.
     fn fit(&mut self, stages: &mut Stages, leaves: Vec<LeafTriangle>, bvh: &mut Bvh) {
         stages.time("refit", || fill_pyramid(&leaves, &mut self.pyramid));
@@ -294,14 +315,15 @@ impl Builder {
         } else {
             "encode"
         };
+        let tree = Unstored {
+            connections: &self.connections,
+            pyramid: &self.pyramid,
+            scene_exponent: bvh.scene_exponent,
+        };
+        let encoder = &mut self.encoder;
         stages.time(stage, || {
-            let tree = Unstored {
-                connections: &self.connections,
-                pyramid: &self.pyramid,
-                scene_exponent: bvh.scene_exponent,
-            };
             let codecs = (self.config.nodes, self.config.mesh);
-            self.encoder.store(codecs, &tree, leaves, &mut bvh.stored);
+            encoder.store(codecs, &tree, leaves, &mut bvh.stored);
         });
     }
 

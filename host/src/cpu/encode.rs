@@ -5,18 +5,23 @@
 
 mod lattice;
 mod lattice_mesh;
+mod leaf_words;
 mod paper10;
 mod tree;
 
 use self::lattice::encode_lattice;
 use self::lattice_mesh::encode_lattice_mesh;
 use self::paper10::encode_paper10;
-use self::tree::Tree;
+use super::wide::{Source, WideEncoder};
+
+pub(super) use self::leaf_words::Leaf;
+pub(super) use self::tree::{TASK, Tree};
 use super::refit::fill_boxes;
 use super::topology::Connections;
 use crate::tree::lattice::{LatticeMesh, LatticeTree};
 use crate::tree::paper10::{Paper10Mesh, Paper10Tree};
 use crate::tree::plain::PlainTree;
+use crate::tree::wide::{WideShape, WideTree};
 use crate::tree::{MeshCodec, NodeCodec, StoredTree};
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{FINEST_STEP, LeafWidth, scaled_step};
@@ -29,6 +34,7 @@ pub struct Encoder {
     sizes: Vec<u32>,
     /// The common width of all triangles of the last hierarchy, if there was one.
     width: Option<LeafWidth>,
+    wide: WideEncoder,
 }
 
 impl Default for Encoder {
@@ -37,6 +43,7 @@ impl Default for Encoder {
             triangles: Vec::new(),
             sizes: Vec::new(),
             width: Some(LeafWidth::Narrow),
+            wide: WideEncoder::default(),
         }
     }
 }
@@ -56,6 +63,29 @@ impl Encoder {
             std::mem::swap(&mut leaves, &mut self.triangles);
         }
         leaves
+    }
+
+    /// Stores a wide tree over moved triangles, in the memory of that one. Its nodes stay where they are.
+    pub fn store_again(
+        &mut self,
+        mesh: MeshCodec,
+        shape: WideShape,
+        (pyramid, scene_exponent): (&[PyramidBox], i32),
+        stored: &mut StoredTree,
+    ) {
+        let old = WideTree::reuse(std::mem::take(stored));
+        let codecs = (old.nodes.store(), mesh);
+        let from = Source::Wide {
+            connections: &shape.nodes,
+            pyramid,
+        };
+        let leaves = shape.triangles;
+        let encoded = (self.wide).encode(codecs, scene_exponent, &from, &leaves, old);
+        let (tree, rest) = encoded.over(leaves);
+        if let Some(leaves) = rest {
+            self.triangles = leaves;
+        }
+        *stored = StoredTree::Wide(tree);
     }
 
     /// Stores a tree over these triangles, reusing the buffers of the tree that it replaces. Keeps the buffer of triangles
@@ -126,11 +156,24 @@ impl Encoder {
                     triangles,
                 })
             }
+            NodeCodec::Wide(store) => {
+                let old = WideTree::reuse(old);
+                let (codecs, exponent) = ((store, mesh), from.scene_exponent);
+                let from = Source::Binary(&tree);
+                let encoded = (self.wide).encode(codecs, exponent, &from, &leaves, old);
+                let (tree, rest) = encoded.over(leaves);
+                if let Some(leaves) = rest {
+                    self.triangles = leaves;
+                }
+                StoredTree::Wide(tree)
+            }
         };
     }
 
     /// Bytes of the buffers kept.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.triangles.as_slice()) + size_of_val(self.sizes.as_slice())
+        size_of_val(self.triangles.as_slice())
+            + size_of_val(self.sizes.as_slice())
+            + self.wide.bytes()
     }
 }

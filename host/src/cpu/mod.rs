@@ -21,6 +21,7 @@ mod topology;
 mod trace;
 mod trees;
 mod view;
+mod wide;
 
 pub use backend::{Cpu, CpuError};
 pub use build::{Builder, Subset};

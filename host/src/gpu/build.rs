@@ -63,9 +63,9 @@ struct Key {
 
 impl Builder {
     /// The possible stages of a build.
-    pub const STAGES: [&str; 11] = [
+    pub const STAGES: [&str; 12] = [
         "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap", "topology",
-        "refit", "encode",
+        "refit", "wide", "encode",
     ];
 
     /// A builder with empty buffers. Codecs without GPU kernels are refused by the build.
@@ -209,7 +209,7 @@ impl Builder {
     /// Refuses a codec without GPU kernels and a mesh above the GPU's limits, before anything is allocated.
     pub(super) fn check(&self, gpu: &Gpu, triangle_count: u32) -> Result<(), GpuError> {
         Coding::of(&self.config)?;
-        let limit = most_triangles(self.config.mesh);
+        let limit = most_triangles(self.config.nodes, self.config.mesh);
         if triangle_count as usize > limit {
             return Err(GpuError::Mesh(MeshError::TooManyTriangles {
                 triangle_count: triangle_count as usize,

@@ -7,11 +7,13 @@ mod upload;
 use super::buffer::{Download, Range, Slot};
 use super::coding::Coding;
 use super::encode::Encoder;
+use super::program::Uniform;
 use super::{Frame, Gpu, GpuError, Misfit};
 use crate::{BuildConfig, MeshCodec, NodeCodec};
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::trace::TrianglePair;
+use slimbvh_core::wide::most_wide_nodes;
 use slimbvh_core::{LeafTriangle, Node};
 use wgpu::BufferUsages;
 
@@ -25,7 +27,7 @@ const PLACEHOLDER_BYTES: u64 = 32;
 /// allocating; or [`Self::upload`] does.
 ///
 /// Only the GPU knows the number of nodes, so the buffers have room for the most possible: 64 bytes a triangle in full, of
-/// which about 24 are used, and 16 to 28 in a codec, of which 6 to 11 are used. Triangles on a lattice have room for 40
+/// which about 24 are used, and 16 to 43 in a codec, of which 6 to 14 are used. Triangles on a lattice have room for 40
 /// bytes each, and use what their leaves need. [`Self::compact`] frees the rest.
 #[derive(Debug)]
 pub struct Bvh {
@@ -33,6 +35,7 @@ pub struct Bvh {
     triangles: Slot,
     root: Slot,
     word_total: Slot,
+    inner_total: Slot,
     placeholder: Slot,
     /// The stamp of the build, if the hierarchy is in a codec; else 0.
     pub(super) stamp: u64,
@@ -81,14 +84,63 @@ pub struct Coded {
     pub triangles: Range,
     /// [`RootWords`].
     pub root: Range,
-    /// The number of words of all triangles, the first of four numbers, if triangles vary in size.
+    /// The number of words of all triangles, the first of four numbers, if triangles vary in size. Of wide nodes, with
+    /// [`Self::inner_total`] added.
     pub word_total: Range,
+    /// The number of wide nodes but for the root, the first of four numbers, if nodes are wide. The same range as
+    /// [`Self::word_total`] where triangles are in full.
+    pub inner_total: Range,
+}
+
+/// How much of a hierarchy there is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Counts {
+    /// Stored nodes.
+    pub nodes: u32,
+    /// Triangles.
+    pub triangles: u32,
+    /// Words of triangles that vary in size.
+    pub words: u32,
 }
 
 impl Built {
     /// The codecs; `None` if everything is in full.
     pub fn coding(&self) -> Option<Coding> {
         self.coded.as_ref().map(|coded| coded.coding)
+    }
+
+    /// The root's box for kernels of stage `trace`, if they read it.
+    pub fn root(&self) -> Option<Uniform<'_>> {
+        let coded = self.coded.as_ref()?;
+        coded
+            .coding
+            .has_root()
+            .then_some(Uniform::Stored(&coded.root))
+    }
+
+    /// The ranges whose first words are what [`Self::counts`] takes.
+    fn totals(&self) -> [&Range; 4] {
+        let (words, inner) = match &self.coded {
+            Some(coded) => (&coded.word_total, &coded.inner_total),
+            None => (&self.placeholder, &self.placeholder),
+        };
+        [&self.total, &self.count, words, inner]
+    }
+
+    /// The counts that the first words of [`Self::totals`] mean.
+    fn counts(&self, [nodes, triangles, words, inner]: [u32; 4]) -> Counts {
+        match self.coding() {
+            Some(coding) if coding.is_wide() => Counts {
+                nodes: inner + 1,
+                triangles,
+                words: words.saturating_sub(inner),
+            },
+            _ => Counts {
+                nodes,
+                triangles,
+                words,
+            },
+        }
     }
 
     /// Nodes and triangles as they are stored.
@@ -139,6 +191,7 @@ impl Default for Bvh {
             triangles: Slot::new("slimbvh leaf triangles", copied_to),
             root: Slot::new("slimbvh root", state),
             word_total: Slot::new("slimbvh triangle word count", state),
+            inner_total: Slot::new("slimbvh wide node count", state),
             placeholder: Slot::new("slimbvh no sides", state),
             stamp: 0,
             exponent: Slot::new("slimbvh scene exponent", state),
@@ -173,7 +226,7 @@ impl Bvh {
         let (node_bytes, triangle_bytes) =
             (node_bytes(triangle_count), triangle_bytes(triangle_count));
         let coded = coding.map(|coding| {
-            let bytes = coding.node_bytes() * most_nodes(triangle_count);
+            let bytes = coding.node_bytes() * most_coded_nodes(coding, triangle_count);
             let nodes = self.nodes.range(gpu, bytes);
             let each = coding.most_triangle_bytes();
             let triangles = match each {
@@ -183,13 +236,7 @@ impl Bvh {
                 }
                 None => full_triangles(gpu, &mut self.triangles, triangle_bytes),
             };
-            Coded {
-                coding,
-                nodes: nodes.touching_nodes(coding.node_bytes()),
-                triangles,
-                root: self.root.range(gpu, size_of::<RootWords>() as u64),
-                word_total: self.word_total.range(gpu, STATE_BYTES),
-            }
+            self.coded(gpu, coding, [nodes, triangles])
         });
         let nodes = match coding {
             Some(_) => encoder.plain_nodes(gpu, node_bytes),
@@ -215,6 +262,23 @@ impl Bvh {
         };
         self.built = Some(built.clone());
         Ok(built)
+    }
+
+    /// The lists of a coding, with room for what is known of them.
+    fn coded(&mut self, gpu: &Gpu, coding: Coding, [nodes, triangles]: [Range; 2]) -> Coded {
+        let word_total = self.word_total.range(gpu, STATE_BYTES);
+        Coded {
+            coding,
+            nodes: nodes.touching_nodes(coding.node_bytes()),
+            triangles,
+            root: self.root.range(gpu, size_of::<RootWords>() as u64),
+            inner_total: if coding.is_wide() && coding.is_mixed() {
+                self.inner_total.range(gpu, STATE_BYTES)
+            } else {
+                word_total.clone()
+            },
+            word_total,
+        }
     }
 
     /// The built hierarchy.
@@ -244,6 +308,7 @@ impl Bvh {
             &self.triangles,
             &self.root,
             &self.word_total,
+            &self.inner_total,
             &self.placeholder,
             &self.exponent,
             &self.bounds,
@@ -253,37 +318,62 @@ impl Bvh {
         slots.iter().map(|slot| slot.bytes()).sum()
     }
 
-    /// The bindings 0 to 2 that the functions of [`super::wgsl`] and [`super::wgsl_compute`] read: the scene's exponent, the
-    /// nodes, the triangles.
+    /// How nodes and triangles are stored: [`super::wgsl_for`] returns the text for them.
     ///
     /// # Errors
-    /// If it is not built yet, or is stored in a codec.
-    pub fn bindings(&self) -> Result<[wgpu::BindGroupEntry<'_>; 3], GpuError> {
+    /// If it is not built yet.
+    pub fn codecs(&self) -> Result<(NodeCodec, MeshCodec), GpuError> {
+        Ok(self.built()?.codecs)
+    }
+
+    /// The bindings that the functions of [`super::wgsl_for`] and [`super::wgsl_compute_for`] read: 0 the scene's exponent, 1 the
+    /// nodes, 2 the triangles, and if nodes are on a lattice 3 the root.
+    ///
+    /// # Errors
+    /// If it is not built yet, or is stored in a codec without such a text.
+    pub fn bindings(&self) -> Result<Vec<wgpu::BindGroupEntry<'_>>, GpuError> {
         let built = self.built()?;
-        if built.coded.is_some() {
-            return Err(Misfit::InCodec.of("the hierarchy"));
-        }
         let pairs = wgpu::BufferBinding {
             size: wgpu::BufferSize::new(paired(built.triangles.size)),
             ..built.triangles.binding()
         };
-        let mut binding = 0;
-        Ok(
-            [built.exponent.binding(), built.nodes.binding(), pairs].map(|range| {
-                let entry = wgpu::BindGroupEntry {
-                    binding,
-                    resource: wgpu::BindingResource::Buffer(range),
-                };
-                binding += 1;
-                entry
-            }),
-        )
+        let mut ranges = vec![built.exponent.binding()];
+        match &built.coded {
+            None => ranges.extend([built.nodes.binding(), pairs]),
+            Some(coded) if !coded.coding.is_wide() => {
+                return Err(Misfit::InCodec.of("the hierarchy"));
+            }
+            Some(coded) => {
+                let is_full = coded.coding.most_triangle_bytes().is_none();
+                let words = coded.triangles.binding();
+                ranges.extend([coded.nodes.binding(), if is_full { pairs } else { words }]);
+                if coded.coding.has_root() {
+                    ranges.push(coded.root.binding());
+                }
+            }
+        }
+        let entries = (0..)
+            .zip(ranges)
+            .map(|(binding, range)| wgpu::BindGroupEntry {
+                binding,
+                resource: wgpu::BindingResource::Buffer(range),
+            });
+        Ok(entries.collect())
     }
 }
 
 /// The largest number of nodes over this many triangles: each node has more than [`LEAF_SIZE`] below it.
-fn most_nodes(triangle_count: u32) -> u64 {
+pub fn most_nodes(triangle_count: u32) -> u64 {
     u64::from(triangle_count.saturating_sub(LEAF_SIZE).max(1))
+}
+
+/// The same of a coding's nodes.
+fn most_coded_nodes(coding: Coding, triangle_count: u32) -> u64 {
+    if coding.is_wide() {
+        u64::from(most_wide_nodes(triangle_count))
+    } else {
+        most_nodes(triangle_count)
+    }
 }
 
 /// Bytes of the largest number of plain nodes over this many triangles.

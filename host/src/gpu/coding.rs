@@ -1,8 +1,21 @@
 //! The codecs with GPU kernels, and their sizes.
 
 use super::{GpuError, Kernel};
-use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind};
-use slimbvh_core::codec::{LeafWidth, Paper10Node, Paper10Triangle, node_words};
+use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind, WideStore};
+use slimbvh_core::codec::{
+    FullWideNode, LeafWidth, PackedWideNode, Paper10Node, Paper10Triangle, WideNode, node_words,
+};
+
+/// The WGSL text for any stage, and that for compute shaders to be put behind it.
+macro_rules! texts {
+    ($kind:literal) => {
+        [
+            include_str!(concat!("../../shaders/slimbvh", $kind, ".wgsl")),
+            include_str!(concat!("../../shaders/slimbvh_compute", $kind, ".wgsl")),
+        ]
+    };
+}
+pub(super) use texts;
 
 /// How nodes and triangles are stored, if not in full.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +26,10 @@ pub enum Coding {
     Q10Lattice,
     Q21F32,
     Q21Lattice,
+    W4F32,
+    W464F32,
+    W464Lattice,
+    W448Lattice,
 }
 
 impl Coding {
@@ -38,6 +55,10 @@ impl Coding {
             NodeCodec::Lattice(LatticeBits::Q10) => Some(Self::Q10Lattice),
             NodeCodec::Lattice(LatticeBits::Q21) if is_f32 => Some(Self::Q21F32),
             NodeCodec::Lattice(LatticeBits::Q21) => Some(Self::Q21Lattice),
+            NodeCodec::Wide(WideStore::Full) => Some(Self::W4F32),
+            NodeCodec::Wide(WideStore::Exact) if is_f32 => Some(Self::W464F32),
+            NodeCodec::Wide(WideStore::Exact) => Some(Self::W464Lattice),
+            NodeCodec::Wide(WideStore::Packed) => Some(Self::W448Lattice),
             NodeCodec::Lattice(bits) => {
                 return Err(GpuError::Codec { bits: bits.count() });
             }
@@ -50,26 +71,61 @@ impl Coding {
             Self::Paper10F32 | Self::Paper10Leaf10 => size_of::<Paper10Node>() as u64,
             Self::Q10F32 | Self::Q10Lattice => 4 * node_words(10) as u64,
             Self::Q21F32 | Self::Q21Lattice => 4 * node_words(21) as u64,
+            Self::W4F32 => size_of::<FullWideNode>() as u64,
+            Self::W464F32 | Self::W464Lattice => size_of::<WideNode>() as u64,
+            Self::W448Lattice => size_of::<PackedWideNode>() as u64,
         }
     }
 
     /// The most bytes of a triangle; `None` if triangles are in full.
     pub const fn most_triangle_bytes(self) -> Option<u64> {
         match self {
-            Self::Paper10F32 | Self::Q10F32 | Self::Q21F32 => None,
+            Self::Paper10F32 | Self::Q10F32 | Self::Q21F32 | Self::W4F32 | Self::W464F32 => None,
             Self::Paper10Leaf10 => Some(size_of::<Paper10Triangle>() as u64),
-            Self::Q10Lattice | Self::Q21Lattice => Some(4 * LeafWidth::Wide.words() as u64),
+            Self::Q10Lattice | Self::Q21Lattice | Self::W464Lattice | Self::W448Lattice => {
+                Some(4 * LeafWidth::Wide.words() as u64)
+            }
         }
     }
 
-    /// Whether nodes are on a lattice.
-    pub const fn is_lattice(self) -> bool {
-        !matches!(self, Self::Paper10F32 | Self::Paper10Leaf10)
+    /// Whether plain nodes are rounded to a lattice before they are encoded.
+    pub const fn takes_rounded_nodes(self) -> bool {
+        matches!(
+            self,
+            Self::Q10F32 | Self::Q10Lattice | Self::Q21F32 | Self::Q21Lattice
+        )
     }
 
     /// Whether the size of a triangle depends on its leaf.
     pub const fn is_mixed(self) -> bool {
-        matches!(self, Self::Q10Lattice | Self::Q21Lattice)
+        matches!(
+            self.encodes(),
+            Encodes::Mixed { .. } | Encodes::MixedWide { .. }
+        )
+    }
+
+    /// The WGSL texts that trace hierarchies of this coding, if there are any.
+    pub const fn texts(self) -> Option<[&'static str; 2]> {
+        match self {
+            Self::W4F32 => Some(texts!("_w4_f32")),
+            Self::W464F32 => Some(texts!("_w4_64_f32")),
+            Self::W464Lattice => Some(texts!("_w4_64_lattice")),
+            Self::W448Lattice => Some(texts!("_w4_48_lattice")),
+            _ => None,
+        }
+    }
+
+    /// Whether nodes have up to four children.
+    pub const fn is_wide(self) -> bool {
+        matches!(
+            self.encodes(),
+            Encodes::Wide(_) | Encodes::WideInFull(_) | Encodes::MixedWide { .. }
+        )
+    }
+
+    /// Whether kernels read the root's box from a uniform.
+    pub const fn has_root(self) -> bool {
+        !matches!(self.encodes(), Encodes::WideInFull(_))
     }
 }
 
@@ -84,6 +140,12 @@ pub enum Encodes {
     AllInFloats(Kernel),
     /// Triangles vary in size: one kernel encodes nodes and finds sizes, another links nodes to triangles.
     Mixed { sizes: Kernel, links: Kernel },
+    /// One kernel encodes wide nodes, whose places are known before; triangles stay in full.
+    Wide(Kernel),
+    /// The same without a root's box.
+    WideInFull(Kernel),
+    /// Triangles vary in size: one kernel counts their words, another encodes wide nodes.
+    MixedWide { words: Kernel, nodes: Kernel },
 }
 
 impl Coding {
@@ -101,6 +163,16 @@ impl Coding {
             Self::Q21Lattice => Encodes::Mixed {
                 sizes: Kernel::encode_q21_sizes,
                 links: Kernel::encode_q21_links,
+            },
+            Self::W4F32 => Encodes::WideInFull(Kernel::encode_w4),
+            Self::W464F32 => Encodes::Wide(Kernel::encode_w4_64_f32),
+            Self::W464Lattice => Encodes::MixedWide {
+                words: Kernel::wide_words_64,
+                nodes: Kernel::encode_w4_64_lattice,
+            },
+            Self::W448Lattice => Encodes::MixedWide {
+                words: Kernel::wide_words_48,
+                nodes: Kernel::encode_w4_48_lattice,
             },
         }
     }

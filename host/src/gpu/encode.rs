@@ -1,10 +1,12 @@
-//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three, with a scan in between.
+//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three, with a scan in between; wide nodes at places that
+//! stage `wide` finds before.
 
 use super::buffer::{Range, Slot};
 use super::bvh::{Built, Coded, full_triangles};
 use super::coding::Encodes;
 use super::program::{Groups, Recorder, Uniform, threads};
 use super::scan::Scan;
+use super::wide::{Topology, Wide};
 use super::{Gpu, Kernel};
 use slimbvh_core::encode::LeafCorner;
 use wgpu::BufferUsages;
@@ -17,6 +19,7 @@ pub struct Encoder {
     corners: Slot,
     sizes: Slot,
     scan: Scan,
+    wide: Wide,
 }
 
 impl Encoder {
@@ -29,6 +32,7 @@ impl Encoder {
             corners: Slot::storage("slimbvh leaf corners"),
             sizes: Slot::new("slimbvh triangle sizes", copied),
             scan: Scan::new(),
+            wide: Wide::new(),
         }
     }
 
@@ -42,74 +46,130 @@ impl Encoder {
         full_triangles(gpu, &mut self.triangles, bytes)
     }
 
-    /// Records the encoding of a plain hierarchy. `each_node` gives every node a thread; `step` is the lattice's step in
-    /// the kernels' form.
+    /// Records the encoding of a plain hierarchy, whose topology is new or that of the latest encoding. `each_node` gives every
+    /// node a thread; `step` is the lattice's step in the kernels' form.
     pub fn record(
         &mut self,
         gpu: &Gpu,
         recorder: &mut Recorder,
-        bvh: &Built,
-        coded: &Coded,
+        (bvh, coded): (&Built, &Coded),
         step: [u32; 4],
-        each_node: impl Fn() -> Groups,
+        topology: Topology,
+        each_node: &dyn Fn() -> Groups,
     ) {
+        if coded.coding.is_wide() {
+            return self.record_wide(gpu, recorder, (bvh, coded), step, topology, each_node);
+        }
         recorder.stage("encode");
         let total = Uniform::Stored(&bvh.total);
         // Always 0, hidden from the compiler so that it cannot fuse the product.
         let zero = Uniform::Params([0; 4]);
         let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
         let (nodes, root) = (&coded.nodes, &coded.root);
-        let (sizes_kernel, links_kernel) = match coded.coding.encodes() {
+        match coded.coding.encodes() {
             Encodes::Nodes(kernel) => {
-                return recorder.dispatch(kernel, &[total], &[plain], &[nodes, root], each_node());
+                recorder.dispatch(kernel, &[total], &[plain], &[nodes, root], each_node());
             }
             Encodes::NodesInFloats(kernel) => {
                 let to = &[nodes, root];
-                return recorder.dispatch(kernel, &[total, zero], &[plain], to, each_node());
+                recorder.dispatch(kernel, &[total, zero], &[plain], to, each_node());
             }
             Encodes::AllInFloats(kernel) => {
                 let to = &[nodes, &coded.triangles, root];
                 let from = &[plain, leaves];
-                return recorder.dispatch(kernel, &[total, zero], from, to, each_node());
+                recorder.dispatch(kernel, &[total, zero], from, to, each_node());
             }
-            Encodes::Mixed { sizes, links } => (sizes, links),
-        };
+            Encodes::Mixed { sizes, links } => {
+                let sizes_kernel = sizes;
+                // The leaf's box determines each triangle's size; a prefix sum of the sizes gives its place.
+                let [corners, sizes] = &self.leaves(gpu, bvh);
+                // A reduced hierarchy fills fewer sizes than the scan sums.
+                recorder.clear(sizes);
+                recorder.dispatch(
+                    sizes_kernel,
+                    &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
+                    &[plain],
+                    &[nodes, corners, sizes, root],
+                    each_node(),
+                );
+                self.scan.record(gpu, recorder, sizes, &coded.word_total);
+                recorder.read(nodes);
+                record_triangles(recorder, (bvh, coded), [corners, sizes]);
+                recorder.update(links, &[total], &[plain, sizes], &[nodes], each_node());
+            }
+            Encodes::Wide(_) | Encodes::WideInFull(_) | Encodes::MixedWide { .. } => {}
+        }
+    }
 
-        // The leaf's box determines each triangle's size; a prefix sum of the sizes gives its place.
+    /// Records the encoding of wide nodes at their places.
+    fn record_wide(
+        &mut self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        (bvh, coded): (&Built, &Coded),
+        step: [u32; 4],
+        topology: Topology,
+        each_node: &dyn Fn() -> Groups,
+    ) {
+        let places = self
+            .wide
+            .record(gpu, recorder, (bvh, coded), step, topology, each_node);
+        recorder.stage("encode");
+        let total = Uniform::Stored(&bvh.total);
+        let [collapses, origins, begins] = places.all();
+        let from = &[&bvh.nodes, collapses, origins, begins];
+        let (nodes, root) = (&coded.nodes, &coded.root);
+        match coded.coding.encodes() {
+            Encodes::WideInFull(kernel) => {
+                recorder.clear(root);
+                recorder.dispatch(kernel, &[total], from, &[nodes], each_node());
+            }
+            Encodes::Wide(kernel) => {
+                recorder.dispatch(kernel, &[total], from, &[nodes, root], each_node());
+            }
+            Encodes::MixedWide { nodes: kernel, .. } => {
+                let [corners, words] = &self.leaves(gpu, bvh);
+                recorder.dispatch(
+                    kernel,
+                    &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
+                    from,
+                    &[nodes, corners, words, root],
+                    each_node(),
+                );
+                record_triangles(recorder, (bvh, coded), [corners, words]);
+            }
+            _ => {}
+        }
+    }
+
+    /// Ranges for each triangle's corner, and for its size or where its words begin.
+    fn leaves(&mut self, gpu: &Gpu, bvh: &Built) -> [Range; 2] {
         const CORNER_BYTES: u64 = size_of::<LeafCorner>() as u64;
         let count = u64::from(bvh.triangle_count.max(1));
-        let corners = &self.corners.range(gpu, CORNER_BYTES * count);
-        let sizes = &self.sizes.range(gpu, 4 * count);
-        // A reduced hierarchy fills fewer sizes than the scan sums.
-        recorder.clear(sizes);
-        recorder.dispatch(
-            sizes_kernel,
-            &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
-            &[plain],
-            &[nodes, corners, sizes, root],
-            each_node(),
-        );
-        self.scan.record(gpu, recorder, sizes, &coded.word_total);
-        recorder.read(nodes);
-        recorder.dispatch(
-            Kernel::encode_triangles,
-            &[Uniform::Stored(&bvh.count), Uniform::Stored(root)],
-            &[leaves, corners, sizes],
-            &[&coded.triangles],
-            threads(bvh.triangle_count),
-        );
-        recorder.update(
-            links_kernel,
-            &[total],
-            &[plain, sizes],
-            &[nodes],
-            each_node(),
-        );
+        [
+            self.corners.range(gpu, CORNER_BYTES * count),
+            self.sizes.range(gpu, 4 * count),
+        ]
     }
 
     pub fn bytes(&self) -> u64 {
         let slots = [&self.nodes, &self.triangles, &self.corners, &self.sizes];
         let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
-        slots + self.scan.bytes()
+        slots + self.scan.bytes() + self.wide.bytes()
     }
+}
+
+/// Records the words of all triangles, from their leaves' corners and where each one's words begin.
+fn record_triangles(
+    recorder: &mut Recorder,
+    (bvh, coded): (&Built, &Coded),
+    [corners, begins]: [&Range; 2],
+) {
+    recorder.dispatch(
+        Kernel::encode_triangles,
+        &[Uniform::Stored(&bvh.count), Uniform::Stored(&coded.root)],
+        &[&bvh.triangles, corners, begins],
+        &[&coded.triangles],
+        threads(bvh.triangle_count),
+    );
 }

@@ -114,8 +114,8 @@ pub enum Misfit {
     /// A builder has no mesh to take the scene's exponent from.
     #[error("has seen no mesh; sort, build or refit one first")]
     NoMesh,
-    /// The WGSL functions read nodes and triangles in full.
-    #[error("is stored in a codec; functions for WGSL take one in full")]
+    /// There are no WGSL functions for its codec.
+    #[error("is stored in a codec; functions for WGSL take one in full, or of wide nodes")]
     InCodec,
     /// A hierarchy in a codec is refitted from nodes in full, which its builder keeps of the last one only.
     #[error("is in a codec and was not built last by this builder; build it again")]

@@ -60,6 +60,7 @@ mod trace;
 mod trees;
 mod view;
 mod wgsl;
+mod wide;
 mod work;
 
 pub use adapter::{AdapterChoice, AdapterSummary, adapters};
@@ -86,5 +87,5 @@ pub use trace::Query;
 pub use trees::{Tree, Trees};
 /// The version of wgpu in this crate's interface.
 pub use wgpu;
-pub use wgsl::{wgsl, wgsl_compute};
+pub use wgsl::{wgsl, wgsl_compute, wgsl_compute_for, wgsl_for};
 pub use work::{Traffic, Work};

@@ -33,8 +33,8 @@ impl Builder {
             recorder.dispatch(kernel, &[total], &[&bvh.nodes], &[splits], each_node());
         }
         let from = &[&bvh.triangles, pyramid, splits];
-        let is_lattice = bvh.coding().is_some_and(Coding::is_lattice);
-        if is_lattice {
+        let takes_rounded = bvh.coding().is_some_and(Coding::takes_rounded_nodes);
+        if takes_rounded {
             let step = Uniform::Params(self.lattice_step());
             let uniforms = &[total, Uniform::Stored(&bvh.exponent), step];
             let kernel = Kernel::refit_rounded;

@@ -96,8 +96,7 @@ impl Bvh {
             let kernels = traces(built.coding());
             let kernel = query.kernel(&kernels);
             let [nodes, triangles] = &built.traced();
-            let root = built.coded.as_ref().map(|coded| &coded.root);
-            let mut uniforms: Vec<Uniform> = root.map(Uniform::Stored).into_iter().collect();
+            let mut uniforms: Vec<Uniform> = built.root().into_iter().collect();
             uniforms.push(Uniform::Stored(&built.exponent));
             let mut first = 0;
             while first < ray_count {

@@ -1,5 +1,10 @@
 //! The traversal as WGSL text, for the caller's shaders.
 
+use super::GpuError;
+use super::coding::{Coding, texts};
+use super::misfit::Misfit;
+use crate::{BuildConfig, MeshCodec, NodeCodec};
+
 /// Functions that trace rays, to be put before the caller's shader, for any shader stage:
 ///
 /// ```wgsl
@@ -8,13 +13,52 @@
 /// struct SlimbvhHit { t: f32, u: f32, v: f32, primitive: u32 }
 /// ```
 ///
-/// A miss has the primitive `0xffffffff`. The functions read the hierarchy from bindings 0 to 2 of this group;
-/// [`super::Bvh::bindings`] returns them. All names begin with `slimbvh` or `Slimbvh`.
+/// A miss has the primitive `0xffffffff`. The functions read a hierarchy with nodes and triangles in full from bindings 0 to 2 of
+/// this group; [`super::Bvh::bindings`] returns them. [`wgsl_for`] returns the text of other hierarchies. All names begin with
+/// `slimbvh` or `Slimbvh`.
 ///
 /// The stack is private memory, 1 KiB an invocation: compute shaders trace faster with [`wgsl_compute`].
 #[must_use]
 pub fn wgsl(group: u32) -> String {
-    include_str!("../../shaders/slimbvh.wgsl").replace("@group(0)", &format!("@group({group})"))
+    moved(PLAIN[0], group)
+}
+
+/// The text of [`wgsl`] for hierarchies in these codecs: in full, or of wide nodes. The functions are the same, and so are their
+/// answers; bindings are those of [`super::Bvh::bindings`], four where the nodes are on a lattice.
+///
+/// # Errors
+/// For codecs without such a text.
+pub fn wgsl_for(codecs: (NodeCodec, MeshCodec), group: u32) -> Result<String, GpuError> {
+    Ok(moved(texts(codecs)?[0], group))
+}
+
+/// The text of [`wgsl_compute`] for hierarchies in these codecs, as [`wgsl_for`].
+///
+/// # Errors
+/// For codecs without such a text.
+pub fn wgsl_compute_for(codecs: (NodeCodec, MeshCodec), group: u32) -> Result<String, GpuError> {
+    Ok(wgsl_for(codecs, group)? + "\n" + texts(codecs)?[1])
+}
+
+const PLAIN: [&str; 2] = texts!("");
+
+fn texts((nodes, mesh): (NodeCodec, MeshCodec)) -> Result<[&'static str; 2], GpuError> {
+    let config = BuildConfig {
+        nodes,
+        mesh,
+        ..BuildConfig::default()
+    };
+    match Coding::of(&config)? {
+        None => Ok(PLAIN),
+        Some(coding) => coding
+            .texts()
+            .ok_or_else(|| Misfit::InCodec.of("the hierarchy")),
+    }
+}
+
+/// A text whose bindings are in another group than 0.
+fn moved(text: &str, group: u32) -> String {
+    text.replace("@group(0)", &format!("@group({group})"))
 }
 
 /// The text of [`wgsl`], and functions for compute shaders, whose stacks are in workgroup memory:
@@ -47,12 +91,13 @@ pub fn wgsl(group: u32) -> String {
 /// variables is faster with `zero_initialize_workgroup_memory: false` in its `wgpu::PipelineCompilationOptions`.
 #[must_use]
 pub fn wgsl_compute(group: u32) -> String {
-    wgsl(group) + "\n" + include_str!("../../shaders/slimbvh_compute.wgsl")
+    wgsl(group) + "\n" + PLAIN[1]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{LatticeBits, WideStore};
 
     #[test]
     fn all_bindings_move_to_the_group() {
@@ -60,5 +105,27 @@ mod tests {
             assert_eq!(text.matches("@group(3)").count(), 3);
             assert_eq!(text.matches("@group(").count(), 3);
         }
+        let lattice = MeshCodec::Lattice { step_exponent: 0 };
+        for (nodes, mesh, count) in [
+            (WideStore::Full, MeshCodec::F32, 3),
+            (WideStore::Exact, MeshCodec::F32, 4),
+            (WideStore::Exact, lattice, 4),
+            (WideStore::Packed, lattice, 4),
+        ] {
+            let codecs = (NodeCodec::Wide(nodes), mesh);
+            for text in [wgsl_for(codecs, 3), wgsl_compute_for(codecs, 3)] {
+                assert!(
+                    text.is_ok_and(|text| text.matches("@group(3)").count() == count
+                        && text.matches("@group(").count() == count)
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn codecs_without_a_text_are_refused() {
+        let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+        assert!(wgsl_for((q10, MeshCodec::F32), 0).is_err());
+        assert_eq!(wgsl_for((NodeCodec::F32, MeshCodec::F32), 5), Ok(wgsl(5)));
     }
 }

@@ -1,13 +1,16 @@
 //! A built hierarchy and its ray queries.
 
 use super::codec::{MeshCodec, NodeCodec};
+use super::meter::{Meter, Reads};
 use super::packets::filter_of;
 use super::sah_cost;
 use super::stored::{Stacks, StoredTree, with_stacks};
 use super::visitor::{Alone, Shared, Watched};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::classify::Sides;
 use slimbvh_core::encode::RootWords;
+use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
 use slimbvh_core::trace::{
     self, AnyHit, ClosestHit, ClosestOrAny, Collector, Lane, LeafTriangles, NearestHits,
@@ -112,6 +115,23 @@ impl Bvh {
         }
     }
 
+    /// As [`Self::collect`], for triangles that a rule accepts ([`crate::Tree::rule`], in the scene's magnitude) or for all. Returns
+    /// what the ray tests and reads beside the nodes that it opens.
+    pub fn meter(
+        &self,
+        ray: &PreparedRay,
+        skip: u32,
+        rule: Option<(Sides, Target)>,
+        collector: &mut dyn Collector,
+    ) -> Reads {
+        self.stored.visit(Meter {
+            ray,
+            skip,
+            rule,
+            collector,
+        })
+    }
+
     /// The same tree, decoded: nodes and triangles in full.
     #[must_use]
     pub fn decoded(&self) -> Self {
@@ -151,6 +171,13 @@ impl Bvh {
     #[must_use]
     pub fn codecs(&self) -> (NodeCodec, MeshCodec) {
         self.stored.lists().codecs(self.scene_exponent)
+    }
+
+    /// Whether a refit in these codecs is of collapsed nodes and leaves all of them and all triangles where they lie.
+    pub(crate) fn keeps_shape(&self, (nodes, mesh): (NodeCodec, MeshCodec)) -> bool {
+        let (own_nodes, own_mesh) = self.codecs();
+        let is_same = own_nodes == nodes && own_mesh.name() == mesh.name();
+        nodes.is_collapsed() && is_same && self.node_count() > 0
     }
 
     /// Sets the mesh's bounds and the exponent that follows from them.

@@ -1,7 +1,9 @@
 //! Codecs of nodes and triangles: names, tags in files, and valid pairs.
 
 use slimbvh_core::Node;
-use slimbvh_core::encode::{LeafWidth, Paper10Node};
+use slimbvh_core::encode::frame::PLANE_BITS;
+use slimbvh_core::encode::{FullWideNode, LeafWidth, PackedWideNode, Paper10Node, WideNode};
+use slimbvh_core::trace::MOST_WIDE_NODES;
 use thiserror::Error;
 
 /// How inner nodes are stored. No codec changes an answer: decoded boxes contain the originals.
@@ -15,11 +17,13 @@ pub enum NodeCodec {
     Paper10,
     /// 12 to 28 bytes: integer distances to the parent's planes.
     Lattice(LatticeBits),
+    /// 48 to 128 bytes a node of up to four children, of which there are less than half as many as of two.
+    Wide(WideStore),
 }
 
 impl NodeCodec {
     /// All codecs.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::F32,
         Self::Paper10,
         Self::Lattice(LatticeBits::Q4),
@@ -29,6 +33,9 @@ impl NodeCodec {
         Self::Lattice(LatticeBits::Q12),
         Self::Lattice(LatticeBits::Q16),
         Self::Lattice(LatticeBits::Q21),
+        Self::Wide(WideStore::Full),
+        Self::Wide(WideStore::Exact),
+        Self::Wide(WideStore::Packed),
     ];
 
     /// The name in options and reports.
@@ -38,6 +45,7 @@ impl NodeCodec {
             Self::F32 => "f32",
             Self::Paper10 => "paper10",
             Self::Lattice(bits) => bits.name(),
+            Self::Wide(store) => store.name(),
         }
     }
 
@@ -54,7 +62,13 @@ impl NodeCodec {
             Self::F32 => size_of::<Node>(),
             Self::Paper10 => size_of::<Paper10Node>(),
             Self::Lattice(bits) => bits.words() * size_of::<u32>(),
+            Self::Wide(store) => store.node_bytes(),
         }
+    }
+
+    /// Whether nodes are collapsed from those of a binary tree, once these have boxes.
+    pub(crate) const fn is_collapsed(self) -> bool {
+        matches!(self, Self::Wide(_))
     }
 
     /// The tag in files, and the bits of a lattice plane.
@@ -63,6 +77,40 @@ impl NodeCodec {
             Self::F32 => [0, 0],
             Self::Paper10 => [1, 0],
             Self::Lattice(bits) => [2, bits.count()],
+            Self::Wide(WideStore::Full) => [3, 0],
+            Self::Wide(WideStore::Exact) => [4, PLANE_BITS],
+            Self::Wide(WideStore::Packed) => [5, PLANE_BITS],
+        }
+    }
+}
+
+/// How nodes of up to four children are stored. A node on the lattice has a frame of its own: it is decoded from its own bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WideStore {
+    /// 128 bytes: all boxes in full. Requires triangles in full.
+    Full,
+    /// 64 bytes: 8 bits a plane, the node's own sides exact.
+    Exact,
+    /// 48 bytes: 8 bits a plane, links packed. Requires triangles on the lattice.
+    Packed,
+}
+
+impl WideStore {
+    /// The name in options and reports.
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Full => "w4",
+            Self::Exact => "w4-64",
+            Self::Packed => "w4-48",
+        }
+    }
+
+    /// Bytes of a node.
+    const fn node_bytes(self) -> usize {
+        match self {
+            Self::Full => size_of::<FullWideNode>(),
+            Self::Exact => size_of::<WideNode>(),
+            Self::Packed => size_of::<PackedWideNode>(),
         }
     }
 }
@@ -157,7 +205,7 @@ pub enum MeshCodec {
     /// moves its vertices independently, so surfaces crack. Requires [`NodeCodec::Paper10`].
     Leaf10,
     /// 16, 28 or 40 bytes, the least that the leaf allows. Exact if the mesh's vertices lie on a lattice
-    /// ([`crate::Mesh::snap`]). Requires [`NodeCodec::Lattice`].
+    /// ([`crate::Mesh::snap`]). Requires [`NodeCodec::Lattice`], or [`NodeCodec::Wide`] on the lattice.
     Lattice {
         /// The lattice's step is 2 to this power, in the mesh's unit.
         step_exponent: i32,
@@ -191,7 +239,7 @@ impl MeshCodec {
             Self::F32 => "40 bytes a triangle",
             Self::Leaf10 => "16 bytes a triangle; requires paper10 nodes",
             Self::Lattice { .. } => {
-                "16, 28 or 40 bytes a triangle, the least that each leaf allows; requires lattice nodes"
+                "16, 28 or 40 bytes a triangle, the least that each leaf allows; requires nodes on the lattice"
             }
         }
     }
@@ -267,12 +315,17 @@ pub(crate) fn tagged(
     Some((nodes, mesh.with_step(Some(step_exponent))))
 }
 
-/// The largest number of triangles. Links index words, and a triangle takes up to ten.
-pub(crate) const fn most_triangles(mesh: MeshCodec) -> usize {
+const _: () = assert!(3 * MOST_WIDE_NODES <= slimbvh_core::MAX_TRIANGLES / LeafWidth::Wide.words());
+
+/// The largest number of triangles. On the lattice, links index words, and a triangle takes up to ten. Wide nodes are at most
+/// [`MOST_WIDE_NODES`]: one with inner children has four children, one without has more triangles than a leaf holds, so that there
+/// are at most a third as many as triangles.
+pub(crate) const fn most_triangles(nodes: NodeCodec, mesh: MeshCodec) -> usize {
     const MOST: usize = slimbvh_core::MAX_TRIANGLES as usize;
-    match mesh {
-        MeshCodec::F32 | MeshCodec::Leaf10 => MOST,
-        MeshCodec::Lattice { .. } => MOST / LeafWidth::Wide.words() as usize,
+    match (nodes, mesh) {
+        (NodeCodec::Wide(_), _) => 3 * MOST_WIDE_NODES as usize,
+        (_, MeshCodec::Lattice { .. }) => MOST / LeafWidth::Wide.words() as usize,
+        _ => MOST,
     }
 }
 
@@ -286,6 +339,16 @@ pub enum CodecError {
     /// Triangles are coded relative to leaf boxes of the lattice codec.
     #[error("triangles on a lattice require nodes on a lattice")]
     LatticeWithout,
+    /// Nodes of 128 bytes hold their children's boxes in full.
+    #[error(
+        "w4 nodes, of 128 bytes, require triangles in full; w4-64 and w4-48 nodes are for triangles on a lattice"
+    )]
+    FullWideOnLattice,
+    /// Links of nodes of 48 bytes name words of triangles.
+    #[error(
+        "w4-48 nodes require triangles on a lattice; w4-64 nodes are for triangles in full, too"
+    )]
+    PackedWideWithout,
 }
 
 /// Checks that nodes and triangles can be combined.
@@ -294,9 +357,16 @@ pub enum CodecError {
 /// If the triangles' codec requires other nodes.
 pub const fn check_codecs(nodes: NodeCodec, mesh: MeshCodec) -> Result<(), CodecError> {
     match (nodes, mesh) {
+        (NodeCodec::Wide(WideStore::Packed), MeshCodec::F32) => Err(CodecError::PackedWideWithout),
+        (NodeCodec::Wide(WideStore::Full), MeshCodec::Lattice { .. }) => {
+            Err(CodecError::FullWideOnLattice)
+        }
         (_, MeshCodec::F32)
         | (NodeCodec::Paper10, MeshCodec::Leaf10)
-        | (NodeCodec::Lattice(_), MeshCodec::Lattice { .. }) => Ok(()),
+        | (
+            NodeCodec::Lattice(_) | NodeCodec::Wide(WideStore::Exact | WideStore::Packed),
+            MeshCodec::Lattice { .. },
+        ) => Ok(()),
         (_, MeshCodec::Leaf10) => Err(CodecError::Leaf10WithoutPaper10),
         (_, MeshCodec::Lattice { .. }) => Err(CodecError::LatticeWithout),
     }
@@ -332,7 +402,7 @@ mod tests {
             }
         }
         assert_eq!(NodeCodec::named("printed"), None);
-        for unknown in [[3, 0, 0], [0, 1, 0], [2, 5, 0], [0, 0, 3]] {
+        for unknown in [[6, 0, 0], [3, 8, 0], [0, 1, 0], [2, 5, 0], [0, 0, 3]] {
             assert_eq!(tagged(unknown, 0), None);
         }
     }
@@ -350,6 +420,13 @@ mod tests {
             (NodeCodec::Paper10, lattice, false),
             (q10, MeshCodec::Leaf10, false),
             (NodeCodec::F32, MeshCodec::Leaf10, false),
+            (NodeCodec::Wide(WideStore::Full), MeshCodec::F32, true),
+            (NodeCodec::Wide(WideStore::Full), lattice, false),
+            (NodeCodec::Wide(WideStore::Exact), MeshCodec::F32, true),
+            (NodeCodec::Wide(WideStore::Exact), lattice, true),
+            (NodeCodec::Wide(WideStore::Exact), MeshCodec::Leaf10, false),
+            (NodeCodec::Wide(WideStore::Packed), MeshCodec::F32, false),
+            (NodeCodec::Wide(WideStore::Packed), lattice, true),
         ] {
             assert_eq!(
                 check_codecs(nodes, mesh).is_ok(),

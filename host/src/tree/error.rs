@@ -50,8 +50,29 @@ pub enum TreeError {
     /// The root's box lies outside the scene, or has more steps than floats can count.
     #[error("no boxes can be decoded from the root's box")]
     RootBox,
+    /// More wide nodes than the traversal's stack can name.
+    #[error("the hierarchy has {count} wide nodes, of which at most {limit} can be numbered")]
+    WideNodeCount {
+        /// The number of nodes.
+        count: usize,
+        /// The largest number.
+        limit: usize,
+    },
+    /// A node's frame is not the one that its children have: an origin off the lattice or outside the parent's box, a shift and an
+    /// extent that do not fit, planes of a child that is not there, or padding that is not zero.
+    #[error("node {node} has a frame that no children have")]
+    BadFrame {
+        /// The node.
+        node: u32,
+    },
+    /// A node's links are of an unknown kind, have a child after one that is not there, or a run without children.
+    #[error("node {node} has links of an unknown kind, or in the wrong order")]
+    BadLinks {
+        /// The node.
+        node: u32,
+    },
     /// A child is out of order. Nodes below the root lie in the order of their triangles, each left child directly before
-    /// the right one; so each node has exactly one parent.
+    /// the right one; wide nodes lie beside those of the same parent. So each node has exactly one parent.
     #[error("node {node} names node {child} as a child, which does not exist or is out of order")]
     ChildOutOfPlace {
         /// The parent.
@@ -73,6 +94,16 @@ pub enum TreeError {
         /// The depth bound, as stored.
         bound: u32,
     },
+    /// A wide tree is too high for the nodes of two children that it stands for.
+    #[error(
+        "the hierarchy has paths of {height} nodes of two children; its depth bound is {bound}"
+    )]
+    TooHigh {
+        /// The nodes along the longest path of the lowest binary tree with the same wide nodes.
+        height: u32,
+        /// The depth bound, as stored.
+        bound: u32,
+    },
     /// A leaf has too many triangles, or none.
     #[error("a leaf of node {node} has {count} triangles; it must have 1 to {limit}")]
     LeafSize {
@@ -83,8 +114,10 @@ pub enum TreeError {
         /// The largest number.
         limit: u32,
     },
-    /// An inner node has so few triangles that it must be a leaf.
-    #[error("node {node} has {count} triangles below it; so few must be a leaf")]
+    /// An inner node has so few triangles that it must be a leaf, or some of a wide node's children have.
+    #[error(
+        "node {node} has {count} triangles below it; so few, or those of some children, must be a leaf"
+    )]
     NodeSize {
         /// The node.
         node: u32,
@@ -100,6 +133,14 @@ pub enum TreeError {
         first: u32,
         /// The place after the leaf before it.
         expected: u32,
+    },
+    /// A place of a leaf is another leaf's, too.
+    #[error("a leaf of node {node} has place {place}, which is another leaf's")]
+    TwoLeaves {
+        /// The leaf's parent.
+        node: u32,
+        /// The place.
+        place: u32,
     },
     /// A leaf ends beyond the list of triangles, or some triangles are in no leaf.
     #[error("leaves end at place {end}; there are {count}")]

@@ -125,6 +125,11 @@ impl Wide<8> for Numbers {
     }
 
     #[inline(always)]
+    fn lane(&self, i: usize) -> f32 {
+        self.0.as_array()[i % LANES]
+    }
+
+    #[inline(always)]
     fn columns(rows: [[f32; 8]; 8]) -> [Self; 8] {
         f32x8::transpose(rows.map(f32x8::new)).map(Self)
     }

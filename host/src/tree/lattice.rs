@@ -3,17 +3,17 @@
 use super::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use super::error::TreeError;
 use super::lanes::Numbers;
-use super::sources::{StoredNodes, StoredTriangles, is_in_scene, triangle_in};
+use super::sources::{Opened, StoredNodes, StoredTriangles, is_in_scene, triangle_in};
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
-    LatticeBounds, LatticeCursor, LatticeNodes, LatticeTriangles, LeafWidth, RootWords,
-    decode_node, links_of,
+    LatticeBounds, LatticeNodes, LatticeTriangles, LeafFrame, LeafWidth, RootWords, decode_node,
+    links_of,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::trace::{LeafTriangles, PacketStacks};
-use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
+use slimbvh_core::{Aabb, LeafTriangle, Vec3};
 
 /// Nodes of the codec, the root's box, and triangles.
 #[derive(Clone, Debug)]
@@ -42,6 +42,85 @@ impl LatticeMesh {
         match self {
             Self::Lattice { words, .. } => words,
             Self::Full(_) => Vec::new(),
+        }
+    }
+
+    /// The list that a reader reads.
+    pub fn read<R: ListReader>(
+        mesh: MeshCodec,
+        count: usize,
+        reader: &mut R,
+    ) -> Result<Self, R::Error> {
+        Ok(if mesh.step_exponent().is_some() {
+            Self::Lattice {
+                words: reader.triangles()?,
+                count,
+            }
+        } else {
+            Self::Full(reader.triangles()?)
+        })
+    }
+
+    /// The codec, of a lattice whose step is 2 to this power in a scene with this exponent.
+    pub const fn codec(&self, step_exponent: i32, scene_exponent: i32) -> MeshCodec {
+        match self {
+            Self::Full(_) => MeshCodec::F32,
+            Self::Lattice { .. } => MeshCodec::Lattice {
+                step_exponent: step_exponent.wrapping_sub(scene_exponent),
+            },
+        }
+    }
+
+    /// The number of triangles.
+    pub const fn count(&self) -> usize {
+        match self {
+            Self::Full(triangles) => triangles.len(),
+            Self::Lattice { count, .. } => *count,
+        }
+    }
+
+    /// The triangles as a list.
+    pub fn list(&self) -> List<'_> {
+        match self {
+            Self::Full(triangles) => List::of(triangles),
+            Self::Lattice { words, .. } => List::of(words),
+        }
+    }
+
+    /// Bytes of memory held.
+    pub const fn held_bytes(&self) -> usize {
+        match self {
+            Self::Full(triangles) => triangles.capacity() * size_of::<LeafTriangle>(),
+            Self::Lattice { words, .. } => words.capacity() * size_of::<u32>(),
+        }
+    }
+
+    /// The words; none for triangles in full.
+    pub fn words(&self) -> &[u32] {
+        match self {
+            Self::Lattice { words, .. } => words,
+            Self::Full(_) => &[],
+        }
+    }
+
+    /// The triangles in full; none on the lattice.
+    pub fn full(&self) -> &[LeafTriangle] {
+        self.as_full().map_or(&[], Vec::as_slice)
+    }
+
+    /// The triangles, if they are in full.
+    pub const fn as_full(&self) -> Option<&Vec<LeafTriangle>> {
+        match self {
+            Self::Full(triangles) => Some(triangles),
+            Self::Lattice { .. } => None,
+        }
+    }
+
+    /// The triangles, if they are in full.
+    pub const fn as_full_mut(&mut self) -> Option<&mut Vec<LeafTriangle>> {
+        match self {
+            Self::Full(triangles) => Some(triangles),
+            Self::Lattice { .. } => None,
         }
     }
 }
@@ -89,14 +168,7 @@ impl LatticeTree {
             root: root.lattice(),
             step_exponent: root.step_exponent(),
             words: reader.nodes(bits.words())?,
-            triangles: if mesh.step_exponent().is_some() {
-                LatticeMesh::Lattice {
-                    words: reader.triangles()?,
-                    count: triangle_count,
-                }
-            } else {
-                LatticeMesh::Full(reader.triangles()?)
-            },
+            triangles: LatticeMesh::read(mesh, triangle_count, reader)?,
         })
     }
 }
@@ -123,40 +195,24 @@ fn visit<const BITS: u32, const WORDS: usize, V: TreeVisitor>(
 
 impl Lists for LatticeTree {
     fn codecs(&self, scene_exponent: i32) -> (NodeCodec, MeshCodec) {
-        let mesh = match &self.triangles {
-            LatticeMesh::Full(_) => MeshCodec::F32,
-            LatticeMesh::Lattice { .. } => MeshCodec::Lattice {
-                step_exponent: self.step_exponent.wrapping_sub(scene_exponent),
-            },
-        };
+        let mesh = self.triangles.codec(self.step_exponent, scene_exponent);
         (NodeCodec::Lattice(self.bits), mesh)
     }
 
     fn triangle_count(&self) -> usize {
-        match &self.triangles {
-            LatticeMesh::Full(triangles) => triangles.len(),
-            LatticeMesh::Lattice { count, .. } => *count,
-        }
+        self.triangles.count()
     }
 
     fn lists(&self) -> [List<'_>; 2] {
-        let triangles = match &self.triangles {
-            LatticeMesh::Full(triangles) => List::of(triangles),
-            LatticeMesh::Lattice { words, .. } => List::of(words),
-        };
         let nodes = List {
             item_bytes: self.bits.words() * size_of::<u32>(),
             ..List::of(&self.words)
         };
-        [nodes, triangles]
+        [nodes, self.triangles.list()]
     }
 
     fn held_bytes(&self) -> usize {
-        let triangles = match &self.triangles {
-            LatticeMesh::Full(triangles) => triangles.capacity() * size_of::<LeafTriangle>(),
-            LatticeMesh::Lattice { words, .. } => words.capacity() * size_of::<u32>(),
-        };
-        self.words.capacity() * size_of::<u32>() + triangles
+        self.words.capacity() * size_of::<u32>() + self.triangles.held_bytes()
     }
 
     fn root_words(&self) -> Option<RootWords> {
@@ -164,35 +220,37 @@ impl Lists for LatticeTree {
     }
 
     fn check_root(&self) -> Result<(), TreeError> {
-        let step_exponent = self.step_exponent;
-        if !(SMALLEST_STEP..=LARGEST_STEP).contains(&step_exponent) {
-            return Err(TreeError::Step { step_exponent });
-        }
-        let mut planes = self.root.min.iter().chain(&self.root.max);
-        let is_counted = planes.all(|plane| plane.unsigned_abs() <= MOST_STEPS);
-        if is_counted && is_in_scene(&aabb(&self.root, power_of_two(step_exponent))) {
-            Ok(())
-        } else {
-            Err(TreeError::RootBox)
-        }
+        check_root(&self.root, self.step_exponent)
     }
 
     fn full_triangles(&self) -> Option<&Vec<LeafTriangle>> {
-        match &self.triangles {
-            LatticeMesh::Full(triangles) => Some(triangles),
-            LatticeMesh::Lattice { .. } => None,
-        }
+        self.triangles.as_full()
     }
 
     fn full_triangles_mut(&mut self) -> Option<&mut Vec<LeafTriangle>> {
-        match &mut self.triangles {
-            LatticeMesh::Full(triangles) => Some(triangles),
-            LatticeMesh::Lattice { .. } => None,
-        }
+        self.triangles.as_full_mut()
     }
 }
 
-fn aabb(bounds: &LatticeBox, step: f32) -> Aabb {
+/// Checks that boxes can be decoded below a root with this box, on a lattice whose step is 2 to this power.
+///
+/// # Errors
+/// For a step that is no normal float, and a box outside the scene or too large to be counted in floats.
+pub fn check_root(root: &LatticeBox, step_exponent: i32) -> Result<(), TreeError> {
+    if !(SMALLEST_STEP..=LARGEST_STEP).contains(&step_exponent) {
+        return Err(TreeError::Step { step_exponent });
+    }
+    let mut planes = root.min.iter().chain(&root.max);
+    let is_counted = planes.all(|plane| plane.unsigned_abs() <= MOST_STEPS);
+    if is_counted && is_in_scene(&aabb(root, power_of_two(step_exponent))) {
+        Ok(())
+    } else {
+        Err(TreeError::RootBox)
+    }
+}
+
+/// A box at the scene's magnitude.
+pub fn aabb(bounds: &LatticeBox, step: f32) -> Aabb {
     let point = |v: [i32; 3]| Vec3::from_array(v.map(|x| x as f32 * step));
     Aabb {
         min: point(bounds.min),
@@ -206,7 +264,7 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> StoredNodes
     type Box = LatticeBox;
 
     #[inline(always)]
-    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<LatticeCursor, Numbers> {
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers> {
         &mut stacks.lattice
     }
 
@@ -218,7 +276,7 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> StoredNodes
         self.root
     }
 
-    fn open(&self, node: u32, bounds: &LatticeBox) -> ([NodeRef; 2], [LatticeBox; 2]) {
+    fn open(&self, node: u32, bounds: &LatticeBox) -> Opened<LatticeBox> {
         let words = &self.nodes[node as usize];
         let boxes = decode_node::<BITS, WORDS>(words, bounds);
         let stride = if MIXED {
@@ -226,7 +284,7 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> StoredNodes
         } else {
             1
         };
-        (links_of::<BITS, WORDS>(words).children(stride), boxes)
+        Opened::pair(links_of::<BITS, WORDS>(words).children(stride), boxes)
     }
 
     fn aabb(&self, bounds: &LatticeBox) -> Aabb {
@@ -245,11 +303,15 @@ impl<const BITS: u32, const WORDS: usize> StoredTriangles<LatticeNodes<'_, BITS,
         LeafWidth::of(bounds).words()
     }
 
+    fn bytes(&self, leaf: &LeafFrame) -> usize {
+        size_of::<u32>() * leaf.width.words() as usize
+    }
+
     fn triangle(&self, place: (u32, u32), bounds: &LatticeBox) -> LeafTriangle {
         triangle_in(
             self,
             place,
-            LatticeBounds::new(bounds, self.step, [0, 1, 2]),
+            LeafFrame::of(&LatticeBounds::new(bounds, self.step, [0, 1, 2]), self.step),
         )
     }
 }

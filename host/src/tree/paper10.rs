@@ -4,15 +4,15 @@
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
 use super::lanes::Numbers;
-use super::sources::{StoredNodes, StoredTriangles, is_in_scene, triangle_in};
+use super::sources::{Opened, StoredNodes, StoredTriangles, is_in_scene, triangle_in};
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
-    Paper10Box, Paper10Cursor, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles,
-    RootWords, decode_paper10_node, encode_paper10_triangle,
+    Paper10Box, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords,
+    decode_paper10_node, encode_paper10_triangle,
 };
 use slimbvh_core::trace::{LeafTriangles, PacketStacks};
-use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
+use slimbvh_core::{Aabb, LeafTriangle, Vec3};
 
 /// Nodes of the codec, the root's box, and triangles.
 #[derive(Clone, Debug)]
@@ -163,7 +163,7 @@ impl StoredNodes for Paper10Nodes<'_> {
     type Box = Paper10Box;
 
     #[inline(always)]
-    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Paper10Cursor, Numbers> {
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers> {
         &mut stacks.paper10
     }
 
@@ -175,10 +175,10 @@ impl StoredNodes for Paper10Nodes<'_> {
         self.root
     }
 
-    fn open(&self, node: u32, bounds: &Paper10Box) -> ([NodeRef; 2], [Paper10Box; 2]) {
+    fn open(&self, node: u32, bounds: &Paper10Box) -> Opened<Paper10Box> {
         let node = &self.nodes[node as usize];
         let boxes = decode_paper10_node(node, bounds, 0);
-        ([node.left, node.right], boxes)
+        Opened::pair([node.left, node.right], boxes)
     }
 
     fn aabb(&self, bounds: &Paper10Box) -> Aabb {
@@ -189,6 +189,10 @@ impl StoredNodes for Paper10Nodes<'_> {
 impl StoredTriangles<Paper10Nodes<'_>> for Paper10Triangles<'_> {
     fn place_count(&self) -> usize {
         self.triangles.len()
+    }
+
+    fn bytes(&self, _: &Paper10Box) -> usize {
+        size_of::<Paper10Triangle>()
     }
 
     fn triangle(&self, place: (u32, u32), bounds: &Paper10Box) -> LeafTriangle {

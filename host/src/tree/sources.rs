@@ -1,19 +1,71 @@
 //! Traits of stored nodes and triangles, for the traversal and for walks over the whole tree.
 
+use super::error::TreeError;
 use super::lanes::Numbers;
 use super::stored::Stacks;
 use slimbvh_core::trace::{
     LeafSlot, LeafTriangles, NodeSource, PacketStacks, PlainNodes, TriangleSource,
 };
+use slimbvh_core::wide::WIDTH;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
+
+/// A node, opened: its children and their boxes.
+#[derive(Clone, Copy, Debug)]
+pub struct Opened<B> {
+    /// The first `count` are there.
+    pub children: [(NodeRef, B); WIDTH],
+    /// The number of children: two in a binary tree, where one that is not there is a leaf without triangles; up to four in a wide
+    /// one.
+    pub count: usize,
+}
+
+impl<B: Copy> Opened<B> {
+    /// Two children.
+    pub const fn pair([left, right]: [NodeRef; 2], [a, b]: [B; 2]) -> Self {
+        Self {
+            children: [(left, a), (right, b), (right, b), (right, b)],
+            count: 2,
+        }
+    }
+
+    /// The children that are there.
+    pub fn children(&self) -> &[(NodeRef, B)] {
+        &self.children[..self.count]
+    }
+}
+
+/// In which order nodes lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NodeOrder {
+    /// In the order of their triangles: below a node all those on its left come first, the left child as the last of them, then the
+    /// right child and all below it.
+    Triangles,
+    /// A node's inner children lie side by side; else in any order.
+    Runs,
+}
+
+/// In which order the places of triangles lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeafOrder {
+    /// In the order of leaves.
+    Leaves,
+    /// Those of a node's leaves lie side by side; else in any order.
+    Runs,
+}
 
 /// Nodes as they are stored. With indices in range, no method panics, whatever the bytes are.
 pub trait StoredNodes: NodeSource + Sync {
     /// A decoded box.
     type Box: Copy + Send;
 
+    /// In which order nodes lie.
+    const ORDER: NodeOrder = NodeOrder::Triangles;
+
+    /// In which order triangles lie.
+    const LEAVES: LeafOrder = LeafOrder::Leaves;
+
     /// The stacks for these nodes' cursors.
-    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Cursor, Numbers>;
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers>;
 
     /// The number of nodes.
     fn count(&self) -> usize;
@@ -22,7 +74,15 @@ pub trait StoredNodes: NodeSource + Sync {
     fn root_box(&self) -> Self::Box;
 
     /// A node's children and their boxes.
-    fn open(&self, node: u32, bounds: &Self::Box) -> ([NodeRef; 2], [Self::Box; 2]);
+    fn open(&self, node: u32, bounds: &Self::Box) -> Opened<Self::Box>;
+
+    /// Checks what a node stores beyond its children, and that nothing else would be decoded to the same.
+    ///
+    /// # Errors
+    /// The first fault found.
+    fn check(&self, _node: u32, _bounds: &Self::Box) -> Result<(), TreeError> {
+        Ok(())
+    }
 
     /// The first and last triangle below a node, if nodes store them.
     fn run(&self, _node: u32) -> Option<[u32; 2]> {
@@ -41,6 +101,11 @@ pub trait StoredTriangles<N: StoredNodes>: TriangleSource<N::Bounds> + Sync {
     /// The number of places that a triangle occupies in a leaf with this box.
     fn stride(&self, _bounds: &N::Box) -> u32 {
         1
+    }
+
+    /// Bytes of a triangle in a leaf that is walked to.
+    fn bytes(&self, _bounds: &N::Bounds) -> usize {
+        size_of::<LeafTriangle>()
     }
 
     /// A triangle, by the first place of its leaf and its index in the leaf.
@@ -69,7 +134,7 @@ impl StoredNodes for PlainNodes<'_> {
     type Box = Aabb;
 
     #[inline(always)]
-    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<NodeRef, Numbers> {
+    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers> {
         &mut stacks.plain
     }
 
@@ -82,9 +147,10 @@ impl StoredNodes for PlainNodes<'_> {
         Aabb::EMPTY
     }
 
-    fn open(&self, node: u32, _: &Aabb) -> ([NodeRef; 2], [Aabb; 2]) {
+    fn open(&self, node: u32, _: &Aabb) -> Opened<Aabb> {
         let node = &self.0[node as usize];
-        ([node.left, node.right], [node.left_box(), node.right_box()])
+        let boxes = [node.left_box(), node.right_box()];
+        Opened::pair([node.left, node.right], boxes)
     }
 
     fn run(&self, node: u32) -> Option<[u32; 2]> {

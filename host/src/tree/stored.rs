@@ -7,9 +7,12 @@ use super::lattice::LatticeTree;
 use super::paper10::Paper10Tree;
 use super::plain::PlainTree;
 use super::visitor::TreeVisitor;
+use super::wide::WideTree;
 use bytemuck::Pod;
+use glam::Vec4;
 use slimbvh_core::encode::{LatticeCursor, Paper10Cursor, RootWords};
-use slimbvh_core::trace::PacketStacks;
+use slimbvh_core::slab::CodedPlanes;
+use slimbvh_core::trace::{Children, PacketStacks, WideFork};
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
 
@@ -22,6 +25,8 @@ pub enum StoredTree {
     Lattice(LatticeTree),
     /// Nodes, and optionally triangles, in 10 bits, as in the paper.
     Paper10(Paper10Tree),
+    /// Nodes of up to four children.
+    Wide(WideTree),
 }
 
 impl From<PlainTree> for StoredTree {
@@ -44,6 +49,7 @@ impl StoredTree {
             Self::Plain(tree) => tree.visit(visitor),
             Self::Lattice(tree) => tree.visit(visitor),
             Self::Paper10(tree) => tree.visit(visitor),
+            Self::Wide(tree) => tree.visit(visitor),
         }
     }
 
@@ -53,6 +59,7 @@ impl StoredTree {
             Self::Plain(tree) => tree,
             Self::Lattice(tree) => tree,
             Self::Paper10(tree) => tree,
+            Self::Wide(tree) => tree,
         }
     }
 
@@ -61,6 +68,7 @@ impl StoredTree {
             Self::Plain(tree) => tree,
             Self::Lattice(tree) => tree,
             Self::Paper10(tree) => tree,
+            Self::Wide(tree) => tree,
         }
     }
 
@@ -96,15 +104,23 @@ impl StoredTree {
                 Self::Lattice(LatticeTree::read(codecs, root, triangle_count, reader)?)
             }
             NodeCodec::Paper10 => Self::Paper10(Paper10Tree::read(mesh, root, reader)?),
+            NodeCodec::Wide(store) => {
+                let codecs = (store, mesh);
+                Self::Wide(WideTree::read(codecs, root, triangle_count, reader)?)
+            }
         })
     }
 }
 
 /// Stacks for each kind of nodes.
 pub struct Stacks {
-    pub plain: PacketStacks<NodeRef, Numbers>,
-    pub paper10: PacketStacks<Paper10Cursor, Numbers>,
-    pub lattice: PacketStacks<LatticeCursor, Numbers>,
+    pub plain: PacketStacks<Children<NodeRef>, Numbers>,
+    pub paper10: PacketStacks<Children<Paper10Cursor>, Numbers>,
+    pub lattice: PacketStacks<Children<LatticeCursor>, Numbers>,
+    /// Of wide nodes in full.
+    pub wide: PacketStacks<WideFork<Vec4>, Numbers>,
+    /// Of wide nodes on the lattice.
+    pub coded_wide: PacketStacks<WideFork<CodedPlanes>, Numbers>,
 }
 
 impl Stacks {
@@ -113,6 +129,8 @@ impl Stacks {
         plain: PacketStacks::EMPTY,
         paper10: PacketStacks::EMPTY,
         lattice: PacketStacks::EMPTY,
+        wide: PacketStacks::EMPTY,
+        coded_wide: PacketStacks::EMPTY,
     };
 }
 

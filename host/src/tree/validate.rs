@@ -1,19 +1,23 @@
 //! Validation of an untrusted hierarchy: everything that tracing, refits and codecs rely on.
 
+mod marks;
+
+use self::marks::Marks;
 use super::bvh::Bvh;
+use super::decode::BinarySize;
 use super::error::TreeError;
-use super::sources::{StoredNodes, StoredTriangles, is_in_scene};
+use super::sources::{LeafOrder, NodeOrder, StoredNodes, StoredTriangles, is_in_scene};
 use super::visitor::TreeVisitor;
 use crate::Mesh;
+use rayon::prelude::*;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::trace::STACK_SIZE;
+use slimbvh_core::wide::WIDTH;
 use slimbvh_core::{Aabb, IndexedTriangles, MAX_TRIANGLES, NodeRef};
 use std::ops::Range;
-use std::sync::atomic::AtomicU64;
-use std::sync::atomic::Ordering::Relaxed;
 
 impl Bvh {
     /// Checks that each node and each place has one parent, in the order of builds; that leaves hold triangles of the mesh,
@@ -107,7 +111,7 @@ impl TreeVisitor for Check<'_> {
         nodes: &N,
         triangles: &T,
     ) -> Result<(), TreeError> {
-        let word_count = self.bvh.mesh_triangle_count.div_ceil(64);
+        let none_or = |is_asked: bool, count| Marks::new(if is_asked { count } else { 0 });
         let walk = Walk {
             nodes,
             triangles,
@@ -115,7 +119,9 @@ impl TreeVisitor for Check<'_> {
             mesh: self.mesh,
             scale: PowerOfTwo::new(self.bvh.scene_exponent),
             mesh_triangle_count: self.bvh.mesh_triangle_count,
-            is_there: (0..word_count).map(|_| AtomicU64::new(0)).collect(),
+            is_there: Marks::new(self.bvh.mesh_triangle_count),
+            opened: none_or(N::ORDER == NodeOrder::Runs, nodes.count()),
+            places: none_or(N::LEAVES == LeafOrder::Runs, triangles.place_count()),
         };
         walk.whole(self.bvh.triangle_count())
     }
@@ -124,6 +130,9 @@ impl TreeVisitor for Check<'_> {
 /// Nodes with fewer nodes below them are checked on one thread.
 const TASK: u32 = 1024;
 
+/// Nodes that lie in runs are checked on one thread below this depth: how many are below them is not known.
+const TASK_DEPTH: u32 = 6;
+
 struct Walk<'a, N, T> {
     nodes: &'a N,
     triangles: &'a T,
@@ -131,8 +140,11 @@ struct Walk<'a, N, T> {
     mesh: Option<IndexedTriangles<'a>>,
     scale: PowerOfTwo,
     mesh_triangle_count: usize,
-    /// A bit for each of the mesh's triangles.
-    is_there: Vec<AtomicU64>,
+    /// The mesh's triangles that are in leaves.
+    is_there: Marks,
+    /// Nodes that have a parent, and places that belong to a leaf, where that does not follow from their order.
+    opened: Marks,
+    places: Marks,
 }
 
 /// The triangles below a node.
@@ -143,6 +155,55 @@ struct Found {
     places: Range<u32>,
     /// Their number.
     count: u32,
+    /// The binary tree that holds them when it is decoded.
+    size: BinarySize,
+}
+
+/// What is below the children of a node, from the first one on.
+#[derive(Default)]
+struct Below {
+    found: Option<Found>,
+    /// What each child becomes.
+    sizes: [BinarySize; WIDTH],
+    count: usize,
+}
+
+impl Below {
+    /// Adds the next child. Triangles lie one after the other if they are in the order of leaves.
+    fn add<N: StoredNodes>(&mut self, node: u32, next: Found) -> Result<(), TreeError> {
+        self.sizes[self.count] = next.size;
+        self.count += 1;
+        let Some(all) = &mut self.found else {
+            self.found = Some(next);
+            return Ok(());
+        };
+        if N::LEAVES == LeafOrder::Leaves && next.places.start != all.places.end {
+            return Err(TreeError::LeafOutOfPlace {
+                node,
+                first: next.places.start,
+                expected: all.places.end,
+            });
+        }
+        let (a, b) = (&all.places, &next.places);
+        *all = Found {
+            bounds: all.bounds.union(next.bounds),
+            places: a.start.min(b.start)..a.end.max(b.end),
+            count: all.count + next.count,
+            ..next
+        };
+        Ok(())
+    }
+
+    /// What is below the node.
+    fn found(self, node: u32) -> Result<Found, TreeError> {
+        let found = self.found.ok_or(TreeError::NodeSize { node, count: 0 })?;
+        let lowest = BinarySize::lowest(&self.sizes[..self.count]);
+        let (size, _) = lowest.ok_or(TreeError::NodeSize {
+            node,
+            count: found.count,
+        })?;
+        Ok(Found { size, ..found })
+    }
 }
 
 /// A child to be checked.
@@ -150,7 +211,7 @@ struct Child<B> {
     parent: u32,
     child: NodeRef,
     bounds: B,
-    /// The nodes that must be below it.
+    /// The nodes that must be below it; for nodes that lie in runs, none.
     below: Range<u32>,
     /// Its parent's depth.
     depth: u32,
@@ -166,6 +227,11 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         } else {
             self.node(0, &root, 1..node_count, 1)?
         };
+        self.check_marks(node_count)?;
+        let (height, bound) = (found.size.height, self.depth_bound);
+        if height > bound {
+            return Err(TreeError::TooHigh { height, bound });
+        }
         if found.places.start != 0 {
             return Err(TreeError::LeafOutOfPlace {
                 node: 0,
@@ -185,13 +251,36 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         Ok(())
     }
 
+    /// Checks that all nodes have a parent, and all places a leaf, where that does not follow from their order.
+    fn check_marks(&self, node_count: u32) -> Result<(), TreeError> {
+        if N::ORDER == NodeOrder::Runs {
+            self.opened.mark(0);
+            if let Some(node) = (0..node_count).find(|&node| !self.opened.is_marked(node)) {
+                return Err(TreeError::NoParent { node });
+            }
+        }
+        let place_count = self.triangles.place_count();
+        let is_free = |place: &usize| !self.places.is_marked(*place as u32);
+        if N::LEAVES == LeafOrder::Runs
+            && let Some(place) = (0..place_count).find(is_free)
+        {
+            return Err(self.place_count(place as u64));
+        }
+        Ok(())
+    }
+
     /// A tree of one leaf, on the root's left.
     fn single(&self, root: &N::Box, count: u32, node_count: u32) -> Result<Found, TreeError> {
         if node_count > 1 {
             return Err(TreeError::NoParent { node: 1 });
         }
-        let ([left, right], [left_box, _]) = self.nodes.open(0, root);
-        if left != NodeRef::leaf(0, count) || right != NodeRef::EMPTY_LEAF {
+        self.nodes.check(0, root)?;
+        let opened = self.nodes.open(0, root);
+        let (left, left_box) = opened.children[0];
+        let rest = &opened.children[1..opened.count.max(1)];
+        if left != NodeRef::leaf(0, count)
+            || rest.iter().any(|(child, _)| *child != NodeRef::EMPTY_LEAF)
+        {
             return Err(TreeError::LeafSize {
                 node: 0,
                 count: left.count(),
@@ -203,6 +292,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
                 bounds: Aabb::EMPTY,
                 places: 0..0,
                 count,
+                size: BinarySize::default(),
             }
         } else {
             self.child(Child {
@@ -231,44 +321,57 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
                 bound: self.depth_bound,
             });
         }
-        let is_task = below.end - below.start >= TASK;
-        let ([left, right], [left_box, right_box]) = self.nodes.open(node, bounds);
-        let [left_below, right_below] = places(node, [left, right], below)?;
-        let child = |child, bounds, below| Child {
+        self.nodes.check(node, bounds)?;
+        let opened = self.nodes.open(node, bounds);
+        let (is_task, parts) = match (N::ORDER, opened.children()) {
+            (NodeOrder::Triangles, [(left, _), (right, _)]) => {
+                let is_task = below.end - below.start >= TASK;
+                let [left, right] = places(node, [*left, *right], below)?;
+                (is_task, [left, right, 0..0, 0..0])
+            }
+            (NodeOrder::Runs, [_, _, ..]) => {
+                self.open_run(node, opened.children())?;
+                (depth <= TASK_DEPTH, [0..0, 0..0, 0..0, 0..0])
+            }
+            _ => return Err(TreeError::NodeSize { node, count: 0 }),
+        };
+        let children = opened.children().iter().zip(parts);
+        let child = |(&(child, bounds), below)| Child {
             parent: node,
             child,
             bounds,
             below,
             depth,
         };
-        let left = child(left, left_box, left_below);
-        let right = child(right, right_box, right_below);
-        let (left, right) = if is_task {
-            let (left, right) = rayon::join(|| self.child(left), || self.child(right));
-            (left?, right?)
+        let mut all = Below::default();
+        if is_task {
+            let children: Vec<_> = children.map(child).collect();
+            let found = children.into_par_iter().map(|child| self.child(child));
+            let found: Vec<Found> = found.collect::<Result<_, _>>()?;
+            for next in found {
+                all.add::<N>(node, next)?;
+            }
         } else {
-            (self.child(left)?, self.child(right)?)
-        };
-        if right.places.start != left.places.end {
-            return Err(TreeError::LeafOutOfPlace {
-                node,
-                first: right.places.start,
-                expected: left.places.end,
-            });
+            for child in children.map(child) {
+                all.add::<N>(node, self.child(child)?)?;
+            }
         }
-        let found = Found {
-            bounds: left.bounds.union(right.bounds),
-            places: left.places.start..right.places.end,
-            count: left.count + right.count,
-        };
-        if found.count <= LEAF_SIZE {
-            return Err(TreeError::NodeSize {
-                node,
-                count: found.count,
-            });
-        }
+        let found = all.found(node)?;
         self.check_run(node, &found)?;
         Ok(found)
+    }
+
+    /// Checks that a node's inner children exist and have no other parent.
+    fn open_run(&self, node: u32, children: &[(NodeRef, N::Box)]) -> Result<(), TreeError> {
+        let inner = children.iter().filter(|(child, _)| !child.is_leaf());
+        for (child, _) in inner {
+            let child = child.index();
+            // The root is no child.
+            if child == 0 || child as usize >= self.nodes.count() || !self.opened.mark(child) {
+                return Err(TreeError::ChildOutOfPlace { node, child });
+            }
+        }
+        Ok(())
     }
 
     /// Checks the run of triangles that a node stores, if any.
@@ -316,6 +419,11 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
         if end > self.triangles.place_count() as u64 {
             return Err(self.place_count(end));
         }
+        if N::LEAVES == LeafOrder::Runs
+            && let Some(place) = (first..end as u32).find(|&place| !self.places.mark(place))
+        {
+            return Err(TreeError::TwoLeaves { node, place });
+        }
         let mut exact = Aabb::EMPTY;
         for number in 0..count {
             exact = exact.union(self.triangle((first, number), bounds)?);
@@ -324,6 +432,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
             bounds: exact,
             places: first..end as u32,
             count,
+            size: BinarySize::leaf(count),
         })
     }
 
@@ -335,9 +444,8 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
             return Err(TreeError::NotFinite { place: at() });
         }
         let primitive = stored.primitive;
-        let (word, bit) = (primitive as usize / 64, 1 << (primitive % 64));
-        let is_new = (primitive as usize) < self.mesh_triangle_count
-            && self.is_there[word].fetch_or(bit, Relaxed) & bit == 0;
+        let is_new =
+            (primitive as usize) < self.mesh_triangle_count && self.is_there.mark(primitive);
         if !is_new {
             let place = at();
             return Err(TreeError::BadPrimitive { place, primitive });

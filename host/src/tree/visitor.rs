@@ -94,8 +94,8 @@ impl Collector for Shared<'_> {
         self.0.goes_farther_first()
     }
 
-    fn count_node(&mut self) {
-        self.0.count_node();
+    fn count_node(&mut self, children: u32) {
+        self.0.count_node(children);
     }
 
     fn count_triangle(&mut self) {

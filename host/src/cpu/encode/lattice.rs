@@ -1,11 +1,10 @@
 //! Nodes on the lattice.
 
-use super::lattice_mesh::NARROW;
+use super::leaf_words::Leaf;
 use super::tree::{Part, TASK, Tree, both};
 use crate::tree::{LatticeBits, by_bits};
 use slimbvh_core::encode::{
-    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, RoundedNode,
-    encode_narrow_triangle, encode_triangle, with_links,
+    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, RoundedNode, with_links,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -88,29 +87,13 @@ impl OnLattice<'_> {
         (node, coded)
     }
 
-    /// Stores a leaf's triangles at narrow width.
-    pub(super) fn put_narrow(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
+    /// A leaf's triangles, and how they are to be stored.
+    pub(super) fn leaf(&self, leaf: NodeRef, bounds: &LatticeBox) -> Leaf<'_> {
         let first = leaf.first() as usize;
-        let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
-        let (corner, step) = (LeafCorner::of(bounds), power_of_two(self.step_exponent));
-        for (to, leaf) in words.as_chunks_mut::<NARROW>().0.iter_mut().zip(leaves) {
-            *to = encode_narrow_triangle(leaf, &corner, step);
-        }
-    }
-
-    /// Stores a leaf's triangles in `SIZE` words each.
-    pub(super) fn put<const SIZE: usize>(
-        &self,
-        leaf: NodeRef,
-        bounds: &LatticeBox,
-        words: &mut [u32],
-    ) {
-        let first = leaf.first() as usize;
-        let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
-        let (corner, step) = (LeafCorner::of(bounds), power_of_two(self.step_exponent));
-        for (to, leaf) in words.chunks_exact_mut(SIZE).zip(leaves) {
-            let words = encode_triangle(leaf, &corner, step);
-            to.copy_from_slice(&words[..SIZE]);
+        Leaf {
+            triangles: &self.tree.leaves[first..first + leaf.count() as usize],
+            corner: LeafCorner::of(bounds),
+            step: power_of_two(self.step_exponent),
         }
     }
 }

@@ -36,10 +36,6 @@ pub(super) fn encode_lattice_mesh(
     root
 }
 
-pub(super) const NARROW: usize = LeafWidth::Narrow.words() as usize;
-const MIDDLE: usize = LeafWidth::Middle.words() as usize;
-const WIDE: usize = LeafWidth::Wide.words() as usize;
-
 /// [`fill_alike`] for narrow triangles.
 fn fill_narrow<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
@@ -47,7 +43,7 @@ fn fill_narrow<const BITS: u32, const WORDS: usize>(
     triangles: &mut Vec<u32>,
 ) -> bool {
     let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
-        lattice.put_narrow(leaf, bounds, words);
+        lattice.leaf(leaf, bounds).put_narrow(words);
     };
     fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Narrow, &put))
 }
@@ -59,7 +55,7 @@ fn fill_middle<const BITS: u32, const WORDS: usize>(
     triangles: &mut Vec<u32>,
 ) -> bool {
     let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
-        lattice.put::<MIDDLE>(leaf, bounds, words);
+        lattice.leaf(leaf, bounds).put_middle(words);
     };
     fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Middle, &put))
 }
@@ -140,10 +136,6 @@ fn place_triangles<const BITS: u32, const WORDS: usize>(
             place_triangles::<BITS, WORDS>(lattice, part, begin_of);
             return;
         }
-        match LeafWidth::of(&part.bounds) {
-            LeafWidth::Narrow => lattice.put_narrow(child, &part.bounds, part.triangles),
-            LeafWidth::Middle => lattice.put::<MIDDLE>(child, &part.bounds, part.triangles),
-            LeafWidth::Wide => lattice.put::<WIDE>(child, &part.bounds, part.triangles),
-        }
+        lattice.leaf(child, &part.bounds).put(part.triangles);
     });
 }

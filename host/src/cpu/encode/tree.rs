@@ -5,11 +5,11 @@ use slimbvh_core::refit::{PyramidBox, refit_node};
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 
 /// Nodes with fewer triangles are coded on one thread.
-pub(super) const TASK: u32 = 8192;
+pub(in crate::cpu) const TASK: u32 = 8192;
 
 /// A tree to be coded. Its nodes have no boxes; these are found from the pyramid, node by node.
-pub(super) struct Tree<'a> {
-    pub(super) nodes: &'a [Connection],
+pub(in crate::cpu) struct Tree<'a> {
+    pub(in crate::cpu) nodes: &'a [Connection],
     /// The last triangle of each node's left child.
     pub(super) splits: &'a [u32],
     pub(super) leaves: &'a [LeafTriangle],
@@ -18,7 +18,7 @@ pub(super) struct Tree<'a> {
 
 impl Tree<'_> {
     /// A node with its boxes.
-    pub(super) fn node(&self, index: u32) -> Node {
+    pub(in crate::cpu) fn node(&self, index: u32) -> Node {
         let (bare, split) = (&self.nodes[index as usize], self.splits[index as usize]);
         refit_node(bare.into(), split, self.leaves, self.pyramid)
     }

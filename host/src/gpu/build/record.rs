@@ -4,6 +4,7 @@ use super::super::buffer::Range;
 use super::super::bvh::Built;
 use super::super::program::{Groups, Recorder, Uniform, counted, threads};
 use super::super::sides::{Components, TargetRanges};
+use super::super::wide::Topology;
 use super::super::{Gpu, Kernel, Mesh};
 use super::Builder;
 use crate::CodeBits;
@@ -61,7 +62,7 @@ impl Builder {
         let codes = &self.record_snap(gpu, recorder, mesh, bvh, items);
         self.record_topology(gpu, recorder, bvh, codes);
         self.record_boxes(gpu, recorder, bvh, false);
-        self.record_encode(gpu, recorder, bvh);
+        self.record_encode(gpu, recorder, bvh, Topology::New);
     }
 
     pub(super) fn record_refit(
@@ -74,11 +75,17 @@ impl Builder {
         self.record_bounds(gpu, recorder, mesh);
         self.record_snap_again(gpu, recorder, mesh, bvh);
         self.record_boxes(gpu, recorder, bvh, true);
-        self.record_encode(gpu, recorder, bvh);
+        self.record_encode(gpu, recorder, bvh, Topology::Kept);
     }
 
-    /// Stage `encode`, if there is a codec.
-    fn record_encode(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
+    /// Stage `encode`, if there is a codec, and `wide` before it.
+    fn record_encode(
+        &mut self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        bvh: &Built,
+        topology: Topology,
+    ) {
         let Some(coded) = &bvh.coded else { return };
         let step = self.lattice_step();
         let node_groups = self.scratch.node_groups.range(gpu, 12);
@@ -90,7 +97,7 @@ impl Builder {
             }
         };
         let encoder = &mut self.scratch.encoder;
-        encoder.record(gpu, recorder, bvh, coded, step, each_node);
+        encoder.record(gpu, recorder, (bvh, coded), step, topology, &each_node);
     }
 
     /// The exponent of the lattice's step, and whether that is in the mesh's unit.
@@ -125,7 +132,7 @@ impl Builder {
         recorder.write(&bvh.exponent, &[exponent, 0, 0, 0]);
         let [min, max] = [Aabb::EMPTY.min, Aabb::EMPTY.max].map(|corner| corner.to_array());
         recorder.write(&bvh.bounds, bytemuck::cast_slice(&[min, max]));
-        self.record_encode(gpu, recorder, bvh);
+        self.record_encode(gpu, recorder, bvh, Topology::New);
     }
 
     /// Copies the results of stage `bounds` to the hierarchy.

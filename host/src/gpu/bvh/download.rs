@@ -1,6 +1,6 @@
 //! Copies of a hierarchy, or of its counts, to the host.
 
-use super::{Bvh, Coded, Coding};
+use super::{Bvh, Coded, Coding, Counts};
 use crate::gpu::buffer::Download;
 use crate::gpu::{Gpu, GpuError};
 use crate::tree::{ListReader, StoredTree};
@@ -9,14 +9,18 @@ use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 impl Bvh {
-    /// Reads the numbers of inner nodes and triangles. Waits for the GPU.
+    /// Reads the numbers of inner nodes, as they are stored, and of triangles. Waits for the GPU.
     ///
     /// # Errors
     /// If it is not built yet, or the device was lost.
     pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
+        let counts = self.read_all_counts(gpu)?;
+        Ok([counts.nodes, counts.triangles])
+    }
+
+    fn read_all_counts(&self, gpu: &Gpu) -> Result<Counts, GpuError> {
         let built = self.built()?;
-        let [total, count] = read_firsts(gpu, [&built.total, &built.count])?;
-        Ok([total, count])
+        Ok(built.counts(read_firsts(gpu, built.totals())?))
     }
 
     /// Reads the bytes that the nodes and the triangles in leaves use. Waits for the GPU. The buffers have room for more.
@@ -25,20 +29,16 @@ impl Bvh {
     /// If it is not built yet, or the device was lost.
     pub fn read_bytes(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
         let built = self.built()?;
-        let [node_count, triangle_count] = self.read_counts(gpu)?.map(u64::from);
+        let counts = self.read_all_counts(gpu)?;
         let coding = built.coding();
         let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
-        let triangle_bytes = match &built.coded {
-            Some(coded) if coded.coding.is_mixed() => {
-                let [words] = read_firsts(gpu, [&coded.word_total])?;
-                4 * u64::from(words)
-            }
-            _ => {
-                let each = coding.and_then(Coding::most_triangle_bytes);
-                triangle_count * each.unwrap_or(size_of::<LeafTriangle>() as u64)
-            }
+        let triangle_bytes = if coding.is_some_and(Coding::is_mixed) {
+            4 * u64::from(counts.words)
+        } else {
+            let each = coding.and_then(Coding::most_triangle_bytes);
+            u64::from(counts.triangles) * each.unwrap_or(size_of::<LeafTriangle>() as u64)
         };
-        Ok([node_count * node_bytes, triangle_bytes])
+        Ok([u64::from(counts.nodes) * node_bytes, triangle_bytes])
     }
 
     /// Copies the hierarchy to the host. Waits for the GPU.
@@ -49,24 +49,18 @@ impl Bvh {
         let built = self.built()?;
         let mut frame = gpu.frame();
         let [nodes, triangles] = built.stored();
-        let ranges = [
-            &built.total,
-            &built.count,
-            &built.exponent,
-            &built.bounds,
-            nodes,
-            triangles,
-        ];
-        let [total, count, exponent, bounds, nodes, triangles] =
+        let ranges = [&built.exponent, &built.bounds, nodes, triangles];
+        let totals = gpu.checked(|| Ok(built.totals().map(|range| frame.download(range))))?;
+        let [exponent, bounds, nodes, triangles] =
             gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
         let coded = built.coded.as_ref();
         let root = gpu.checked(|| {
-            let root = |coded: &Coded| [&coded.root, &coded.word_total].map(|r| frame.download(r));
+            let root = |coded: &Coded| frame.download(&coded.root);
             Ok(coded.map(root))
         })?;
         frame.submit()?.wait()?;
-        let first = |words: Vec<u32>| words.first().map_or(0, |&word| word as usize);
-        let (node_count, triangle_count) = (first(total.read(gpu)?), first(count.read(gpu)?));
+        let counts = built.counts(firsts(gpu, totals)?);
+        let triangle_count = counts.triangles as usize;
         let exponent: Vec<i32> = exponent.read(gpu)?;
         let corners: Vec<[f32; 3]> = bounds.read(gpu)?;
         let mut bvh = crate::Bvh {
@@ -80,23 +74,22 @@ impl Bvh {
             max: corner(1),
         });
         bvh.scene_exponent = exponent.first().copied().unwrap_or(0);
-        let (root, word_count) = match root {
-            Some([root, words]) => {
-                let root: Vec<RootWords> = root.read(gpu)?;
-                (
-                    root.first().copied().unwrap_or_default(),
-                    first(words.read(gpu)?),
-                )
-            }
-            None => Default::default(),
+        let root: Vec<RootWords> = match root {
+            Some(root) => root.read(gpu)?,
+            None => Vec::new(),
         };
+        let root = root.first().copied().unwrap_or_default();
         let is_mixed = coded.is_some_and(|coded| coded.coding.is_mixed());
         let mut lists = Lists {
             gpu,
             nodes: Some(nodes),
-            node_count,
+            node_count: counts.nodes as usize,
             triangles: Some(triangles),
-            triangle_items: if is_mixed { word_count } else { triangle_count },
+            triangle_items: if is_mixed {
+                counts.words as usize
+            } else {
+                triangle_count
+            },
         };
         bvh.stored = StoredTree::read(built.codecs, &root, triangle_count, &mut lists)?;
         Ok(bvh)
@@ -142,6 +135,11 @@ fn read_firsts<const N: usize>(
     let mut frame = gpu.frame();
     let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
     frame.submit()?.wait()?;
+    firsts(gpu, downloads)
+}
+
+/// The first words of copies.
+fn firsts<const N: usize>(gpu: &Gpu, downloads: [Download; N]) -> Result<[u32; N], GpuError> {
     let mut firsts = [0; N];
     for (first, download) in firsts.iter_mut().zip(downloads) {
         let words: Vec<u32> = download.read(gpu)?;

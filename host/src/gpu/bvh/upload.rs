@@ -1,12 +1,11 @@
 //! Uploads of a hierarchy.
 
-use super::{Built, Bvh, Coded, Coding, PLACEHOLDER_BYTES, STATE_BYTES, full_triangles};
+use super::{Built, Bvh, Coding, PLACEHOLDER_BYTES, STATE_BYTES, full_triangles};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
 use crate::gpu::program::counted;
 use crate::gpu::{Gpu, GpuError, Misfit};
 use bytemuck::{bytes_of, cast_slice};
-use slimbvh_core::encode::RootWords;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 /// Advice for a hierarchy that is too large.
@@ -58,13 +57,7 @@ impl Bvh {
             nodes: node_range.clone(),
             triangles: triangle_range.clone(),
             codecs: bvh.codecs(),
-            coded: coding.map(|coding| Coded {
-                coding,
-                nodes: node_range,
-                triangles: triangle_range,
-                root: self.root.range(gpu, size_of::<RootWords>() as u64),
-                word_total: self.word_total.range(gpu, STATE_BYTES),
-            }),
+            coded: coding.map(|coding| self.coded(gpu, coding, [node_range, triangle_range])),
             exponent: self.exponent.range(gpu, STATE_BYTES),
             bounds: self.bounds.range(gpu, 24),
             total: self.total.range(gpu, STATE_BYTES),
@@ -82,13 +75,24 @@ impl Bvh {
         let [node_range, triangle_range] = built.stored();
         write(node_range, nodes);
         write(triangle_range, triangles);
-        if let (Some(coded), Some(root)) = (&built.coded, bvh.root_words()) {
+        if let Some(coded) = &built.coded {
+            // Nodes in full are decoded without.
+            let root = bvh.root_words().unwrap_or_default();
             write(&coded.root, bytes_of(&root));
-            let words = match coded.coding.is_mixed() {
-                true => triangles.len() / 4,
-                false => 0,
+            let words = if coded.coding.is_mixed() {
+                triangles.len() as u32 / 4
+            } else {
+                0
             };
-            write(&coded.word_total, bytes_of(&counted(words as u32)));
+            let inner = if coded.coding.is_wide() {
+                bvh.node_count() as u32 - 1
+            } else {
+                0
+            };
+            write(&coded.word_total, bytes_of(&counted(words + inner)));
+            if coded.coding.is_wide() {
+                write(&coded.inner_total, bytes_of(&counted(inner)));
+            }
         }
         let bounds = bvh.bounds().unwrap_or(Aabb::EMPTY);
         let corners = [bounds.min, bounds.max].map(|corner| corner.to_array());

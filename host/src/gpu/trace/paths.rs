@@ -59,8 +59,7 @@ impl TreeRanges {
     ) {
         let [nodes, triangles] = &self.built.traced();
         let kernel = traces(self.built.coding()).paths_counted;
-        let root = self.built.coded.as_ref();
-        let root: Vec<Uniform> = root.map(|c| Uniform::Stored(&c.root)).into_iter().collect();
+        let root: Vec<Uniform> = self.built.root().into_iter().collect();
         recorder.dispatch(kernel, &root, &[nodes, triangles, paths], &to, each);
     }
 
@@ -121,15 +120,11 @@ impl TreeRanges {
 
     /// The uniforms of kernels with a filter: the root of a coded tree, the exponent and the target.
     fn filter<'a>(&'a self, exponent: Uniform<'a>) -> Vec<Uniform<'a>> {
-        let root = self
-            .built
-            .coded
-            .as_ref()
-            .map(|coded| Uniform::Stored(&coded.root));
         let target = match &self.rule {
             Some(rule) => rule.sides.target(),
             None => Uniform::Stored(&self.built.placeholder),
         };
+        let root = self.built.root();
         root.into_iter().chain([exponent, target]).collect()
     }
 

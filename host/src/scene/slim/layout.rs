@@ -11,7 +11,7 @@ pub const MAGIC: [u8; 8] = *b"\x89SLIM\r\n\x1a";
 pub const ORDER: u32 = 0x0102_0304;
 
 /// The version that is written, and the only one that can be read.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// Sections begin at multiples of this.
 pub const ALIGNMENT: u64 = 256;

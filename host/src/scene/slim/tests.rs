@@ -5,7 +5,7 @@ use super::*;
 use crate::generate::icosphere;
 use crate::{
     AreaShape, BuildConfig, Builder, Camera, LatticeBits, Light, Material, MeshCodec, NodeCodec,
-    Part, Picture, Projection, RenderSettings, Renderer,
+    Part, Picture, Projection, RenderSettings, Renderer, WideStore,
 };
 use glam::Vec3;
 use slimbvh_core::Ray;
@@ -27,6 +27,13 @@ fn configs() -> Vec<BuildConfig> {
     for bits in lattice.map(NodeCodec::Lattice) {
         codecs.extend([(bits, MeshCodec::F32), (bits, on_lattice)]);
     }
+    let wide = |store, mesh| (NodeCodec::Wide(store), mesh);
+    codecs.extend([
+        wide(WideStore::Full, MeshCodec::F32),
+        wide(WideStore::Exact, MeshCodec::F32),
+        wide(WideStore::Exact, on_lattice),
+        wide(WideStore::Packed, on_lattice),
+    ]);
     let config = |(nodes, mesh)| BuildConfig {
         nodes,
         mesh,
@@ -163,7 +170,12 @@ fn use_it(saved: &mut Saved, is_thorough: bool) {
     let decoded = bvh.decoded();
     assert_eq!(decoded.validate(), Ok(()));
     if bvh.triangle_count() == bvh.mesh_triangle_count() {
-        for nodes in [NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q10)] {
+        let wide = NodeCodec::Wide(WideStore::Exact);
+        for nodes in [
+            NodeCodec::Paper10,
+            NodeCodec::Lattice(LatticeBits::Q10),
+            wide,
+        ] {
             let config = BuildConfig {
                 nodes,
                 ..BuildConfig::default()
@@ -224,7 +236,7 @@ fn bytes_lie_where_the_layout_says() {
     assert_eq!(bytes[8..12], [4, 3, 2, 1]);
     assert_eq!(
         [word(12), word(20), word(24), word(28)],
-        [1, 13, bytes.len() as u32, 0]
+        [2, 13, bytes.len() as u32, 0]
     );
     let mut end = 64 + 13 * 32_usize;
     for section in 0..13 {
@@ -378,7 +390,12 @@ fn refusals_say_what_is_wrong() {
     assert!(refusal(b"solid cube\n  facet").contains("begins with \"solid cube\u{fffd}"));
     assert!(refusal(b"\x89PNG\r\n\x1a\n").contains("PNG"));
     assert!(refusal(&spoilt(8, &[1, 2, 3, 4])).contains("big-endian"));
-    assert!(refusal(&spoilt(12, &[7])).contains("version 7"));
+    for version in [1, 7] {
+        let refusal = refusal(&spoilt(12, &[version]));
+        assert!(refusal.contains(&format!(
+            "version {version}, and this slimbvh reads version 2"
+        )));
+    }
     assert!(refusal(&sound[..1000]).contains("ends early"));
     assert!(refusal(&spoilt(777, &[9])).contains("damaged"));
     let mut bytes = spoilt(500, &[1]);

@@ -6,11 +6,14 @@ use crate::tree::StoredTree;
 use crate::tree::lattice::{LatticeMesh, LatticeTree};
 use crate::tree::paper10::Paper10Mesh;
 use crate::tree::plain::PlainTree;
-use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec};
+use crate::tree::wide::WideList;
+use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec, WideStore};
 use glam::Vec3;
 use slimbvh_core::encode::{Links, links_of, with_links};
 use slimbvh_core::trace::{BruteForce, LeafTriangles, Skip, closest_hit};
 use slimbvh_core::{Hit, Node, Ray};
+
+mod wide;
 
 const STEP: i32 = -12;
 
@@ -292,7 +295,22 @@ fn coded() -> Vec<Bvh> {
     for bits in LatticeBits::ALL.map(NodeCodec::Lattice) {
         all.extend([built(bits, MeshCodec::F32), built(bits, on_lattice)]);
     }
+    all.extend(wide());
     all
+}
+
+/// A tree of each store of wide nodes and each codec of triangles that goes with it.
+fn wide() -> [Bvh; 4] {
+    let on_lattice = MeshCodec::Lattice {
+        step_exponent: STEP,
+    };
+    [
+        (WideStore::Full, MeshCodec::F32),
+        (WideStore::Exact, MeshCodec::F32),
+        (WideStore::Exact, on_lattice),
+        (WideStore::Packed, on_lattice),
+    ]
+    .map(|(store, mesh)| built(NodeCodec::Wide(store), mesh))
 }
 
 /// Flips bits of nodes and triangles in codecs. Nothing panics. A tree that passes answers to the bit as before: only
@@ -360,6 +378,15 @@ fn flip(bvh: &mut Bvh, is_node: bool, bit: usize) {
             Paper10Mesh::Full(_) => &mut [],
         },
         (false, StoredTree::Lattice(tree)) => match &mut tree.triangles {
+            LatticeMesh::Lattice { words, .. } => words,
+            LatticeMesh::Full(_) => &mut [],
+        },
+        (true, StoredTree::Wide(tree)) => match &mut tree.nodes {
+            WideList::Full(nodes) => bytemuck::cast_slice_mut(nodes),
+            WideList::Exact(nodes) => bytemuck::cast_slice_mut(nodes),
+            WideList::Packed(nodes) => bytemuck::cast_slice_mut(nodes),
+        },
+        (false, StoredTree::Wide(tree)) => match &mut tree.triangles {
             LatticeMesh::Lattice { words, .. } => words,
             LatticeMesh::Full(_) => &mut [],
         },

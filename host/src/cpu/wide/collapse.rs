@@ -1,0 +1,258 @@
+//! Boxes of a binary tree's nodes, and which of them begin wide ones: from the root down.
+//!
+//! Few nodes at the top come first, on one thread. Below them lie runs of nodes, each a tree of its own: where its boxes are found,
+//! they are collapsed while they are in the processor's cache.
+
+use super::super::encode::{TASK, Tree};
+use super::Places;
+use super::store::{Store, Widths, word_count};
+use rayon::prelude::*;
+use slimbvh_core::wide::{Collapse, Origin, collapsed};
+use slimbvh_core::{Node, NodeRef};
+use std::ops::Range;
+
+/// Runs of [`TASK`] triangles that a thread encodes before it waits for others.
+const RUNS_A_THREAD: u32 = 16;
+
+/// A node at which a wide one begins, with all nodes below it. In lists of this range, it and they are counted from the first.
+#[derive(Clone, Debug)]
+pub(super) struct Run {
+    /// Counted from the first.
+    pub(super) root: u32,
+    pub(super) range: Range<usize>,
+    /// Where the wide node comes from, in the whole tree.
+    pub(super) origin: Origin,
+}
+
+/// The parts of a binary tree.
+#[derive(Debug, Default)]
+pub(super) struct Division {
+    /// The nodes at the top at which wide nodes begin.
+    pub(super) top: Vec<u32>,
+    /// What is below, in order.
+    pub(super) runs: Vec<Run>,
+}
+
+/// A binary tree that is collapsed: its boxes, and what is known of the wide nodes that begin at its nodes.
+pub(super) struct Collapsing<'a> {
+    pub(super) tree: &'a Tree<'a>,
+    pub(super) nodes: &'a mut [Node],
+    pub(super) places: &'a mut Places,
+    pub(super) widths: Widths,
+}
+
+/// The parts of all lists for a run.
+struct Part<'a> {
+    run: &'a Run,
+    nodes: &'a mut [Node],
+    collapses: &'a mut [u32],
+    origins: &'a mut [u32],
+    inner: &'a mut [u32],
+    /// As long, or empty.
+    words: &'a mut [u32],
+}
+
+impl Collapsing<'_> {
+    /// Fills the lists for some runs. Inner children are counted from their run's first node. The lists of places then hold numbers:
+    /// those of inner children, and of words, 0 where no wide node begins.
+    pub(super) fn fill<S: Store>(&mut self, runs: &[Run]) {
+        let Self {
+            tree,
+            nodes,
+            places,
+            widths,
+        } = self;
+        let mut nodes = Cut::new(nodes);
+        let mut collapses = Cut::new(&mut places.collapses);
+        let mut origins = Cut::new(&mut places.origins);
+        let mut inner = Cut::new(&mut places.begins);
+        let mut words = Cut::new(&mut places.words);
+        let mut parts = Vec::with_capacity(runs.len());
+        for run in runs {
+            let range = &run.range;
+            parts.push(Part {
+                run,
+                nodes: nodes.cut(range),
+                collapses: collapses.cut(range),
+                origins: origins.cut(range),
+                inner: inner.cut(range),
+                words: words.cut(range),
+            });
+        }
+        let parts = parts.into_par_iter();
+        parts.for_each(|part| part.fill::<S>(tree, *widths));
+    }
+
+    /// Clears the lists, and fills them for the nodes at the top.
+    pub(super) fn divide<S: Store>(&mut self) -> Division {
+        let count = self.nodes.len();
+        self.places.clear(count, if S::MIXED { count } else { 0 });
+        let mut division = Division::default();
+        if self.nodes.is_empty() {
+            return division;
+        }
+        let all = 0..self.nodes.len();
+        let mut waiting = vec![(0, all, Origin::ROOT)];
+        while let Some((root, range, origin)) = waiting.pop() {
+            let bare = &self.tree.nodes[root as usize];
+            if bare.last - bare.first < TASK {
+                let root = root - range.start as u32;
+                let run = Run {
+                    root,
+                    range,
+                    origin,
+                };
+                division.runs.push(run);
+                continue;
+            }
+            self.fit_near(root, 2);
+            let node = self.nodes[root as usize];
+            let (collapse, children) = collapsed(&node, self.nodes, 0);
+            let i = root as usize;
+            self.places.collapses[i] = collapse.0;
+            self.places.origins[i] = origin.0;
+            self.places.begins[i] = collapse.inner_count();
+            if S::MIXED {
+                self.places.words[i] = word_count::<S>(&children, self.widths);
+            }
+            division.top.push(root);
+            let ranges = self.ranges(root, range, collapse);
+            let inner = ranges.into_iter().filter(|(child, _)| !child.is_leaf());
+            for ((child, range), rank) in inner.zip(0..) {
+                waiting.push((child.index(), range, Origin::below(root, rank)));
+            }
+        }
+        division.runs.sort_unstable_by_key(|run| run.range.start);
+        division
+    }
+
+    /// The number of the first runs that are encoded together. On one thread that is one, as a rule: what it reads is then still in
+    /// the processor's cache. Several threads need many, so that all have as much to do.
+    pub(super) fn group(&self, runs: &[Run]) -> usize {
+        let threads = rayon::current_num_threads() as u32;
+        let enough = if threads == 1 {
+            TASK / 2
+        } else {
+            RUNS_A_THREAD * threads * TASK
+        };
+        let mut count = 0;
+        let is_missing = |run: &&Run| {
+            let node = &self.tree.nodes[run.range.start + run.root as usize];
+            let is_missing = count < enough;
+            count += node.last - node.first + 1;
+            is_missing
+        };
+        runs.iter().take_while(is_missing).count()
+    }
+
+    /// Finds the boxes of a node and of those up to so many levels below it.
+    fn fit_near(&mut self, index: u32, levels: u32) {
+        let node = self.tree.node(index);
+        self.nodes[index as usize] = node;
+        if levels > 0 {
+            for child in [node.left, node.right] {
+                if !child.is_leaf() {
+                    self.fit_near(child.index(), levels - 1);
+                }
+            }
+        }
+    }
+
+    /// The children of a wide node whose own binary node and all below it are in a range, each with such a range.
+    fn ranges(
+        &self,
+        node: u32,
+        range: Range<usize>,
+        collapse: Collapse,
+    ) -> Vec<(NodeRef, Range<usize>)> {
+        let halves = |node: u32, range: &Range<usize>| {
+            let Node { left, right, .. } = self.nodes[node as usize];
+            // A node is the first or the last of its range.
+            let below = if node as usize == range.start {
+                range.start + 1..range.end
+            } else {
+                range.start..range.end - 1
+            };
+            // The right child is the first of its range.
+            let middle = if right.is_leaf() {
+                below.end
+            } else {
+                right.index() as usize
+            };
+            [(left, below.start..middle), (right, middle..below.end)]
+        };
+        let mut children = Vec::from(halves(node, &range));
+        for place in [0, 1].map(|step| collapse.place(step) as usize) {
+            if place > 0 {
+                let (child, range) = children[place - 1].clone();
+                children.splice(place - 1..place, halves(child.index(), &range));
+            }
+        }
+        children
+    }
+}
+
+impl Part<'_> {
+    /// Fills the lists of a run.
+    fn fill<S: Store>(self, tree: &Tree, widths: Widths) {
+        let first = self.run.range.start as u32;
+        let named = |child: NodeRef| {
+            if child.is_leaf() {
+                child
+            } else {
+                NodeRef::inner(child.index().wrapping_sub(first))
+            }
+        };
+        for (node, i) in self.nodes.iter_mut().zip(first..) {
+            let fitted = tree.node(i);
+            *node = Node {
+                left: named(fitted.left),
+                right: named(fitted.right),
+                ..fitted
+            };
+        }
+        let mut waiting = vec![(self.run.root, self.run.origin)];
+        while let Some((index, origin)) = waiting.pop() {
+            let i = index as usize;
+            let (collapse, children) = collapsed(&self.nodes[i], self.nodes, 0);
+            self.collapses[i] = collapse.0;
+            self.origins[i] = origin.0;
+            self.inner[i] = collapse.inner_count();
+            if S::MIXED {
+                self.words[i] = word_count::<S>(&children, widths);
+            }
+            let inner = children
+                .nodes()
+                .into_iter()
+                .filter(|child| !child.is_leaf());
+            let inner = inner.zip(0..);
+            waiting.extend(inner.map(|(child, rank)| (child.index(), Origin::below(index, rank))));
+        }
+    }
+}
+
+/// A list that runs are cut off, in order.
+pub(super) struct Cut<'a, T> {
+    rest: &'a mut [T],
+    /// The place of the first that is left.
+    first: usize,
+}
+
+impl<'a, T> Cut<'a, T> {
+    pub(super) const fn new(rest: &'a mut [T]) -> Self {
+        Self { rest, first: 0 }
+    }
+
+    /// Cuts off a run, and what comes before it. Of an empty list, nothing.
+    pub(super) fn cut(&mut self, range: &Range<usize>) -> &'a mut [T] {
+        let rest = std::mem::take(&mut self.rest);
+        if rest.is_empty() {
+            return rest;
+        }
+        let (_, rest) = rest.split_at_mut(range.start - self.first);
+        let (run, rest) = rest.split_at_mut(range.len());
+        self.rest = rest;
+        self.first = range.end;
+        run
+    }
+}
