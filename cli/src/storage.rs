@@ -13,8 +13,8 @@ use slimbvh::{
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
-    /// Codec of inner nodes: full precision, paper10 (10 bits a plane, after the paper on NODE and NODE+MESH), or 4 to 21 bits
-    /// on a lattice. The picture stays the same
+    /// Codec of inner nodes: full precision, paper10 (10 bits a plane, after the paper on NODE and NODE+MESH), 4 to 21 bits on a
+    /// lattice, or up to four children (w4: full precision; w4-64 and w4-48: 8 bits on a lattice). The picture stays the same
     #[arg(long, value_parser = node_codecs(), default_value = AUTO)]
     nodes: Nodes,
 
@@ -119,13 +119,10 @@ impl StorageArguments {
             (None, None) => MeshCodec::default(),
         };
         let nodes = self.nodes.0.unwrap_or(mesh.default_nodes());
-        if check_codecs(nodes, mesh).is_err() {
+        if let Err(error) = check_codecs(nodes, mesh) {
             let names: Vec<&str> = mesh.nodes().map(NodeCodec::name).collect();
-            let names = match names[..] {
-                [first, .., last] => format!("{first} to {last}"),
-                _ => names.concat(),
-            };
-            bail!("--mesh {} goes with --nodes {names}", mesh.name());
+            let (mesh, names) = (mesh.name(), names.join(", "));
+            bail!("{error}: --mesh {mesh} goes with --nodes {names}");
         }
         Ok((nodes, mesh))
     }

@@ -13,7 +13,7 @@ const SMALL: [&str; 6] = [
 ];
 
 /// Bytes per node.
-const NODES: [(&str, u64); 9] = [
+const NODES: [(&str, u64); 11] = [
     ("f32", 64),
     ("paper10", 24),
     ("q4", 12),
@@ -23,6 +23,8 @@ const NODES: [(&str, u64); 9] = [
     ("q12", 20),
     ("q16", 28),
     ("q21", 28),
+    ("w4", 128),
+    ("w4-64", 64),
 ];
 
 /// The picture and its JSON report.
@@ -65,6 +67,8 @@ fn a_mesh_on_the_lattice_makes_one_picture_for_each_tolerance() {
             &["--reduce=on"][..],
             &["--nodes=q6", "--reduce=off"],
             &["--nodes=q21", "--reduce=on", "--without=alone,turns,groups"],
+            &["--nodes=w4-64", "--reduce=off"],
+            &["--nodes=w4-48", "--reduce=on"],
         ] {
             let options = [&[tolerance, "--cull=on"], more].concat();
             let (other, _) = render(&folder, &options);

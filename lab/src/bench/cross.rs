@@ -59,15 +59,22 @@ fn predict(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Obje
         let record = records.iter().find(|record| record.setup == setup);
         record.map(|record| record.objectives())
     };
-    let with_nodes = |nodes: NodeCodec| of(Setup { nodes, ..*usual });
     let with_codes = |codes: CodeBits| of(Setup { codes, ..*usual });
     let base = of(*usual)?;
-    // A coded mesh was measured together with the nodes that it needs.
-    let (mesh, its_nodes) = match setup.mesh {
-        Triangles::Full => (base, base),
-        mesh => {
-            let same_mesh = records.iter().find(|record| record.setup.mesh == mesh)?;
-            (same_mesh.objectives(), with_nodes(mesh.nodes())?)
+    let with = |nodes: NodeCodec, mesh: Triangles| {
+        let is_it = |setup: &Setup| setup.nodes == nodes && setup.mesh == mesh;
+        let record = records.iter().find(|record| is_it(&record.setup));
+        record.map(|record| record.objectives())
+    };
+    // Nodes and triangles that were not measured together: the nodes' own factor, and the triangles' with other nodes.
+    let [nodes, mesh] = match with(setup.nodes, setup.mesh) {
+        Some(both) => [(both, base), (base, base)],
+        None => {
+            let others = *setup.mesh.nodes().first()?;
+            [
+                (with(setup.nodes, Triangles::Full)?, base),
+                (with(others, setup.mesh)?, with(others, Triangles::Full)?),
+            ]
         }
     };
     let reduced = of(Setup {
@@ -77,8 +84,8 @@ fn predict(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Obje
     })?;
     let pairs = [
         (reduced, base),
-        (with_nodes(setup.nodes)?, base),
-        (mesh, its_nodes),
+        nodes,
+        mesh,
         (with_codes(setup.codes)?, base),
     ];
     let mut predicted = base;

@@ -42,7 +42,7 @@ impl Facts {
         let all = || frames.hierarchies().all(&plan);
         let sum = |of: fn(&Bvh) -> usize| all().map(of).sum();
         let trees = frames.trees(&plan);
-        let counts = count(&prepared.scene, &Walks::new(&trees)?, &prepared.settings)?;
+        let counts = count(&prepared.scene, &Walks::new(&trees), &prepared.settings)?;
         let primary = trees.primary.bvh;
         let moves = if prepared.config.mesh.moves_vertices() {
             let mut builder = Builder::new(prepared.config.code_bits.into());

@@ -10,7 +10,7 @@ use super::times::Times;
 use crate::measure::step::Step;
 use serde::Serialize;
 use slimbvh::reduce::Reduce;
-use slimbvh::{CodeBits, LatticeBits, NodeCodec};
+use slimbvh::{CodeBits, LatticeBits, NodeCodec, WideStore};
 use words::{MIN_DIFFERENCE, Sentence, compared, in_words, is_clear, quotient, time, win_if};
 
 /// The verdict of a sentence on slimbvh.
@@ -53,14 +53,17 @@ fn sentences(scene: &SceneRecord) -> Vec<Sentence> {
     };
     let find = |is: &dyn Fn(&SetupRecord) -> bool| scene.setups.iter().find(|record| is(record));
     let mut sentences = Vec::new();
-    let coded = find(&|record| {
-        record.knob == Knob::Nodes && record.setup.nodes == NodeCodec::Lattice(LatticeBits::Q10)
-    });
-    sentences.extend(
-        coded
-            .into_iter()
-            .flat_map(|record| nodes(record, usual, scene)),
-    );
+    for (codec, name) in [
+        (NodeCodec::Lattice(LatticeBits::Q10), "nodes of 10 bits"),
+        (
+            NodeCodec::Wide(WideStore::Exact),
+            "nodes of four children in 64 bytes",
+        ),
+    ] {
+        let coded = find(&|record| record.knob == Knob::Nodes && record.setup.nodes == codec);
+        let coded = coded.into_iter();
+        sentences.extend(coded.flat_map(|record| nodes(name, record, usual, scene)));
+    }
     sentences.extend(widths(scene, usual));
     let of_mesh =
         |mesh: Triangles| find(&|record| record.knob == Knob::Mesh && record.setup.mesh == mesh);
@@ -88,7 +91,7 @@ fn sentences(scene: &SceneRecord) -> Vec<Sentence> {
     sentences
 }
 
-fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Sentence> {
+fn nodes(name: &str, own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Sentence> {
     let read = |record: &SetupRecord| record.facts.counts.all().bytes_read();
     let of_nodes = |record: &SetupRecord| record.facts.node_bytes as f64;
     let share = quotient(read(own), read(usual));
@@ -97,12 +100,12 @@ fn nodes(own: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Vec<Sen
         (
             win_if(share < 1.0),
             format!(
-                "Nodes of 10 bits take {} of the bytes of full-precision nodes, and rays read {} of the bytes.",
+                "With {name}, nodes take {} of the bytes of full-precision ones, and rays read {} of the bytes.",
                 percent(stored),
                 percent(share)
             ),
         ),
-        time(own, Times::trace, "Tracing nodes of 10 bits", scene.backend),
+        time(own, Times::trace, &format!("Tracing {name}"), scene.backend),
     ]
 }
 

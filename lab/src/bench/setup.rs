@@ -4,7 +4,10 @@ mod names;
 
 use crate::measure::step::{PIXELS, Step};
 use slimbvh::reduce::Reduce;
-use slimbvh::{BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, Scene, TreeKind};
+use slimbvh::{
+    BuildConfig, CodeBits, LatticeBits, MeshCodec, NodeCodec, Scene, TreeKind, WideStore,
+    check_codecs,
+};
 
 /// The settings of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +88,7 @@ impl Setup {
         }
     }
 
-    /// The usual setup, then each knob by itself. A codec of triangles brings its codec of nodes.
+    /// The usual setup, then each knob by itself. A codec of triangles brings its codecs of nodes.
     pub fn one_at_a_time(threads: usize, light_count: usize) -> Vec<(Knob, Self)> {
         let usual = Self::usual(threads);
         let mut all = vec![(Knob::Default, usual)];
@@ -101,7 +104,7 @@ impl Setup {
             };
             all.push((Knob::Lights, apart));
         }
-        let others = NodeCodec::ALL.into_iter();
+        let others = MeshCodec::F32.nodes();
         for nodes in others.filter(|nodes| *nodes != usual.nodes) {
             all.push((Knob::Nodes, Self { nodes, ..usual }));
         }
@@ -111,13 +114,14 @@ impl Setup {
             .into_iter()
             .chain(steps.map(Triangles::Lattice))
         {
-            let nodes = mesh.nodes();
-            let setup = Self {
-                mesh,
-                nodes,
-                ..usual
-            };
-            all.push((Knob::Mesh, setup.allowed()));
+            for &nodes in mesh.nodes() {
+                let setup = Self {
+                    mesh,
+                    nodes,
+                    ..usual
+                };
+                all.push((Knob::Mesh, setup.allowed()));
+            }
         }
         let codes = CodeBits::Bits63;
         all.push((Knob::Codes, Self { codes, ..usual }));
@@ -136,21 +140,19 @@ impl Setup {
 
     /// Whether the codecs of nodes and triangles go together.
     pub fn is_possible(&self) -> bool {
-        match self.mesh {
-            Triangles::Full => true,
-            Triangles::Leaf10 => {
-                self.nodes == NodeCodec::Paper10
-                    && self.reduce == Reduce::Off
-                    && self.lights == Lights::Grouped
-            }
-            Triangles::Lattice(_) => matches!(self.nodes, NodeCodec::Lattice(_)),
-        }
+        let mesh = match self.mesh {
+            Triangles::Full => MeshCodec::F32,
+            Triangles::Leaf10 => MeshCodec::Leaf10,
+            Triangles::Lattice(_) => MeshCodec::Lattice { step_exponent: 0 },
+        };
+        let is_whole = self.reduce == Reduce::Off && self.lights == Lights::Grouped;
+        check_codecs(self.nodes, mesh).is_ok() && (is_whole || !mesh.moves_vertices())
     }
 
     /// Whether the GPU has kernels for this tree and these codecs.
     pub fn has_kernels(&self) -> bool {
         let has_nodes = match self.nodes {
-            NodeCodec::F32 | NodeCodec::Paper10 => true,
+            NodeCodec::F32 | NodeCodec::Paper10 | NodeCodec::Wide(_) => true,
             NodeCodec::Lattice(bits) => matches!(bits, LatticeBits::Q10 | LatticeBits::Q21),
         };
         has_nodes && self.tree == TreeKind::Radix
@@ -195,12 +197,16 @@ impl Setup {
 }
 
 impl Triangles {
-    /// The codec of nodes that goes with this codec of triangles.
-    pub fn nodes(self) -> NodeCodec {
+    /// The codecs of nodes that this codec of triangles is measured with.
+    pub fn nodes(self) -> &'static [NodeCodec] {
         match self {
-            Self::Full => NodeCodec::F32,
-            Self::Leaf10 => NodeCodec::Paper10,
-            Self::Lattice(_) => NodeCodec::Lattice(LatticeBits::Q10),
+            Self::Full => &[NodeCodec::F32],
+            Self::Leaf10 => &[NodeCodec::Paper10],
+            Self::Lattice(_) => &[
+                NodeCodec::Lattice(LatticeBits::Q10),
+                NodeCodec::Wide(WideStore::Exact),
+                NodeCodec::Wide(WideStore::Packed),
+            ],
         }
     }
 }
@@ -235,8 +241,8 @@ mod tests {
             };
             assert_eq!(moved, most, "{knob:?}");
         }
-        // 1 + 2 + 1 + 8 + 5 + 1 + 1 + 1 + 2
-        assert_eq!(all.len(), 22);
-        assert_eq!(Setup::one_at_a_time(1, 1).len(), 19);
+        // 1 + 2 + 1 + 10 + 13 + 1 + 1 + 1 + 2
+        assert_eq!(all.len(), 32);
+        assert_eq!(Setup::one_at_a_time(1, 1).len(), 29);
     }
 }

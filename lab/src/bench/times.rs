@@ -8,9 +8,9 @@ use slimbvh::Stages;
 pub struct Times {
     /// Planning the reduction: a survey of the surfaces where it may pay, and the decision.
     pub plan: f64,
-    /// All stages of the build except encoding.
+    /// All other stages of the build.
     pub build: f64,
-    /// Encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
+    /// Collapsing nodes, and encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
     pub encode: f64,
     /// From samples to the rays from the eye and their hits.
     pub primary: f64,
@@ -49,7 +49,7 @@ impl Times {
         for (stages, is_build) in [(build, true), (render, false)] {
             for (stage, time) in stages.iter() {
                 let sum = match (is_build, stage) {
-                    (true, "encode") => &mut times.encode,
+                    (true, "wide" | "encode") => &mut times.encode,
                     (true, _) => &mut times.build,
                     (false, "trace shadow") => &mut times.shadow,
                     (false, "trace mirror") => &mut times.reflection,

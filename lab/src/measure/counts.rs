@@ -11,11 +11,13 @@ use slimbvh::{Ray, RenderSettings, Scene};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
     pub rays: u64,
-    /// Opened inner nodes, with two boxes each.
+    /// Opened inner nodes.
     pub nodes: u64,
+    /// Tested boxes: the opened nodes' children, and the root's own where rays are tested against it.
+    pub boxes: u64,
     /// Tested triangles.
     pub triangles: u64,
-    /// Bytes of the opened nodes.
+    /// Bytes of the opened nodes, and of those that leaves were decoded from.
     pub node_bytes: u64,
     /// Bytes of the tested triangles.
     pub triangle_bytes: u64,
@@ -38,15 +40,16 @@ impl Tally {
         Self {
             rays: self.rays + other.rays,
             nodes: self.nodes + other.nodes,
+            boxes: self.boxes + other.boxes,
             triangles: self.triangles + other.triangles,
             node_bytes: self.node_bytes + other.node_bytes,
             triangle_bytes: self.triangle_bytes + other.triangle_bytes,
         }
     }
 
-    /// Box tests per ray, two per opened node.
+    /// Box tests per ray.
     pub fn box_tests(&self) -> f64 {
-        self.mean(2 * self.nodes)
+        self.mean(self.boxes)
     }
 
     /// Triangle tests per ray.

@@ -28,7 +28,7 @@ input.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct StressArguments {
-    /// Smaller scenes, fewer rays and five codecs: half a minute on two cores
+    /// Smaller scenes, fewer rays and fewer codecs: half a minute on two cores
     #[arg(long)]
     quick: bool,
 

@@ -5,7 +5,7 @@ use slimbvh_core::Ray;
 use slimbvh_core::node::NodeRef;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    Children, ClosestHit, Column, Cursor, LeafRun, NodeSource, PlainNodes, Skip, traverse,
+    Children, ClosestHit, Column, Cursor, LeafRun, NodeSource, Order, PlainNodes, Skip, traverse,
 };
 use std::cell::Cell;
 
@@ -68,6 +68,7 @@ impl Cursor for NotedRef {
 
 impl NodeSource for Noted<'_> {
     type Cursor = NotedRef;
+    type Node = Children<NotedRef>;
     type Bounds = ();
 
     const NOTHING: NotedRef = NotedRef(NodeRef::EMPTY_LEAF);
@@ -76,12 +77,20 @@ impl NodeSource for Noted<'_> {
         NotedRef(self.0.root(axes))
     }
 
-    fn leaf(&self, cursor: NotedRef) -> LeafRun<()> {
-        self.0.leaf(cursor.0)
+    fn is_leaf(&self, cursor: NotedRef) -> bool {
+        self.0.is_leaf(cursor.0)
     }
 
-    fn children(&self, cursor: NotedRef, axes: [u32; 3]) -> Children<NotedRef> {
-        let children = self.0.children(cursor.0, axes);
+    fn leaf(&self, cursor: NotedRef, axes: [u32; 3]) -> LeafRun<()> {
+        self.0.leaf(cursor.0, axes)
+    }
+
+    fn resume(&self, waited: NotedRef) -> NotedRef {
+        waited
+    }
+
+    fn children(&self, cursor: NotedRef, order: Order) -> Children<NotedRef> {
+        let children = self.0.children(cursor.0, order);
         Children {
             planes: children.planes,
             left: NotedRef(children.left),

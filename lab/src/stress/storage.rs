@@ -2,7 +2,9 @@
 
 use super::Effort;
 use crate::oracle::distance::{length, minus};
-use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
+use slimbvh::{
+    BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, WideStore,
+};
 use std::borrow::Cow;
 
 /// The storage of triangles.
@@ -33,12 +35,16 @@ pub struct Prepared<'a> {
     pub moved: Option<[f64; 2]>,
 }
 
+/// The finest lattice.
+const FINEST: Triangles = Triangles::Lattice { coarser: 0 };
+
 /// A lattice of 4096 points along the scene.
 const COARSE: i32 = 12;
 
 impl Storage {
     pub const PLAIN: Self = Self::nodes(NodeCodec::F32);
     pub const LATTICE: Self = Self::lattice(LatticeBits::Q10, 0);
+    pub const WIDE: Self = Self::wide(WideStore::Packed, FINEST);
 
     const fn nodes(nodes: NodeCodec) -> Self {
         Self {
@@ -52,6 +58,13 @@ impl Storage {
         Self {
             triangles: Triangles::Lattice { coarser },
             ..Self::nodes(NodeCodec::Lattice(bits))
+        }
+    }
+
+    const fn wide(store: WideStore, triangles: Triangles) -> Self {
+        Self {
+            triangles,
+            ..Self::nodes(NodeCodec::Wide(store))
         }
     }
 
@@ -74,6 +87,8 @@ impl Storage {
         if !on_gpu {
             all.push(Self::PLAIN.clustered());
         }
+        all.push(Self::wide(WideStore::Exact, Triangles::Full));
+        all.push(Self::WIDE);
         if effort == Effort::Full {
             all.push(Self::nodes(NodeCodec::Paper10));
             let others = LatticeBits::ALL
@@ -81,8 +96,13 @@ impl Storage {
                 .filter(|&bits| bits != LatticeBits::Q10 && (!on_gpu || bits == LatticeBits::Q21));
             all.extend(others.map(|bits| Self::nodes(NodeCodec::Lattice(bits))));
             all.push(Self::lattice(LatticeBits::Q21, 0));
+            all.push(Self::wide(WideStore::Full, Triangles::Full));
+            all.push(Self::wide(WideStore::Exact, FINEST));
+            let coarse = Triangles::Lattice { coarser: COARSE };
+            all.push(Self::wide(WideStore::Packed, coarse));
             if !on_gpu {
                 all.push(Self::LATTICE.clustered());
+                all.push(Self::WIDE.clustered());
             }
         }
         all

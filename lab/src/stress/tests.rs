@@ -231,7 +231,7 @@ fn every_tree_is_judged() {
             effort: Effort::Quick,
         };
         let rows = run(&mut cpu, &case).expect("it is sound");
-        let trees = if case.eye.is_some() { 8 } else { 6 };
+        let trees = if case.eye.is_some() { 11 } else { 8 };
         assert_eq!(rows.len(), trees);
         for row in &rows {
             assert!(row.faults() == 0 && row.keeps_its_bound(), "{row:?}");

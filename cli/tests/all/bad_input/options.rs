@@ -266,11 +266,20 @@ fn codecs_that_do_not_go_together() {
         ),
         (
             &["--mesh=lattice", "--nodes=f32"],
-            &["--mesh lattice", "q4 to q21"],
+            &["--mesh lattice", "--nodes q4, q6"],
         ),
         (
+            &["--mesh=lattice", "--nodes=w4"],
+            &["w4 nodes", "triangles in full", "w4-64, w4-48"],
+        ),
+        (
+            &["--mesh=f32", "--nodes=w4-48"],
+            &["w4-48 nodes require triangles on a lattice", "w4, w4-64"],
+        ),
+        (&["--nodes=w4-48"], &["--mesh f32", "w4-64"]),
+        (
             &["--tolerance=1", "--nodes=paper10"],
-            &["--mesh lattice", "q4 to q21"],
+            &["--mesh lattice", "--nodes q4, q6"],
         ),
         (
             &["--tolerance=1", "--mesh=f32"],

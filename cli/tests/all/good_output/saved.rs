@@ -7,10 +7,12 @@ use crate::process::Folder;
 const SIZE: [&str; 4] = ["--size", "160x90", "--backend", "cpu"];
 
 /// Storage options, each tried on the default scene and on one with neither camera nor light.
-const STORED: [&[&str]; 6] = [
+const STORED: [&[&str]; 8] = [
     &[],
     &["--codes", "63"],
     &["--nodes", "q6"],
+    &["--nodes", "w4"],
+    &["--nodes", "w4-48", "--mesh", "lattice"],
     &["--nodes", "paper10"],
     &["--mesh", "leaf10"],
     &["--tolerance", "0.4px"],

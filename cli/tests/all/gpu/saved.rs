@@ -111,7 +111,7 @@ fn codecs_that_only_the_cpu_has_are_refused() {
             "\"it.slim\"",
             "--backend cpu",
             "other --nodes",
-            "q10 and q21",
+            "w4-64 and w4-48",
         ] {
             assert!(sentence.contains(part), "{part:?} is not in {sentence}");
         }

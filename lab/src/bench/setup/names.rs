@@ -103,6 +103,7 @@ mod tests {
         assert_eq!(names[1], "reduce off");
         assert!(names.contains(&"nodes paper10, mesh leaf10".into()));
         assert!(names.contains(&"nodes q10, mesh lattice 0.5px".into()));
+        assert!(names.contains(&"nodes w4-48, mesh lattice 0.5px".into()));
         assert!(names.contains(&"1 thread".into()));
     }
 }

@@ -17,9 +17,9 @@ pub struct Round {
 /// Milliseconds of a frame's parts.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct FrameTimes {
-    /// All stages of the build except encoding.
+    /// All other stages of the build.
     pub construction: f64,
-    /// Encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
+    /// Collapsing nodes, and encoding nodes and triangles; on the CPU also the boxes of trees in codecs.
     pub encoding: f64,
     pub rendering: f64,
     /// The same times by stage.
@@ -40,7 +40,7 @@ impl FrameTimes {
             for (stage, time) in stages.iter() {
                 let ms = time.as_secs_f64() * 1e3;
                 let sum = match (is_build, stage) {
-                    (true, "encode") => &mut frame.encoding,
+                    (true, "wide" | "encode") => &mut frame.encoding,
                     (true, _) => &mut frame.construction,
                     (false, _) => &mut frame.rendering,
                 };

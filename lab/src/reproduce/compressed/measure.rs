@@ -154,7 +154,7 @@ fn facts(
 ) -> Result<MethodRecord> {
     let bvh = own.tree(0);
     let trees = Trees::all(bvh, prepared.scene.lights.len());
-    let counts = count(&prepared.scene, &Walks::new(&trees)?, settings)?;
+    let counts = count(&prepared.scene, &Walks::new(&trees), settings)?;
     let moved = if prepared.config.mesh.moves_vertices() {
         let moves = moved(reference.tree(0), &bvh.decoded())?;
         Some([moves.most, moves.bound].map(|distance| distance as f32))

@@ -2,8 +2,11 @@
 
 use crate::measure::step::Step;
 use crate::stress::snapped;
-use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene};
+use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, WideStore};
 use std::borrow::Cow;
+
+/// The tolerance that targets are for.
+pub const JUDGED_STEP: Step = Step::Pixels(0.5);
 
 /// How nodes and triangles are stored.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +21,10 @@ pub enum Method {
     Lattice(LatticeBits),
     /// Both on a lattice, with nodes of 10 bits.
     LatticeMesh(Step),
+    /// Nodes of up to four children, triangles in full precision.
+    Wide(WideStore),
+    /// The same with triangles on a lattice.
+    WideMesh(WideStore, Step),
 }
 
 /// A scene that is ready for a method.
@@ -31,7 +38,8 @@ pub struct Prepared<'a> {
 }
 
 impl Method {
-    /// All methods that are compared with [`Self::Plain`]: the paper's, ours, and ours with nodes of other widths.
+    /// All methods that are compared with [`Self::Plain`]: the paper's, ours of two children and of four, and ours of two with other
+    /// bits.
     pub fn all() -> Vec<Self> {
         let mut all = vec![
             Self::Node,
@@ -40,14 +48,23 @@ impl Method {
             Self::LatticeMesh(Step::Finest),
             Self::LatticeMesh(Step::Pixels(0.1)),
             Self::JUDGED,
+            Self::WIDE,
+            Self::Wide(WideStore::Exact),
         ];
+        for store in [WideStore::Exact, WideStore::Packed] {
+            let steps = [Step::Finest, Step::Pixels(0.1), JUDGED_STEP];
+            all.extend(steps.map(|step| Self::WideMesh(store, step)));
+        }
         let others = LatticeBits::ALL.map(Self::Lattice).into_iter();
         all.extend(others.filter(Self::is_other_width));
         all
     }
 
-    /// The main method that targets are for.
-    pub const JUDGED: Self = Self::LatticeMesh(Step::Pixels(0.5));
+    /// The main method of two children that targets are for.
+    pub const JUDGED: Self = Self::LatticeMesh(JUDGED_STEP);
+
+    /// Four children with planes in full: what planes in 8 bits are compared with.
+    pub const WIDE: Self = Self::Wide(WideStore::Full);
 
     /// Whether the method is measured only for the width of its nodes.
     pub fn is_other_width(&self) -> bool {
@@ -56,13 +73,16 @@ impl Method {
 
     /// The name in tables.
     pub fn name(self) -> String {
-        match self {
-            Self::Plain => "plain".into(),
-            Self::Node => "NODE".into(),
-            Self::NodeMesh => "NODE+MESH".into(),
-            Self::Lattice(bits) => format!("q{}", bits.count()),
-            Self::LatticeMesh(Step::Finest) => "q10, mesh at finest step".into(),
-            Self::LatticeMesh(Step::Pixels(pixels)) => format!("q10, mesh to {pixels}px"),
+        let nodes = match self {
+            Self::Plain => "plain",
+            Self::Node => "NODE",
+            Self::NodeMesh => "NODE+MESH",
+            _ => self.nodes().name(),
+        };
+        match self.step() {
+            None => nodes.into(),
+            Some(Step::Finest) => format!("{nodes}, mesh at finest step"),
+            Some(Step::Pixels(pixels)) => format!("{nodes}, mesh to {pixels}px"),
         }
     }
 
@@ -72,6 +92,15 @@ impl Method {
             Self::Node | Self::NodeMesh => NodeCodec::Paper10,
             Self::Lattice(bits) => NodeCodec::Lattice(bits),
             Self::LatticeMesh(_) => NodeCodec::Lattice(LatticeBits::Q10),
+            Self::Wide(store) | Self::WideMesh(store, _) => NodeCodec::Wide(store),
+        }
+    }
+
+    /// The step of the triangles' lattice, if they are on one.
+    const fn step(self) -> Option<Step> {
+        match self {
+            Self::LatticeMesh(step) | Self::WideMesh(_, step) => Some(step),
+            _ => None,
         }
     }
 
@@ -91,17 +120,16 @@ impl Method {
             },
             moved: None,
         };
-        match self {
-            Self::NodeMesh => prepared.config.mesh = MeshCodec::Leaf10,
-            Self::LatticeMesh(step) => {
-                let step_exponent = step.exponent(scene, settings);
-                let mesh = &mut prepared.scene.to_mut().mesh;
-                mesh.snap(step_exponent);
-                let moves = snapped(&scene.mesh.vertices, &mesh.vertices, step_exponent);
-                prepared.moved = Some([moves.most, moves.bound].map(|distance| distance as f32));
-                prepared.config.mesh = MeshCodec::Lattice { step_exponent };
-            }
-            Self::Plain | Self::Node | Self::Lattice(_) => {}
+        if self == Self::NodeMesh {
+            prepared.config.mesh = MeshCodec::Leaf10;
+        }
+        if let Some(step) = self.step() {
+            let step_exponent = step.exponent(scene, settings);
+            let mesh = &mut prepared.scene.to_mut().mesh;
+            mesh.snap(step_exponent);
+            let moves = snapped(&scene.mesh.vertices, &mesh.vertices, step_exponent);
+            prepared.moved = Some([moves.most, moves.bound].map(|distance| distance as f32));
+            prepared.config.mesh = MeshCodec::Lattice { step_exponent };
         }
         prepared
     }

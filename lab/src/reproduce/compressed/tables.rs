@@ -98,7 +98,7 @@ fn touched(records: &[SceneRecord]) -> Table {
     Table {
         title: "What a ray touches".into(),
         notes: vec![
-            "Means per ray of the picture, including rays that miss: boxes tested (two per opened node), triangles tested, and \
+            "Means per ray of the picture, including rays that miss: boxes tested (all children of the opened nodes), triangles tested, and \
              bytes of the opened nodes and tested triangles, each counted as often as it is touched, as if there were no cache. Moved \
              vertices make another picture, whose rays these are. Printed: compared with Karras' tree, with one box and links per node and \
              one triangle per leaf; ours is a different tree (see plain)."
@@ -106,6 +106,9 @@ fn touched(records: &[SceneRecord]) -> Table {
             "A box grows by less than a cell on each side, 1 of 1023 of its parent's, which explains the few additional tests of NODE here; the \
              paper does not say why it found more. Flat boxes in larger ones become a cell thick on the lattice, so that rays which start on such \
              a surface test its triangles again (shiny). Triangles whose vertices coincide vanish, and are not hit."
+                .into(),
+            "w4-64 and w4-48: a leaf of triangles on the lattice is decoded from its node, which is counted as read again. Each ray is \
+             tested against the root's own box first, which w4 and plain do without."
                 .into(),
         ],
         word_columns: 3,

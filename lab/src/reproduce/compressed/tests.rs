@@ -3,7 +3,7 @@ use super::*;
 use crate::measure::counts::count;
 use crate::measure::step::Step;
 use crate::measure::walks::Walks;
-use slimbvh::{Builder, Bvh, LatticeBits, Picture, RenderSettings, Renderer, Trees};
+use slimbvh::{Builder, Bvh, LatticeBits, Picture, RenderSettings, Renderer, Trees, WideStore};
 
 const SETTINGS: RenderSettings = RenderSettings {
     size: [48, 32],
@@ -17,14 +17,15 @@ const SETTINGS: RenderSettings = RenderSettings {
 #[test]
 fn the_rays_counted_are_those_of_the_picture() {
     let subject = Subject::new(SceneName::Shiny, None, SETTINGS.size).unwrap();
-    for method in [Method::Plain, Method::Node, Method::JUDGED] {
+    let wide = Method::WideMesh(WideStore::Packed, Step::Pixels(0.5));
+    for method in [Method::Plain, Method::Node, Method::JUDGED, wide] {
         let prepared = method.prepare(&subject.scene, &SETTINGS);
         let mut bvh = Bvh::default();
         let mesh = &prepared.scene.mesh;
         Builder::new(prepared.config)
             .build_into(mesh, &mut bvh)
             .unwrap();
-        let walks = Walks::new(&Trees::all(&bvh, prepared.scene.lights.len())).unwrap();
+        let walks = Walks::new(&Trees::all(&bvh, prepared.scene.lights.len()));
         let counts = count(&prepared.scene, &walks, &SETTINGS).unwrap();
         let mut picture = Picture::default();
         let rendered =
@@ -54,12 +55,19 @@ fn coarser_meshes_are_less_to_read() {
     let read = |method| {
         of(method).counts.all().triangle_bytes as f64 / of(method).counts.all().triangles as f64
     };
-    let [finest, fine, coarse] = [Step::Finest, Step::Pixels(0.1), Step::Pixels(0.5)]
-        .map(|step| read(Method::LatticeMesh(step)));
-    assert!(
-        finest <= 40.0 && finest > fine && fine >= coarse && coarse >= 16.0,
-        "{finest} {fine} {coarse}"
-    );
+    let stores: [fn(Step) -> Method; 3] = [
+        Method::LatticeMesh,
+        |step| Method::WideMesh(WideStore::Exact, step),
+        |step| Method::WideMesh(WideStore::Packed, step),
+    ];
+    for store in stores {
+        let [finest, fine, coarse] =
+            [Step::Finest, Step::Pixels(0.1), Step::Pixels(0.5)].map(|step| read(store(step)));
+        assert!(
+            finest <= 40.0 && finest > fine && fine >= coarse && coarse >= 16.0,
+            "{finest} {fine} {coarse}"
+        );
+    }
     assert_eq!(read(Method::Plain), 40.0);
     assert_eq!(read(Method::NodeMesh), 16.0);
 
@@ -69,6 +77,9 @@ fn coarser_meshes_are_less_to_read() {
     };
     for bits in LatticeBits::ALL {
         assert!(is_same(of(Method::Lattice(bits))), "{bits:?}");
+    }
+    for store in [WideStore::Full, WideStore::Exact] {
+        assert!(is_same(of(Method::Wide(store))), "{store:?}");
     }
     assert!(is_same(of(Method::Node)));
     let leaked = |method| of(method).cracks.unwrap().leaked;
@@ -91,6 +102,20 @@ fn coarser_meshes_are_less_to_read() {
     let nodes = |bits| of(Method::Lattice(bits)).counts.all().nodes;
     assert!(nodes(LatticeBits::Q4) > nodes(LatticeBits::Q10));
     assert!(nodes(LatticeBits::Q10) >= nodes(LatticeBits::Q21));
+
+    // Nodes of four children are opened less often and test more boxes each. They are read again for leaves on the lattice alone.
+    let all = |method| of(method).counts.all();
+    let plain = all(Method::Plain);
+    assert_eq!(plain.boxes, 2 * plain.nodes);
+    let full = all(Method::WIDE);
+    assert!(full.nodes < plain.nodes && full.boxes > 2 * full.nodes);
+    assert!(full.boxes <= 4 * full.nodes);
+    for (method, bytes) in [(Method::WIDE, 128), (Method::Wide(WideStore::Exact), 64)] {
+        assert_eq!(all(method).node_bytes, bytes * all(method).nodes);
+    }
+    let packed = all(Method::WideMesh(WideStore::Packed, Step::Finest));
+    assert!(packed.node_bytes > 48 * packed.nodes);
+    assert!(packed.node_bytes.is_multiple_of(48));
 }
 
 /// Any adapter, limited to bindings of one mebibyte. Without one the test is skipped with a notice, or fails under

@@ -246,7 +246,7 @@ fn compressed_trees_as_text_markdown_and_json() {
     let got_in = |method: usize| number(&scenes[1]["methods"][method]["cracks"], "leaked");
     assert!(got_in(2) > 500.0);
     assert!(
-        (0..13)
+        (0..21)
             .filter(|method| *method != 2)
             .all(|method| got_in(method) == 0.0)
     );
@@ -256,7 +256,7 @@ fn compressed_trees_as_text_markdown_and_json() {
         number(method, "node_bytes") + number(method, "triangle_bytes")
     };
     let verdicts = report["verdicts"].as_array().unwrap();
-    assert_eq!(verdicts.len(), 10);
+    assert_eq!(verdicts.len(), 20);
     let first = &verdicts[0];
     assert_eq!(number(first, "bound"), 0.6);
     for (measured, scene) in first["measured"].as_array().unwrap().iter().zip(scenes) {
@@ -267,12 +267,12 @@ fn compressed_trees_as_text_markdown_and_json() {
 
     let file = String::from_utf8(folder.read("c.md")).unwrap();
     for (title, count) in [
-        ("What a ray touches", 2 * (2 + 7)),
-        ("Bytes of tree and triangles", 2 * 7),
-        ("Times, ms", 2 * (3 + 7)),
-        ("Times by stage, ms", 2 * 7),
-        ("Changes of the picture", 2 * 7),
-        ("What a ray touches, by kind of ray", 3 * 7 + 2 * 7),
+        ("What a ray touches", 2 * (2 + 15)),
+        ("Bytes of tree and triangles", 2 * 15),
+        ("Times, ms", 2 * (3 + 15)),
+        ("Times by stage, ms", 2 * 15),
+        ("Changes of the picture", 2 * 15),
+        ("What a ray touches, by kind of ray", 3 * 15 + 2 * 15),
         ("Bits per plane", 2 * 7),
     ] {
         let rows = rows(&file, &format!("## {title}"));
@@ -301,6 +301,14 @@ fn check_scene(scene: &Value, name: &str) {
         "q10, mesh at finest step",
         "q10, mesh to 0.1px",
         "q10, mesh to 0.5px",
+        "w4",
+        "w4-64",
+        "w4-64, mesh at finest step",
+        "w4-64, mesh to 0.1px",
+        "w4-64, mesh to 0.5px",
+        "w4-48, mesh at finest step",
+        "w4-48, mesh to 0.1px",
+        "w4-48, mesh to 0.5px",
         "q4",
         "q6",
         "q8",

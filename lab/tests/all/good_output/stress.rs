@@ -23,7 +23,7 @@ fn one_family_as_text_and_json() {
     );
     let json = parse(&String::from_utf8_lossy(&folder.read("soup.json")));
     let rows = json["rows"].as_array().expect("there are rows");
-    assert_eq!(rows.len(), 6);
+    assert_eq!(rows.len(), 8);
     let expected = [
         "adrift",
         "backend",
@@ -74,5 +74,5 @@ fn rows_of_others_are_shown_beside_ours() {
     folder.write("ours.json", others.replace("\"other\"", "\"slimbvh\""));
     let outcome = folder.run(["stress", "--quick", "--only", "flat", "--with", "ours.json"]);
     assert_eq!(outcome.code, Some(1), "{outcome:?}");
-    assert!(outcome.stdout.contains("42 at fault"), "{}", outcome.stdout);
+    assert!(outcome.stdout.contains("56 at fault"), "{}", outcome.stdout);
 }

@@ -39,9 +39,9 @@ pub fn frames(records: &[SceneRecord], place: TimedOn) -> Table {
         }
     }
     let parts = if place.is_gpu() {
-        "By the GPU's own clock: construction with all boxes, stage encode, which encodes nodes and triangles"
+        "By the GPU's own clock: construction with all boxes, encoding (stages wide and encode: collapsing nodes, encoding nodes and triangles)"
     } else {
-        "Construction up to the boxes, stage encode, which finds boxes and encodes nodes and triangles"
+        "Construction, encoding (stage encode: nodes and triangles, and with two children also their boxes, with four the collapse)"
     };
     Table {
         title: "Times, ms".into(),
@@ -91,7 +91,7 @@ fn printed_times(name: &'static str, printed: &Printed) -> [Vec<String>; 3] {
 }
 
 /// The stages of builds and of pictures, in the order of execution.
-const STAGES: [&str; 15] = [
+const STAGES: [&str; 16] = [
     "validate",
     "bounds",
     "morton",
@@ -100,6 +100,7 @@ const STAGES: [&str; 15] = [
     "snap",
     "topology",
     "refit",
+    "wide",
     "encode",
     "camera",
     "trace primary",
