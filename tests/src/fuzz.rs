@@ -9,6 +9,7 @@ mod node_codec;
 mod options;
 mod saved_file;
 mod triangle_codec;
+mod wide_codec;
 
 pub use build_and_trace::build_and_trace;
 pub use classification::classification;
@@ -17,12 +18,13 @@ pub use node_codec::node_codec;
 pub use options::options;
 pub use saved_file::saved_file;
 pub use triangle_codec::triangle_codec;
+pub use wide_codec::wide_codec;
 
 /// A target's check of some bytes.
 pub type Check = fn(&[u8]);
 
 /// All targets, by the names that they have in `fuzz/`.
-pub const TARGETS: [(&str, Check); 11] = [
+pub const TARGETS: [(&str, Check); 12] = [
     ("build_and_trace", build_and_trace),
     ("classification", classification),
     ("load_gltf", load_gltf),
@@ -34,4 +36,5 @@ pub const TARGETS: [(&str, Check); 11] = [
     ("options", options),
     ("saved_file", saved_file),
     ("triangle_codec", triangle_codec),
+    ("wide_codec", wide_codec),
 ];

@@ -9,7 +9,7 @@ use crate::strategies::any_mesh;
 use arbitrary::Arbitrary;
 use slimbvh::{
     BuildConfig, Builder, Bvh, CodeBits, Hit, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray,
-    TreeKind,
+    TreeKind, WideStore,
 };
 
 /// An arbitrary mesh and arbitrary rays, invalid ones included.
@@ -146,14 +146,20 @@ fn as_tests_draw(data: &[u8]) -> Option<(Mesh, Vec<Ray>)> {
 /// All valid pairs of codecs.
 fn codecs(choice: u8, step_exponent: i32) -> (NodeCodec, MeshCodec) {
     let bits = LatticeBits::ALL[usize::from(choice >> 2) % LatticeBits::ALL.len()];
+    let on_lattice = MeshCodec::Lattice { step_exponent };
+    if choice >= 0xc0 {
+        return match choice % 4 {
+            0 => (NodeCodec::Wide(WideStore::Full), MeshCodec::F32),
+            1 => (NodeCodec::Wide(WideStore::Exact), MeshCodec::F32),
+            2 => (NodeCodec::Wide(WideStore::Exact), on_lattice),
+            _ => (NodeCodec::Wide(WideStore::Packed), on_lattice),
+        };
+    }
     match choice % 4 {
         0 => (NodeCodec::Paper10, MeshCodec::F32),
         1 => (NodeCodec::Paper10, MeshCodec::Leaf10),
         2 => (NodeCodec::Lattice(bits), MeshCodec::F32),
-        _ => (
-            NodeCodec::Lattice(bits),
-            MeshCodec::Lattice { step_exponent },
-        ),
+        _ => (NodeCodec::Lattice(bits), on_lattice),
     }
 }
 

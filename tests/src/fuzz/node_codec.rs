@@ -10,7 +10,7 @@ use slimbvh_core::encode::{
 };
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::node::LEAF_SIZE;
-use slimbvh_core::trace::NodeSource;
+use slimbvh_core::trace::{NodeSource, Order};
 use slimbvh_core::{MAX_TRIANGLES, Node, NodeRef};
 
 /// The orders of axes of rays.
@@ -133,10 +133,10 @@ fn on_lattice<const BITS: u32, const WORDS: usize>(
     let stride = LeafWidth::of(&node.left).words();
     for axes in ORDERS {
         let frames = decoded.map(|bounds| LatticeBounds::new(&bounds, step, axes));
-        let seen = plain.children(plain.root(axes), axes);
+        let seen = plain.children(plain.root(axes), Order::of(axes));
         assert_eq!([seen.left.bounds, seen.right.bounds], frames, "{BITS}");
         assert_eq!([seen.left.node, seen.right.node], children);
-        let seen = mixed.children(mixed.root(axes), axes);
+        let seen = mixed.children(mixed.root(axes), Order::of(axes));
         assert_eq!([seen.left.bounds, seen.right.bounds], frames, "{BITS}");
         assert_eq!([seen.left.node, seen.right.node], links.children(stride));
     }
@@ -198,7 +198,7 @@ fn as_paper10(input: &Input, [left_child, right_child]: [NodeRef; 2]) {
             min: order(bounds.min),
             max: order(bounds.max),
         });
-        let seen = source.children(source.root(axes), axes);
+        let seen = source.children(source.root(axes), Order::of(axes));
         assert_eq!([seen.left.bounds, seen.right.bounds], ordered);
         assert_eq!([seen.left.node, seen.right.node], [left_child, right_child]);
     }

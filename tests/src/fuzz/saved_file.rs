@@ -2,7 +2,7 @@
 //! again byte for byte, and can be traced and refitted.
 
 use slimbvh::scene::slim::{Saved, read, write};
-use slimbvh::{BuildConfig, Builder, LatticeBits, NodeCodec};
+use slimbvh::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec, WideStore};
 use slimbvh_core::Ray;
 
 /// Bytes of the header and the record of the scene.
@@ -30,14 +30,20 @@ pub fn saved_file(data: &[u8]) {
         }
     }
     if saved.bvh.triangle_count() == saved.bvh.mesh_triangle_count() {
-        let config = BuildConfig {
-            nodes: NodeCodec::Lattice(LatticeBits::Q10),
-            ..BuildConfig::default()
-        };
-        let mut bvh = saved.bvh.clone();
-        let refitted = Builder::new(config).refit(mesh, &mut bvh);
-        assert!(refitted.is_ok(), "it was built over this mesh");
-        assert_eq!(bvh.validate_over(mesh), Ok(()));
+        let own = saved.bvh.codecs();
+        let q10 = (NodeCodec::Lattice(LatticeBits::Q10), MeshCodec::F32);
+        let wide = (NodeCodec::Wide(WideStore::Exact), MeshCodec::F32);
+        for (nodes, codec) in [q10, wide, own] {
+            let config = BuildConfig {
+                nodes,
+                mesh: codec,
+                ..BuildConfig::default()
+            };
+            let mut bvh = saved.bvh.clone();
+            let refitted = Builder::new(config).refit(mesh, &mut bvh);
+            assert!(refitted.is_ok(), "it was built over this mesh");
+            assert_eq!(bvh.validate_over(mesh), Ok(()));
+        }
     }
 }
 
@@ -54,7 +60,7 @@ fn repaired(data: &[u8]) -> Vec<u8> {
     let length = bytes.len() as u64;
     bytes[..8].copy_from_slice(b"\x89SLIM\r\n\x1a");
     bytes[8..12].copy_from_slice(&0x0102_0304_u32.to_le_bytes());
-    bytes[12..16].copy_from_slice(&1_u32.to_le_bytes());
+    bytes[12..16].copy_from_slice(&2_u32.to_le_bytes());
     bytes[24..32].copy_from_slice(&length.to_le_bytes());
     let mut checksum = crc32fast::Hasher::new();
     checksum.update(&bytes[..16]);

@@ -4,8 +4,8 @@ use super::input::{Extent, any, below_one, between, lattice_box};
 use arbitrary::Arbitrary;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{
-    LatticeBounds, LatticeTriangles, LeafCorner, LeafWidth, Paper10Box, Paper10Triangles,
-    encode_paper10_triangle, encode_triangle,
+    LatticeBounds, LatticeTriangles, LeafCorner, LeafFrame, LeafWidth, Paper10Box,
+    Paper10Triangles, encode_paper10_triangle, encode_triangle,
 };
 use slimbvh_core::trace::{LeafSlot, TriangleSource};
 
@@ -60,8 +60,8 @@ fn on_lattice(input: &Input) {
         step,
     };
     for axes in ORDERS {
-        let frame = LatticeBounds::new(&bounds, step, axes);
-        assert_eq!(LeafWidth::of_bounds(&frame, step), width);
+        let frame = LeafFrame::of(&LatticeBounds::new(&bounds, step, axes), step);
+        assert_eq!(frame.width, width);
         let place = LeafSlot {
             first,
             number,

@@ -13,7 +13,7 @@ struct Codec {
 
 const MOST_FILES: usize = 6;
 
-const CODECS: [Codec; 2] = [
+const CODECS: [Codec; 3] = [
     Codec {
         words: &["paper10", "leaf10"],
         files: &[
@@ -43,6 +43,23 @@ const CODECS: [Codec; 2] = [
             "host/src/tree/lattice.rs",
             "host/src/cpu/encode.rs",
             "host/src/cpu/encode/lattice.rs",
+            "host/src/gpu/coding.rs",
+        ],
+    },
+    Codec {
+        words: &[
+            "nodecodec::wide",
+            "storedtree::wide",
+            "widestore::",
+            "widetree",
+            "w4",
+        ],
+        files: &[
+            "host/src/tree/codec.rs",
+            "host/src/tree/stored.rs",
+            "host/src/tree/wide.rs",
+            "host/src/cpu/encode.rs",
+            "host/src/cpu/wide.rs",
             "host/src/gpu/coding.rs",
         ],
     },

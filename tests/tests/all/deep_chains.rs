@@ -4,9 +4,7 @@
 use slimbvh::scene::slim::{Section, read, write};
 use slimbvh::{Bvh, CodeBits, Scene};
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{
-    ClosestOrAny, Distance, STACK_SIZE, Skip, Stack, Waiting, traverse_with,
-};
+use slimbvh_core::trace::{ClosestOrAny, Distance, Rows, STACK_SIZE, Skip, Stack, traverse_with};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Ray};
 use slimbvh_tests::build;
 use slimbvh_tests::oracle::brute::Parts;
@@ -197,10 +195,10 @@ struct Measured {
     most: u32,
 }
 
-impl Waiting<NodeRef> for Measured {
+impl Rows<NodeRef> for Measured {
     type Enter = f32;
 
-    const ROWS: u32 = <Stack<NodeRef> as Waiting<NodeRef>>::ROWS;
+    const ROWS: u32 = <Stack<NodeRef> as Rows<NodeRef>>::ROWS;
 
     fn put(&mut self, row: u32, cursor: NodeRef, enter: f32) {
         self.most = self.most.max(row + 1);
@@ -221,7 +219,7 @@ pub fn walked(
     bvh: &Bvh,
     ray: &Ray,
     is_any: bool,
-    stack: &mut impl Waiting<NodeRef, Enter: Distance>,
+    stack: &mut impl Rows<NodeRef, Enter: Distance>,
 ) -> bool {
     let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
     let ray = PreparedRay::new(ray, bvh.scene_exponent());

@@ -1,5 +1,6 @@
 //! Memory: repeated builds do not grow it, and meshes that are too large are errors before any allocation.
 
+use crate::wide::wide_codecs;
 use slimbvh::generate::{icosphere, soup, terrain};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, MeshError, NodeCodec};
 use slimbvh_core::{MAX_TRIANGLES, Ray};
@@ -15,12 +16,13 @@ fn thousands_of_builds_in_a_row_take_no_more_memory() {
         mesh.normals.clear();
     }
     let lattice = MeshCodec::Lattice { step_exponent };
-    for (nodes, mesh) in [
+    let others = [
         (NodeCodec::F32, MeshCodec::F32),
         (NodeCodec::Paper10, MeshCodec::Leaf10),
         (NodeCodec::Lattice(LatticeBits::Q10), MeshCodec::F32),
         (NodeCodec::Lattice(LatticeBits::Q10), lattice),
-    ] {
+    ];
+    for (nodes, mesh) in others.into_iter().chain(wide_codecs(step_exponent)) {
         let mut builder = Builder::new(BuildConfig {
             nodes,
             mesh,

@@ -51,7 +51,9 @@ fn every_fuzz_target_is_replayed() {
 #[test]
 fn the_seeds_of_saved_hierarchies_are_read() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus/saved_file");
-    for codec in ["f32", "lattice", "leaf10", "paper10", "q10", "q4"] {
+    for codec in [
+        "f32", "lattice", "leaf10", "paper10", "q10", "q4", "w4", "w4-48", "w4-64",
+    ] {
         let seed = std::fs::read(folder.join(codec)).expect("a seed");
         let read = slimbvh::scene::slim::read(&seed);
         let count = read.map(|saved| saved.bvh.node_count());

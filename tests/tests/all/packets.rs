@@ -1,5 +1,6 @@
 //! Rays in a packet answer as each does alone, bit for bit.
 
+use crate::wide::wide_codecs;
 use bytemuck::Zeroable;
 use glam::Vec3;
 use proptest::collection::vec;
@@ -9,7 +10,7 @@ use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCode
 use slimbvh_core::lanes::Each;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::trace::{
-    Children, ClosestHit, Collector, Lane, LeafRun, LeafTriangles, NodeSource, PacketStacks,
+    Children, ClosestHit, Collector, Lane, LeafRun, LeafTriangles, NodeSource, Order, PacketStacks,
     PlainNodes, PreparedRays, Skip, trace_alone, trace_packet,
 };
 use slimbvh_core::{Hit, Node, NodeRef, Ray};
@@ -118,7 +119,19 @@ fn codecs() -> Vec<BuildConfig> {
         mesh: MeshCodec::Leaf10,
         ..BuildConfig::default()
     });
+    all.extend(wide(0, false));
     all
+}
+
+/// Wide trees, with triangles in full or on a lattice.
+fn wide(step_exponent: i32, is_on_lattice: bool) -> impl Iterator<Item = BuildConfig> {
+    let codecs = wide_codecs(step_exponent).into_iter();
+    let codecs = codecs.filter(move |(_, mesh)| mesh.step_exponent().is_some() == is_on_lattice);
+    codecs.map(|(nodes, mesh)| BuildConfig {
+        nodes,
+        mesh,
+        ..BuildConfig::default()
+    })
 }
 
 proptest! {
@@ -140,6 +153,10 @@ proptest! {
                 mesh: MeshCodec::Lattice { step_exponent },
                 ..BuildConfig::default()
             };
+            let result = check(&build_as(&snapped, config), &rays);
+            prop_assert!(result.is_ok(), "{:?}", result);
+        }
+        for config in wide(step_exponent, true) {
             let result = check(&build_as(&snapped, config), &rays);
             prop_assert!(result.is_ok(), "{:?}", result);
         }
@@ -224,6 +241,7 @@ struct Opened<'a>(PlainNodes<'a>, Cell<u32>);
 
 impl NodeSource for Opened<'_> {
     type Cursor = NodeRef;
+    type Node = Children<NodeRef>;
     type Bounds = ();
 
     const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
@@ -232,13 +250,21 @@ impl NodeSource for Opened<'_> {
         self.0.root(axes)
     }
 
-    fn leaf(&self, cursor: NodeRef) -> LeafRun<()> {
-        self.0.leaf(cursor)
+    fn is_leaf(&self, cursor: NodeRef) -> bool {
+        self.0.is_leaf(cursor)
     }
 
-    fn children(&self, cursor: NodeRef, axes: [u32; 3]) -> Children<NodeRef> {
+    fn leaf(&self, cursor: NodeRef, axes: [u32; 3]) -> LeafRun<()> {
+        self.0.leaf(cursor, axes)
+    }
+
+    fn resume(&self, waited: NodeRef) -> NodeRef {
+        waited
+    }
+
+    fn children(&self, cursor: NodeRef, order: Order) -> Children<NodeRef> {
         self.1.set(self.1.get() + 1);
-        self.0.children(cursor, axes)
+        self.0.children(cursor, order)
     }
 
     fn step_limit(&self) -> u32 {
@@ -265,7 +291,7 @@ fn a_tree_with_circles_is_left() {
         filter: Skip::NONE,
         collector: ClosestHit::new(first.t_max),
     };
-    let mut stacks: PacketStacks<NodeRef, Each<8>> = PacketStacks::EMPTY;
+    let mut stacks: PacketStacks<Children<NodeRef>, Each<8>> = PacketStacks::EMPTY;
     let counted = Opened(nodes, Cell::new(0));
     let mut alone = lane;
     trace_alone(&mut stacks.alone, &counted, &triangles, &first, &mut alone);

@@ -1,5 +1,6 @@
 //! Saved hierarchies: a tree that was read answers as the one that was written, and every built tree passes validation.
 
+use crate::wide::wide_codecs;
 use proptest::prelude::*;
 use slimbvh::scene::slim::{read, write};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
@@ -21,6 +22,7 @@ fn codecs(step_exponent: i32) -> Vec<(NodeCodec, MeshCodec)> {
         all.push((nodes, MeshCodec::F32));
         all.push((nodes, MeshCodec::Lattice { step_exponent }));
     }
+    all.extend(wide_codecs(step_exponent));
     all
 }
 

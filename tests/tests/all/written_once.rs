@@ -119,8 +119,21 @@ const STAGES: &[Stage] = &[
         gpu: &["refit"],
     },
     Stage {
+        name: "wide",
+        what: "nodes of up to four children, where they are asked for: which binary nodes they take in, and their places",
+        core: &[
+            "build/wide",
+            "build/wide/children",
+            "build/wide/collapse",
+            "build/wide/origin",
+        ],
+        shaders: &["wide"],
+        cpu: &["wide", "wide/collapse"],
+        gpu: &["wide"],
+    },
+    Stage {
         name: "encode",
-        what: "nodes and triangles in codecs, from the root down",
+        what: "nodes and triangles in codecs: from the root down, wide ones each on its own",
         core: &[
             "codec",
             "codec/encode",
@@ -132,14 +145,25 @@ const STAGES: &[Stage] = &[
             "codec/paper10",
             "codec/root",
             "codec/rounded",
+            "codec/frame",
+            "codec/wide_axis",
+            "codec/wide_node",
+            "codec/wide_links",
+            "codec/packed_wide_node",
+            "codec/full_wide_node",
+            "codec/rounded_children",
+            "codec/mixed_wide_node",
         ],
-        shaders: &["encode"],
+        shaders: &["encode", "encode/wide"],
         cpu: &[
             "encode",
             "encode/tree",
             "encode/lattice",
             "encode/lattice_mesh",
             "encode/paper10",
+            "encode/leaf_words",
+            "wide/place",
+            "wide/store",
             "tree/decode",
         ],
         gpu: &["encode", "coding"],
@@ -164,6 +188,10 @@ const STAGES: &[Stage] = &[
             "trace/query",
             "trace/sources",
             "trace/stack",
+            "trace/wide",
+            "trace/wide_rows",
+            "trace/wide_stack",
+            "codec/wide_sources",
             "geometry/lanes",
             "geometry/lanes/each",
             "geometry/ray",
@@ -175,9 +203,11 @@ const STAGES: &[Stage] = &[
             "trace",
             "trace/kernels",
             "trace/store",
+            "trace/plain",
             "trace/coded",
             "trace/called",
             "trace/overflow",
+            "trace/wide",
         ],
         cpu: &["trace", "tree/lanes", "tree/packets"],
         gpu: &["trace", "trace/paths"],
@@ -334,7 +364,7 @@ fn every_kernel_belongs_to_a_stage() {
         .iter()
         .flat_map(|stage| entry_points(stage.shaders))
         // These become WGSL functions, and are no kernels.
-        .filter(|name| !["call_trace", "call_trace_in_group"].contains(&name.as_str()))
+        .filter(|name| !name.starts_with("call_"))
         .collect();
     let kernels = Kernel::ALL.iter().map(|kernel| kernel.name().to_owned());
     assert_eq!(listed, kernels.collect());

@@ -8,7 +8,9 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
 use slimbvh::{Bvh, CodeBits, Mesh};
 use slimbvh_core::lanes::{Each, EachMask, Lanes, Wide};
-use slimbvh_core::trace::{ClosestHit, Lane, PacketStacks, PreparedRays, Skip, trace_packet};
+use slimbvh_core::trace::{
+    Children, ClosestHit, Lane, PacketStacks, PreparedRays, Skip, trace_packet,
+};
 use slimbvh_core::{Hit, NodeRef, Ray};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::{build, cases};
@@ -141,7 +143,7 @@ impl<const UNSIGNS: bool> Wide<LANES> for Contrary<UNSIGNS> {
 /// The closest hits of rays that walk together with contrary zeros.
 fn contrary_hits<const UNSIGNS: bool>(bvh: &Bvh, rays: &[Ray; LANES]) -> Vec<Hit> {
     let (nodes, triangles) = (bvh.node_source(), bvh.triangle_source());
-    let mut stacks: PacketStacks<NodeRef, Contrary<UNSIGNS>> = PacketStacks::EMPTY;
+    let mut stacks: PacketStacks<Children<NodeRef>, Contrary<UNSIGNS>> = PacketStacks::EMPTY;
     let mut prepared = PreparedRays::EMPTY;
     prepared.prepare(rays, bvh.scene_exponent());
     let mut packet = prepared.t_max().map(|t_max| Lane {

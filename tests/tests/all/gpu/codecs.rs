@@ -7,7 +7,9 @@ use glam::Vec3;
 use proptest::prelude::*;
 use slimbvh::generate::{default_scene, icosphere, soup};
 use slimbvh::gpu::{self, Gpu, GpuError, Subset, TargetSides};
-use slimbvh::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, View};
+use slimbvh::{
+    BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind, View, WideStore,
+};
 use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_tests::gpu::{done, gpu, is_software};
@@ -20,7 +22,7 @@ const Q10: NodeCodec = NodeCodec::Lattice(LatticeBits::Q10);
 const Q21: NodeCodec = NodeCodec::Lattice(LatticeBits::Q21);
 
 /// All codecs of the GPU, with a lattice of this step.
-pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
+pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 10] {
     let lattice = MeshCodec::Lattice { step_exponent };
     [
         (NodeCodec::Paper10, MeshCodec::F32),
@@ -29,6 +31,10 @@ pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
         (Q10, lattice),
         (Q21, MeshCodec::F32),
         (Q21, lattice),
+        (NodeCodec::Wide(WideStore::Full), MeshCodec::F32),
+        (NodeCodec::Wide(WideStore::Exact), MeshCodec::F32),
+        (NodeCodec::Wide(WideStore::Exact), lattice),
+        (NodeCodec::Wide(WideStore::Packed), lattice),
     ]
     .map(|(nodes, mesh)| BuildConfig {
         nodes,
@@ -394,7 +400,7 @@ fn codecs_that_only_the_cpu_has_are_refused() {
             assert_eq!(built, Err(GpuError::Codec { bits }));
             let said = built.map_or_else(|error| error.to_string(), |()| String::new());
             let expected = format!(
-                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, paper10, q10 and q21"
+                "nodes of {bits} bits are stored on the CPU only; the GPU has f32, paper10, q10, q21, w4, w4-64 and w4-48"
             );
             assert_eq!(said, expected);
         }

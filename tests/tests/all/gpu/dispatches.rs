@@ -1,7 +1,7 @@
 //! How many dispatches a build takes. Each costs a few microseconds even where it has little to do.
 
 use slimbvh::gpu::{self, Gpu};
-use slimbvh::{BuildConfig, CodeBits, Mesh};
+use slimbvh::{BuildConfig, CodeBits, Mesh, MeshCodec, NodeCodec, WideStore};
 use slimbvh_tests::CODE_BITS;
 use slimbvh_tests::gpu::{done, gpu};
 
@@ -9,7 +9,7 @@ use slimbvh_tests::gpu::{done, gpu};
 fn dispatches(
     gpu: &Gpu,
     triangle_count: u32,
-    code_bits: CodeBits,
+    config: impl Into<BuildConfig>,
     refits: bool,
 ) -> Vec<(&'static str, u32)> {
     let mesh = Mesh {
@@ -18,7 +18,7 @@ fn dispatches(
         ..Mesh::default()
     };
     let mesh = done(gpu::Mesh::upload(gpu, &mesh));
-    let mut builder = gpu::Builder::new(BuildConfig::from(code_bits));
+    let mut builder = gpu::Builder::new(config.into());
     let mut bvh = gpu::Bvh::new();
     let mut frame = gpu.frame();
     // The first build grows buffers, which drops the program of its sort.
@@ -61,6 +61,34 @@ fn a_gpu_refit_of_871_414_triangles_takes_8_dispatches() {
     for code_bits in CODE_BITS {
         let stages = dispatches(gpu, 871_414, code_bits, true);
         assert_eq!(stages, [("bounds", 2), ("snap", 1), ("refit", 5)]);
+    }
+}
+
+/// Wide nodes cost five dispatches more than plain ones, over triangles on the lattice seven; refits one and five.
+#[test]
+fn wide_nodes_take_5_dispatches_more_and_over_triangles_on_the_lattice_7() {
+    let Some(gpu) = gpu() else { return };
+    let lattice = MeshCodec::Lattice { step_exponent: -20 };
+    for (store, mesh, [wide, encode], [wide_again, encode_again]) in [
+        (WideStore::Full, MeshCodec::F32, [4, 1], [0, 1]),
+        (WideStore::Exact, MeshCodec::F32, [4, 1], [0, 1]),
+        (WideStore::Exact, lattice, [5, 2], [3, 2]),
+        (WideStore::Packed, lattice, [5, 2], [3, 2]),
+    ] {
+        let config = BuildConfig {
+            nodes: NodeCodec::Wide(store),
+            mesh,
+            ..BuildConfig::from(CodeBits::Bits30)
+        };
+        let stages = dispatches(gpu, 871_414, config, false);
+        assert_eq!(
+            stages[stages.len() - 2..],
+            [("wide", wide), ("encode", encode)]
+        );
+        assert_eq!(sum(&stages), 24 + wide + encode);
+        let stages = dispatches(gpu, 871_414, config, true);
+        assert_eq!(sum(&stages), 8 + wide_again + encode_again);
+        assert_eq!(stages.last(), Some(&("encode", encode_again)));
     }
 }
 

@@ -1,4 +1,4 @@
-//! Kernels of the build from `topology` on, each alone: its outputs equal the results of core's function, to the bit.
+//! Kernels of the build from `topology` to `wide`, each alone: its outputs equal the results of core's function, to the bit.
 
 use super::chain::{Chain, is_short, pyramid};
 use bytemuck::{Zeroable, bytes_of, cast_slice};
@@ -8,6 +8,7 @@ use slimbvh::gpu::{Gpu, Kernel};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::{GROUP_LEVELS, Level, PyramidBox};
 use slimbvh_core::topology::{Codes30, internal_node};
+use slimbvh_core::wide::{Collapse, collapse, wide_origin};
 use slimbvh_core::{LeafTriangle, Node};
 use slimbvh_tests::gpu::{Dispatch, answers, done, gpu};
 use slimbvh_tests::parity::same_bits;
@@ -128,11 +129,49 @@ fn check_refit(gpu: &Gpu, chain: &Chain) -> Result<(), String> {
     same_bits(&answers::<u32>(&stored[0]), &chain.splits)
 }
 
+/// Compares which nodes wide ones take in, where these come from, and how many inner children they have. Nothing is stored
+/// beyond the last node.
+fn check_wide(gpu: &Gpu, nodes: &[Node], expected: &[Collapse]) -> Result<(), String> {
+    let (total, nothing) = ([nodes.len() as u32, 0, 0, 0], vec![7u32; nodes.len() + 3]);
+    let room = [nodes, &[Node::EMPTY; 3]].concat();
+    let dispatch = Dispatch {
+        kernel: Kernel::wide_collapse,
+        group_count: groups(room.len()),
+        uniforms: &[&total, &[0; 4]],
+        reads: &[cast_slice(&room)],
+        outputs: &[cast_slice(&nothing)],
+    };
+    let with_room = |words: Vec<u32>| [words, vec![7; 3]].concat();
+    let collapses = with_room(expected.iter().map(|collapse| collapse.0).collect());
+    same_bits(&answers::<u32>(&dispatch.run(gpu)[0]), &collapses)?;
+
+    let origins = (0..nodes.len() as u32).map(|i| wide_origin(i, nodes, &collapses));
+    let origins: Vec<_> = origins.collect();
+    let stored = Dispatch {
+        kernel: Kernel::wide_places,
+        uniforms: &[&total],
+        reads: &[cast_slice(&room), cast_slice(&collapses)],
+        outputs: &[cast_slice(&nothing), cast_slice(&nothing)],
+        ..dispatch
+    }
+    .run(gpu);
+    let words = origins.iter().map(|origin| origin.0).collect();
+    same_bits(&answers::<u32>(&stored[0]), &with_room(words))?;
+    let counts = origins.iter().zip(expected);
+    let counts = counts.map(|(origin, collapse)| origin.inner_count(*collapse));
+    same_bits(&answers::<u32>(&stored[1]), &with_room(counts.collect()))
+}
+
+/// The [`Collapse`] of each node.
+fn collapses(nodes: &[Node]) -> Vec<Collapse> {
+    nodes.iter().map(|node| collapse(node, nodes, 0)).collect()
+}
+
 proptest! {
     #![proptest_config(cases(6))]
 
     #[test]
-    fn topology_and_refit_are_those_of_core(mesh in large_mesh()) {
+    fn topology_refit_and_wide_are_those_of_core(mesh in large_mesh()) {
         let Some(gpu) = gpu() else { return Ok(()) };
         for code_bits in CODE_BITS {
             let Some(chain) = Chain::new(&mesh, code_bits) else { continue };
@@ -140,6 +179,8 @@ proptest! {
             let pyramid = check_pyramid(gpu, &chain.triangles, &chain.pyramid);
             prop_assert_eq!(pyramid, Ok(()));
             prop_assert_eq!(check_refit(gpu, &chain), Ok(()));
+            let wide = check_wide(gpu, &chain.nodes, &collapses(&chain.nodes));
+            prop_assert_eq!(wide, Ok(()));
         }
     }
 }
@@ -165,6 +206,13 @@ fn one_flipped_bit_of_what_a_kernel_reads_is_found() {
     done(check_refit(gpu, &spoilt));
     spoilt.splits[20] ^= 1;
     assert!(check_refit(gpu, &spoilt).is_err());
+    let Chain { mut nodes, .. } = chain(CodeBits::Bits30);
+    let expected = collapses(&nodes);
+    done(check_wide(gpu, &nodes, &expected));
+    // The child of the root that gives way last does so first, as its box has grown.
+    let x = if expected[0].place(0) == 1 { 3 } else { 2 };
+    nodes[0].planes[0][x] += 100.0;
+    assert!(check_wide(gpu, &nodes, &expected).is_err());
 }
 
 /// Counts at and around the borders of groups of triangles, of workgroups and of what one dispatch can take to the top.
