@@ -68,7 +68,8 @@ struct packed_float3 {
         return vec4<R>(a.x op b.x, a.y op b.y, a.z op b.z, a.w op b.w);                             \
     }
 COMPONENTWISE(+, T) COMPONENTWISE(-, T) COMPONENTWISE(*, T) COMPONENTWISE(/, T)
-COMPONENTWISE(&, T) COMPONENTWISE(|, T) COMPONENTWISE(==, bool) COMPONENTWISE(!=, bool)
+COMPONENTWISE(&, T) COMPONENTWISE(|, T) COMPONENTWISE(^, T) COMPONENTWISE(<<, T) COMPONENTWISE(>>, T)
+COMPONENTWISE(==, bool) COMPONENTWISE(!=, bool)
 COMPONENTWISE(<, bool) COMPONENTWISE(<=, bool) COMPONENTWISE(>, bool) COMPONENTWISE(>=, bool)
 #define SCALED(V)                                                                                   \
     template <class T> inline V<T> operator*(V<T> a, T b) { return a * V<T>(b); }                   \
@@ -93,6 +94,17 @@ inline uint min(uint a, uint b) { return ::umin(a, b); }
 inline uint max(uint a, uint b) { return ::umax(a, b); }
 inline int min(int a, int b) { return ::min(a, b); }
 inline int max(int a, int b) { return ::max(a, b); }
+#define OF_EACH(f)                                                                                  \
+    template <class T> inline vec2<T> f(vec2<T> a, vec2<T> b) {                                     \
+        return vec2<T>(f(a.x, b.x), f(a.y, b.y));                                                   \
+    }                                                                                               \
+    template <class T> inline vec3<T> f(vec3<T> a, vec3<T> b) {                                     \
+        return vec3<T>(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z));                                      \
+    }                                                                                               \
+    template <class T> inline vec4<T> f(vec4<T> a, vec4<T> b) {                                     \
+        return vec4<T>(f(a.x, b.x), f(a.y, b.y), f(a.z, b.z), f(a.w, b.w));                         \
+    }
+OF_EACH(min) OF_EACH(max)
 inline float abs(float a) { return ::fabsf(a); }
 inline float sqrt(float a) { return ::sqrtf(a); }
 inline float pow(float a, float b) { return ::powf(a, b); }
