@@ -51,9 +51,9 @@ use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, is_kept, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords, LeafTriangles,
-    NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair, TriangleRows,
-    UpTo, any_hit, closest_hit, nearest_hits, trace_packet, traverse_with,
+    BruteForce, Children, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords,
+    LeafTriangles, NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair,
+    TriangleRows, UpTo, any_hit, closest_hit, nearest_hits, trace_packet, traverse_with,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -329,8 +329,8 @@ pub fn trace_together(
     triangles: &[LeafTriangle],
     root: &RootWords,
     stacks: (
-        &mut PacketStacks<NodeRef, Each<8>>,
-        &mut PacketStacks<LatticeCursor, Each<8>>,
+        &mut PacketStacks<Children<NodeRef>, Each<8>>,
+        &mut PacketStacks<Children<LatticeCursor>, Each<8>>,
         &mut PreparedRays<Each<8>, 8>,
     ),
     to: Out<[[Lane<Skip, ClosestHit>; 8]; 2]>,
