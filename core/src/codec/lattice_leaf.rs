@@ -219,8 +219,14 @@ fn middle(words: &[u32], at: u32, min: Vec4, [i, j, k]: [u32; 3], step: f32) -> 
 /// A vertex of three words.
 #[inline(always)]
 fn wide(words: &[u32], at: u32, [i, j, k]: [u32; 3], step: f32) -> [f32; 3] {
-    let steps = |axis: u32| crate::load(words, at.wrapping_add(axis), 0) as i32 as f32 * step;
-    [steps(i), steps(j), steps(k)]
+    let i = crate::load(words, at.wrapping_add(i), 0);
+    let j = crate::load(words, at.wrapping_add(j), 0);
+    let k = crate::load(words, at.wrapping_add(k), 0);
+    [
+        i as i32 as f32 * step,
+        j as i32 as f32 * step,
+        k as i32 as f32 * step,
+    ]
 }
 
 impl TriangleSource<LeafFrame> for LatticeTriangles<'_> {
