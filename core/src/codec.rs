@@ -53,7 +53,7 @@ pub use root::RootWords;
 pub use rounded::RoundedNode;
 pub use rounded_children::RoundedChildren;
 pub use shared_leaf::{
-    SharedTriangles, TriangleCorners, corner_count, leaf_words, number_corners,
+    MOST_SHARED_BYTES, SharedTriangles, TriangleCorners, corner_count, leaf_words, number_corners,
     store_shared_triangle,
 };
 pub use wide_axis::{WideAxis, wide_axes};

@@ -25,6 +25,10 @@ pub const fn leaf_words(triangles: u32, half: u32, corners: u32, vertex_words: u
     corners * vertex_words + triangles + half
 }
 
+/// Bytes of a triangle, at most: of two whose wide corners are all different.
+pub const MOST_SHARED_BYTES: u32 =
+    size_of::<u32>() as u32 * leaf_words(2, 1, 6, LeafWidth::Wide.vertex_words()) / 2;
+
 const CORNER_BITS: u32 = 5;
 const CORNER: u32 = (1 << CORNER_BITS) - 1;
 const HALF: u32 = (1 << (3 * CORNER_BITS)) - 1;

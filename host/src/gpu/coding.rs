@@ -3,7 +3,8 @@
 use super::{GpuError, Kernel};
 use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind, WideStore};
 use slimbvh_core::codec::{
-    FullWideNode, LeafWidth, PackedWideNode, Paper10Node, Paper10Triangle, WideNode, node_words,
+    FullWideNode, LeafWidth, MOST_SHARED_BYTES, PackedWideNode, Paper10Node, Paper10Triangle,
+    WideNode, node_words,
 };
 
 /// The WGSL text for any stage, and that for compute shaders to be put behind it.
@@ -82,7 +83,8 @@ impl Coding {
         match self {
             Self::Paper10F32 | Self::Q10F32 | Self::Q21F32 | Self::W4F32 | Self::W464F32 => None,
             Self::Paper10Leaf10 => Some(size_of::<Paper10Triangle>() as u64),
-            Self::Q10Lattice | Self::Q21Lattice | Self::W464Lattice | Self::W448Lattice => {
+            Self::W448Lattice => Some(MOST_SHARED_BYTES as u64),
+            Self::Q10Lattice | Self::Q21Lattice | Self::W464Lattice => {
                 Some(4 * LeafWidth::Wide.words() as u64)
             }
         }

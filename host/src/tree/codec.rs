@@ -2,7 +2,9 @@
 
 use slimbvh_core::Node;
 use slimbvh_core::encode::frame::PLANE_BITS;
-use slimbvh_core::encode::{FullWideNode, LeafWidth, PackedWideNode, Paper10Node, WideNode};
+use slimbvh_core::encode::{
+    FullWideNode, LeafWidth, MOST_SHARED_BYTES, PackedWideNode, Paper10Node, WideNode,
+};
 use slimbvh_core::trace::MOST_WIDE_NODES;
 use thiserror::Error;
 
@@ -315,7 +317,9 @@ pub(crate) fn tagged(
     Some((nodes, mesh.with_step(Some(step_exponent))))
 }
 
-const _: () = assert!(3 * MOST_WIDE_NODES <= slimbvh_core::MAX_TRIANGLES / LeafWidth::Wide.words());
+const _: () = assert!(
+    3 * MOST_WIDE_NODES as u64 * MOST_SHARED_BYTES as u64 <= 4 * slimbvh_core::MAX_TRIANGLES as u64
+);
 
 /// The largest number of triangles. On the lattice, links index words, and a triangle takes up to ten. Wide nodes are at most
 /// [`MOST_WIDE_NODES`]: one with inner children has four children, one without has more triangles than a leaf holds, so that there

@@ -156,7 +156,7 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
         let mut counts = [0; WIDTH];
         if N::SHARES_CORNERS {
             let leaves = children.nodes().into_iter().zip(&mut counts);
-            for (leaf, to) in leaves.filter(|(child, _)| child.is_leaf()) {
+            for (leaf, to) in leaves.filter(|(child, _)| child.is_leaf() && child.count() > 0) {
                 *to = corner_count(0, leaf.count(), corners.of(leaf));
             }
         }

@@ -381,9 +381,15 @@ impl StoredTriangles<PackedWideNodes<'_>> for SharedTriangles<'_> {
         leaf.first() + leaf.count() / 2 + number
     }
 
-    /// Its corners, its index, and half a word that says which corners they are; the first triangle needs none.
+    /// Its corners, its index, and half a word that says which corners they are: a word, where it has no other half; the first triangle
+    /// needs none.
     fn bytes(&self, slot: &LeafSlot<LeafFrame>) -> usize {
-        let half = if slot.number == 0 { 0 } else { 2 };
+        let is_alone = slot.number % 2 == 1 && slot.number + 1 == slot.count;
+        let half = match slot.number {
+            0 => 0,
+            _ if is_alone => 4,
+            _ => 2,
+        };
         size_of::<u32>() * slot.bounds.width.words() as usize + half
     }
 

@@ -90,6 +90,23 @@ fn check_bytes(gpu: &Gpu, mesh: &Mesh, config: BuildConfig) -> Result<(), String
     same_bits(&done(bvh.read_bytes(gpu)), &bytes.map(|b| b as u64))
 }
 
+/// Wide corners that no triangles share take more words than triangles that are stored one by one.
+#[test]
+fn corners_that_are_not_shared_have_room() {
+    let Some(gpu) = gpu() else { return };
+    let step_exponent = -24;
+    let mut mesh = slimbvh::generate::soup(60, 5);
+    mesh.snap(step_exponent);
+    let config = BuildConfig {
+        nodes: NodeCodec::Wide(WideStore::Packed),
+        mesh: MeshCodec::Lattice { step_exponent },
+        ..BuildConfig::default()
+    };
+    let bytes = build_as(&mesh, config).triangle_bytes();
+    assert!(bytes > 40 * mesh.indices.len(), "{bytes}");
+    assert_eq!(check_bytes(gpu, &mesh, config), Ok(()));
+}
+
 proptest! {
     #![proptest_config(cases(24))]
 

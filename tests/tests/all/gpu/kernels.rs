@@ -5,6 +5,7 @@ use bytemuck::{Zeroable, bytes_of, cast_slice};
 use proptest::prelude::*;
 use slimbvh::CodeBits;
 use slimbvh::gpu::{Gpu, Kernel};
+use slimbvh_core::encode::number_corners;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::{GROUP_LEVELS, Level, PyramidBox};
 use slimbvh_core::topology::{Codes30, internal_node};
@@ -162,6 +163,25 @@ fn check_wide(gpu: &Gpu, nodes: &[Node], expected: &[Collapse]) -> Result<(), St
     same_bits(&answers::<u32>(&stored[1]), &with_room(counts.collect()))
 }
 
+/// Compares which corners of its leaf each triangle has.
+fn check_corners(gpu: &Gpu, nodes: &[Node], triangles: &[LeafTriangle]) -> Result<(), String> {
+    let nothing = vec![7u32; triangles.len() + 3];
+    let stored = Dispatch {
+        kernel: Kernel::wide_corners,
+        group_count: groups(nodes.len()),
+        uniforms: &[&[nodes.len() as u32, 0, 0, 0]],
+        reads: &[cast_slice(nodes), cast_slice(triangles)],
+        outputs: &[cast_slice(&nothing)],
+    }
+    .run(gpu);
+    let mut expected = nothing;
+    for child in nodes.iter().flat_map(|node| [node.left, node.right]) {
+        let count = if child.is_leaf() { child.count() } else { 0 };
+        number_corners(child.first(), count, triangles, &mut expected);
+    }
+    same_bits(&answers::<u32>(&stored[0]), &expected)
+}
+
 /// The [`Collapse`] of each node.
 fn collapses(nodes: &[Node]) -> Vec<Collapse> {
     nodes.iter().map(|node| collapse(node, nodes, 0)).collect()
@@ -181,6 +201,8 @@ proptest! {
             prop_assert_eq!(check_refit(gpu, &chain), Ok(()));
             let wide = check_wide(gpu, &chain.nodes, &collapses(&chain.nodes));
             prop_assert_eq!(wide, Ok(()));
+            let corners = check_corners(gpu, &chain.nodes, &chain.triangles);
+            prop_assert_eq!(corners, Ok(()));
         }
     }
 }
