@@ -19,13 +19,14 @@ mod lattice_nodes;
 mod leaf_width;
 mod links;
 mod mixed_wide_node;
+mod packed_links;
 mod packed_wide_node;
 mod paper10;
 mod root;
 mod rounded;
 mod rounded_children;
+mod shared_leaf;
 mod wide_axis;
-mod wide_links;
 mod wide_node;
 mod wide_sources;
 
@@ -41,6 +42,7 @@ pub use lattice_nodes::{LatticeCursor, LatticeNodes};
 pub use leaf_width::{LatticeBounds, LeafFrame, LeafWidth};
 pub use links::Links;
 pub use mixed_wide_node::MixedWideNode;
+pub use packed_links::PackedLinks;
 pub use packed_wide_node::PackedWideNode;
 pub use paper10::{
     EncodedPaper10, Paper10Box, Paper10Cursor, Paper10Node, Paper10Nodes, Paper10Triangle,
@@ -50,7 +52,13 @@ pub use paper10::{
 pub use root::RootWords;
 pub use rounded::RoundedNode;
 pub use rounded_children::RoundedChildren;
+pub use shared_leaf::{
+    SharedTriangles, TriangleCorners, corner_count, leaf_words, number_corners,
+    store_shared_triangle,
+};
 pub use wide_axis::{WideAxis, wide_axes};
-pub use wide_links::WideLinks;
 pub use wide_node::WideNode;
-pub use wide_sources::{PackedWideNodes, PackedWideRow, WideMixedNodes, WideNodes, WideRow};
+pub use wide_sources::{
+    LatticeRow, LatticeWideNodes, MixedWideRow, PackedWideNodes, PackedWideRow, WideMixedNodes,
+    WideNodes, WideRow,
+};

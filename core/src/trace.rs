@@ -153,6 +153,8 @@ pub struct LeafSlot<B> {
     pub first: u32,
     /// Its number among them.
     pub number: u32,
+    /// How many there are.
+    pub count: u32,
     /// The leaf's decoded box, which codecs decode triangles relative to.
     pub bounds: B,
 }
@@ -282,6 +284,7 @@ where
                 let slot = LeafSlot {
                     first: run.first,
                     number,
+                    count: run.count,
                     bounds: run.bounds,
                 };
                 query.test(triangles, &slot);

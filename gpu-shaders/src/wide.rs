@@ -1,12 +1,15 @@
 //! Stage `wide`: where wide nodes begin, and what a scan needs to find their places.
 
 use crate::encode::lattice_step;
-use crate::encode::wide::children;
+use crate::encode::wide::{children, store_wide_root};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
-use slimbvh_core::Node;
-use slimbvh_core::encode::{MixedWideNode, PackedWideNode, RoundedChildren, WideNode};
-use slimbvh_core::wide::{Begins, Collapse, Origin, collapse, wide_origin};
+use slimbvh_core::encode::{
+    MixedWideNode, PackedWideNode, RootWords, RoundedChildren, WideNode, corner_count,
+    number_corners,
+};
+use slimbvh_core::wide::{Begins, Collapse, Origin, WIDTH, WideChildren, collapse, wide_origin};
+use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use spirv_std_macros::spirv;
 
 /// One thread per binary node. Reads the number of nodes, `opaque_zero` and the nodes. Stores which nodes a wide node that begins
@@ -46,10 +49,33 @@ pub fn wide_places(
     }
 }
 
+/// One thread per binary node. Reads the number of nodes, the nodes and the triangles. Numbers the corners of the triangles in the
+/// node's own leaves, those in one place once.
+#[spirv(compute(threads(64)))]
+pub fn wide_corners(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] corners: &mut [u32],
+) {
+    let node = thread_index(id);
+    let i = node as usize;
+    if node < total.x && i < plain.len() {
+        let (left, right) = (plain[i].left, plain[i].right);
+        if left.is_leaf() {
+            number_corners(left.first(), left.count(), triangles, corners);
+        }
+        if right.is_leaf() {
+            number_corners(right.first(), right.count(), triangles, corners);
+        }
+    }
+}
+
 /// One thread per binary node. Reads the number of nodes, the scene's exponent, the exponent of the lattice's step with a flag
 /// that is 1 where that is in the caller's unit, the nodes, which of them wide ones take in, and where these come from. Stores how
 /// many inner children the wide node of 64 bytes that begins here has, and behind those of all nodes the words of its leaves'
-/// triangles: 0 where none begins.
+/// triangles: 0 where none begins; and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn wide_words_64(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -60,15 +86,22 @@ pub fn wide_words_64(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] collapses: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] origins: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] counts: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
 ) {
     let node = thread_index(id);
     if node < total.x {
         let step = lattice_step(exponent, step);
-        store_words::<WideNode>(node, step, (plain, collapses, origins), counts);
+        let mut words = 0;
+        if begins(node, origins) {
+            let found = children(node, plain, collapses);
+            words = word_count::<WideNode>(&found, [0; WIDTH], step);
+        }
+        store_counts(node, words, (collapses, origins), counts);
+        store_wide_root(node, step, plain, root);
     }
 }
 
-/// As [`wide_words_64`], of wide nodes of 48 bytes.
+/// As [`wide_words_64`], of wide nodes of 48 bytes. Reads which corners triangles have, too.
 #[spirv(compute(threads(64)))]
 pub fn wide_words_48(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -78,32 +111,66 @@ pub fn wide_words_48(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[Node],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] collapses: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] origins: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] counts: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] corners: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] counts: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] root: &mut [RootWords],
 ) {
     let node = thread_index(id);
     if node < total.x {
         let step = lattice_step(exponent, step);
-        store_words::<PackedWideNode>(node, step, (plain, collapses, origins), counts);
+        let mut words = 0;
+        if begins(node, origins) {
+            let found = children(node, plain, collapses);
+            words = word_count::<PackedWideNode>(&found, corner_counts(&found, corners), step);
+        }
+        store_counts(node, words, (collapses, origins), counts);
+        store_wide_root(node, step, plain, root);
     }
 }
 
+/// Whether a wide node begins at a binary one.
 #[inline(always)]
-fn store_words<N: MixedWideNode>(
-    node: u32,
+fn begins(node: u32, origins: &[u32]) -> bool {
+    let i = node as usize;
+    i < origins.len() && Origin(origins[i]).is_there()
+}
+
+/// How many corners each child has that is a leaf.
+#[inline(always)]
+pub(crate) fn corner_counts(found: &WideChildren, corners: &[u32]) -> [u32; WIDTH] {
+    let [a, b, c, d] = found.nodes();
+    [
+        leaf_corner_count(a, corners),
+        leaf_corner_count(b, corners),
+        leaf_corner_count(c, corners),
+        leaf_corner_count(d, corners),
+    ]
+}
+
+#[inline(always)]
+fn leaf_corner_count(child: NodeRef, corners: &[u32]) -> u32 {
+    let count = if child.is_leaf() { child.count() } else { 0 };
+    corner_count(child.first(), count, corners)
+}
+
+#[inline(always)]
+fn word_count<N: MixedWideNode>(
+    found: &WideChildren,
+    corner_counts: [u32; WIDTH],
     step_exponent: i32,
-    (plain, collapses, origins): (&[Node], &[u32], &[u32]),
-    counts: &mut [u32],
-) {
+) -> u32 {
+    let from = RoundedChildren::new(found, step_exponent);
+    let (_, words) = N::encode(&from, corner_counts);
+    words
+}
+
+/// Stores a node's number of inner children, and behind those of all nodes its words.
+#[inline(always)]
+fn store_counts(node: u32, words: u32, (collapses, origins): (&[u32], &[u32]), counts: &mut [u32]) {
     let i = node as usize;
     let behind = Begins::first_of_words(counts.len() as u32).wrapping_add(node) as usize;
     if i < collapses.len() && i < origins.len() && i < counts.len() && behind < counts.len() {
-        let origin = Origin(origins[i]);
-        let mut words = 0;
-        if origin.is_there() {
-            let from = RoundedChildren::new(&children(node, plain, collapses), step_exponent);
-            words = N::encode(&from).mixed_links(&from).word_count();
-        }
-        counts[i] = origin.inner_count(Collapse(collapses[i]));
+        counts[i] = Origin(origins[i]).inner_count(Collapse(collapses[i]));
         counts[behind] = words;
     }
 }

@@ -111,164 +111,162 @@ var<private> slimbvh_hit: SlimbvhTypeA;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
-    var phi_704_: u32;
-    var phi_710_: u32;
-    var phi_716_: u32;
-    var phi_981_: i32;
-    var phi_992_: i32;
-    var phi_1106_: i32;
-    var phi_1235_: i32;
-    var phi_1257_: u32;
+    var phi_705_: u32;
+    var phi_711_: u32;
+    var phi_717_: u32;
+    var phi_982_: i32;
+    var phi_993_: i32;
+    var phi_1107_: i32;
+    var phi_1236_: i32;
     var phi_1258_: u32;
-    var phi_1259_: bool;
-    var phi_1293_: i32;
-    var phi_1315_: u32;
+    var phi_1259_: u32;
+    var phi_1260_: bool;
+    var phi_1294_: i32;
     var phi_1316_: u32;
-    var phi_1317_: bool;
-    var phi_878_: i32;
-    var phi_884_: u32;
-    var phi_903_: u32;
+    var phi_1317_: u32;
+    var phi_1318_: bool;
+    var phi_879_: i32;
+    var phi_885_: u32;
     var phi_904_: u32;
-    var phi_905_: bool;
-    var phi_923_: i32;
-    var phi_929_: u32;
-    var phi_948_: u32;
+    var phi_905_: u32;
+    var phi_906_: bool;
+    var phi_924_: i32;
+    var phi_930_: u32;
     var phi_949_: u32;
-    var phi_950_: bool;
-    var phi_1327_: SlimbvhTypeC;
-    var phi_1556_: SlimbvhTypeP;
-    var phi_1619_: array<f32, 3>;
+    var phi_950_: u32;
+    var phi_951_: bool;
+    var phi_1328_: SlimbvhTypeC;
+    var phi_1557_: SlimbvhTypeP;
     var phi_1620_: array<f32, 3>;
-    var phi_1638_: array<f32, 3>;
+    var phi_1621_: array<f32, 3>;
     var phi_1639_: array<f32, 3>;
-    var phi_1812_: SlimbvhTypeP;
-    var phi_1815_: u32;
-    var phi_1817_: u32;
-    var phi_1819_: u32;
-    var phi_1828_: u32;
-    var phi_1831_: u32;
-    var phi_1833_: u32;
-    var phi_1929_: SlimbvhTypeK;
-    var phi_1930_: SlimbvhTypeK;
-    var phi_1975_: SlimbvhTypeK;
-    var phi_1976_: SlimbvhTypeK;
-    var phi_2021_: SlimbvhTypeK;
-    var phi_2022_: SlimbvhTypeK;
-    var phi_2498_: u32;
-    var phi_2511_: u32;
-    var phi_2524_: u32;
-    var phi_2537_: u32;
-    var phi_4712_: SlimbvhTypeD;
-    var phi_4724_: SlimbvhTypeD;
-    var phi_4736_: SlimbvhTypeD;
-    var phi_4748_: SlimbvhTypeD;
-    var phi_4760_: SlimbvhTypeD;
-    var phi_2618_: u32;
-    var phi_2623_: u32;
-    var phi_2624_: u32;
-    var phi_2653_: u32;
-    var phi_2660_: u32;
-    var phi_2661_: u32;
-    var phi_1829_: u32;
-    var phi_1832_: u32;
-    var phi_1834_: u32;
-    var local_1: bool;
-    var local_2: u32;
-    var phi_2816_: u32;
-    var phi_2877_: u32;
-    var phi_2885_: u32;
-    var phi_2888_: SlimbvhTypeM;
-    var phi_2892_: SlimbvhTypeP;
-    var phi_2895_: SlimbvhTypeD;
-    var phi_2896_: SlimbvhTypeD;
-    var phi_2918_: SlimbvhTypeD;
-    var phi_2935_: u32;
-    var phi_2946_: u32;
-    var phi_2962_: u32;
-    var phi_2977_: u32;
-    var phi_3442_: u32;
-    var phi_3460_: u32;
-    var phi_3478_: u32;
-    var phi_3501_: u32;
-    var phi_3519_: u32;
-    var phi_3537_: u32;
-    var phi_3560_: u32;
-    var phi_3578_: u32;
-    var phi_3596_: u32;
-    var phi_3150_: u32;
-    var phi_3165_: u32;
-    var phi_3175_: u32;
-    var phi_3196_: u32;
-    var phi_3217_: u32;
-    var phi_3247_: u32;
-    var phi_3262_: u32;
-    var phi_3272_: u32;
-    var phi_3293_: u32;
-    var phi_3314_: u32;
-    var phi_3344_: u32;
-    var phi_3359_: u32;
-    var phi_3369_: u32;
-    var phi_3390_: u32;
-    var phi_3411_: u32;
-    var phi_3003_: u32;
-    var phi_3052_: u32;
-    var phi_3101_: u32;
-    var phi_3602_: array<array<f32, 3>, 3>;
-    var phi_3967_: f32;
-    var phi_3968_: f32;
-    var phi_3969_: f32;
-    var phi_3970_: f32;
-    var phi_3971_: vec3<f32>;
-    var phi_3972_: vec3<f32>;
-    var phi_3973_: vec3<f32>;
-    var phi_3974_: vec3<f32>;
-    var phi_4153_: f32;
-    var phi_4179_: SlimbvhTypeE;
-    var phi_4180_: SlimbvhTypeE;
-    var phi_4183_: SlimbvhTypeE;
-    var phi_4184_: SlimbvhTypeE;
-    var phi_4185_: bool;
-    var phi_4189_: SlimbvhTypeE;
-    var phi_4198_: SlimbvhTypeF;
-    var phi_4225_: bool;
-    var phi_4226_: bool;
-    var phi_4233_: SlimbvhTypeP;
-    var phi_4239_: SlimbvhTypeP;
-    var phi_4240_: SlimbvhTypeP;
-    var phi_4241_: SlimbvhTypeP;
-    var phi_2893_: SlimbvhTypeP;
-    var local_3: u32;
-    var local_4: u32;
-    var phi_4305_: u32;
-    var phi_4312_: u32;
-    var phi_4313_: u32;
-    var local_5: SlimbvhTypeP;
-    var phi_4322_: SlimbvhTypeP;
-    var phi_4323_: u32;
-    var phi_4324_: u32;
+    var phi_1640_: array<f32, 3>;
     var phi_1813_: SlimbvhTypeP;
     var phi_1816_: u32;
     var phi_1818_: u32;
     var phi_1820_: u32;
+    var phi_1829_: u32;
+    var phi_1832_: u32;
+    var phi_1834_: u32;
+    var phi_1936_: SlimbvhTypeK;
+    var phi_1937_: SlimbvhTypeK;
+    var phi_1996_: SlimbvhTypeK;
+    var phi_1997_: SlimbvhTypeK;
+    var phi_2056_: SlimbvhTypeK;
+    var phi_2057_: SlimbvhTypeK;
+    var phi_2541_: u32;
+    var phi_2554_: u32;
+    var phi_2567_: u32;
+    var phi_2580_: u32;
+    var phi_4701_: SlimbvhTypeD;
+    var phi_4713_: SlimbvhTypeD;
+    var phi_4725_: SlimbvhTypeD;
+    var phi_4737_: SlimbvhTypeD;
+    var phi_4749_: SlimbvhTypeD;
+    var phi_2661_: u32;
+    var phi_2666_: u32;
+    var phi_2667_: u32;
+    var phi_2697_: u32;
+    var phi_2698_: u32;
+    var phi_1830_: u32;
+    var phi_1833_: u32;
+    var phi_1835_: u32;
+    var local_1: bool;
+    var local_2: u32;
+    var phi_2848_: u32;
+    var phi_2909_: u32;
+    var phi_2912_: SlimbvhTypeM;
+    var phi_2916_: SlimbvhTypeP;
+    var phi_2919_: SlimbvhTypeD;
+    var phi_2920_: SlimbvhTypeD;
+    var phi_2942_: SlimbvhTypeD;
+    var phi_2960_: u32;
+    var phi_2971_: u32;
+    var phi_2987_: u32;
+    var phi_3000_: u32;
+    var phi_3011_: u32;
+    var phi_3455_: u32;
+    var phi_3468_: u32;
+    var phi_3481_: u32;
+    var phi_3507_: u32;
+    var phi_3520_: u32;
+    var phi_3533_: u32;
+    var phi_3559_: u32;
+    var phi_3572_: u32;
+    var phi_3585_: u32;
+    var phi_3177_: u32;
+    var phi_3190_: u32;
+    var phi_3200_: u32;
+    var phi_3221_: u32;
+    var phi_3242_: u32;
+    var phi_3269_: u32;
+    var phi_3282_: u32;
+    var phi_3292_: u32;
+    var phi_3313_: u32;
+    var phi_3334_: u32;
+    var phi_3361_: u32;
+    var phi_3374_: u32;
+    var phi_3384_: u32;
+    var phi_3405_: u32;
+    var phi_3426_: u32;
+    var phi_3038_: u32;
+    var phi_3084_: u32;
+    var phi_3130_: u32;
+    var phi_3597_: array<array<f32, 3>, 3>;
+    var phi_3962_: f32;
+    var phi_3963_: f32;
+    var phi_3964_: f32;
+    var phi_3965_: f32;
+    var phi_3966_: vec3<f32>;
+    var phi_3967_: vec3<f32>;
+    var phi_3968_: vec3<f32>;
+    var phi_3969_: vec3<f32>;
+    var phi_4148_: f32;
+    var phi_4174_: SlimbvhTypeE;
+    var phi_4175_: SlimbvhTypeE;
+    var phi_4178_: SlimbvhTypeE;
+    var phi_4179_: SlimbvhTypeE;
+    var phi_4180_: bool;
+    var phi_4184_: SlimbvhTypeE;
+    var phi_4193_: SlimbvhTypeF;
+    var phi_4220_: bool;
+    var phi_4221_: bool;
+    var phi_4228_: SlimbvhTypeP;
+    var phi_4234_: SlimbvhTypeP;
+    var phi_4235_: SlimbvhTypeP;
+    var phi_4236_: SlimbvhTypeP;
+    var phi_2917_: SlimbvhTypeP;
+    var local_3: u32;
+    var local_4: u32;
+    var phi_4301_: u32;
+    var phi_4302_: u32;
+    var local_5: SlimbvhTypeP;
+    var phi_4311_: SlimbvhTypeP;
+    var phi_4312_: u32;
+    var phi_4313_: u32;
+    var phi_1814_: SlimbvhTypeP;
+    var phi_1817_: u32;
+    var phi_1819_: u32;
+    var phi_1821_: u32;
     var local_6: SlimbvhTypeP;
-    var phi_4360_: f32;
-    var phi_4362_: f32;
-    var phi_4363_: bool;
-    var phi_4364_: f32;
-    var phi_4365_: bool;
-    var phi_4991_: u32;
-    var phi_5009_: bool;
-    var phi_5012_: bool;
-    var phi_5025_: f32;
-    var phi_5026_: f32;
-    var phi_5031_: f32;
-    var phi_5032_: f32;
-    var phi_5033_: bool;
-    var phi_5041_: f32;
-    var phi_4380_: f32;
-    var phi_4381_: f32;
-    var phi_4393_: f32;
-    var phi_4398_: SlimbvhTypeF;
+    var phi_4349_: f32;
+    var phi_4351_: f32;
+    var phi_4352_: bool;
+    var phi_4353_: f32;
+    var phi_4354_: bool;
+    var phi_4980_: u32;
+    var phi_4998_: bool;
+    var phi_5001_: bool;
+    var phi_5014_: f32;
+    var phi_5015_: f32;
+    var phi_5020_: f32;
+    var phi_5021_: f32;
+    var phi_5022_: bool;
+    var phi_5030_: f32;
+    var phi_4369_: f32;
+    var phi_4370_: f32;
+    var phi_4382_: f32;
+    var phi_4387_: SlimbvhTypeF;
     var local_7: SlimbvhTypeP;
     var local_8: u32;
     var local_9: u32;
@@ -309,25 +307,25 @@ fn slimbvh_trace() {
     let _e191 = select(_e171, _e189, (_e171 < _e189));
     let _e198 = (((select(_e173, _e191, (_e173 < _e191)) < 2139095040u) && (_e181 <= 2139095040u)) && (_e185 > 0u));
     if (_e175 == _e185) {
-        phi_704_ = 0u;
+        phi_705_ = 0u;
     } else {
-        phi_704_ = select(2u, 1u, (_e177 == _e185));
+        phi_705_ = select(2u, 1u, (_e177 == _e185));
     }
-    let _e203 = phi_704_;
+    let _e203 = phi_705_;
     let _e204 = (_e203 == 2u);
     if _e204 {
-        phi_710_ = 0u;
+        phi_711_ = 0u;
     } else {
-        phi_710_ = (_e203 + 1u);
+        phi_711_ = (_e203 + 1u);
     }
-    let _e207 = phi_710_;
+    let _e207 = phi_711_;
     let _e208 = (_e207 == 2u);
     if _e208 {
-        phi_716_ = 0u;
+        phi_717_ = 0u;
     } else {
-        phi_716_ = (_e207 + 1u);
+        phi_717_ = (_e207 + 1u);
     }
-    let _e211 = phi_716_;
+    let _e211 = phi_717_;
     let _e212 = (_e207 == 0u);
     let _e214 = select(select(_e148.y, _e148.x, _e212), _e148.z, _e208);
     let _e215 = (_e211 == 0u);
@@ -359,77 +357,77 @@ fn slimbvh_trace() {
         let _e519 = bitcast<f32>((bitcast<u32>((_e165 + 127i)) << bitcast<u32>(23i)));
         let _e524 = bitcast<f32>((bitcast<u32>((254i - _e512)) << bitcast<u32>(23i)));
         if (_e173 >= 2139095040u) {
-            phi_878_ = 255i;
+            phi_879_ = 255i;
         } else {
-            phi_878_ = (bitcast<i32>((_e173 >> bitcast<u32>(23i))) + _e514);
+            phi_879_ = (bitcast<i32>((_e173 >> bitcast<u32>(23i))) + _e514);
         }
-        let _e539 = phi_878_;
+        let _e539 = phi_879_;
         if (_e173 == 0u) {
-            phi_884_ = 0u;
+            phi_885_ = 0u;
         } else {
-            phi_884_ = (_e173 | 8388608u);
+            phi_885_ = (_e173 | 8388608u);
         }
-        let _e543 = phi_884_;
+        let _e543 = phi_885_;
         if (_e539 <= 0i) {
-            phi_904_ = u32();
-            phi_905_ = true;
+            phi_905_ = u32();
+            phi_906_ = true;
         } else {
             let _e550 = (_e543 == 0u);
             if _e550 {
-                phi_903_ = u32();
+                phi_904_ = u32();
             } else {
-                phi_903_ = select(((bitcast<u32>(_e539) << bitcast<u32>(23i)) | (_e543 & 8388607u)), 2139095039u, (_e539 >= 255i));
+                phi_904_ = select(((bitcast<u32>(_e539) << bitcast<u32>(23i)) | (_e543 & 8388607u)), 2139095039u, (_e539 >= 255i));
             }
-            let _e554 = phi_903_;
-            phi_904_ = _e554;
-            phi_905_ = _e550;
+            let _e554 = phi_904_;
+            phi_905_ = _e554;
+            phi_906_ = _e550;
         }
-        let _e556 = phi_904_;
-        let _e558 = phi_905_;
+        let _e556 = phi_905_;
+        let _e558 = phi_906_;
         if (_e181 >= 2139095040u) {
-            phi_923_ = 255i;
+            phi_924_ = 255i;
         } else {
-            phi_923_ = (bitcast<i32>((_e181 >> bitcast<u32>(23i))) + _e514);
+            phi_924_ = (bitcast<i32>((_e181 >> bitcast<u32>(23i))) + _e514);
         }
-        let _e569 = phi_923_;
+        let _e569 = phi_924_;
         if (_e181 == 0u) {
-            phi_929_ = 0u;
+            phi_930_ = 0u;
         } else {
-            phi_929_ = (_e181 | 8388608u);
+            phi_930_ = (_e181 | 8388608u);
         }
-        let _e573 = phi_929_;
+        let _e573 = phi_930_;
         if (_e569 <= 0i) {
-            phi_949_ = u32();
-            phi_950_ = true;
+            phi_950_ = u32();
+            phi_951_ = true;
         } else {
             let _e580 = (_e573 == 0u);
             if _e580 {
-                phi_948_ = u32();
+                phi_949_ = u32();
             } else {
-                phi_948_ = select(((bitcast<u32>(_e569) << bitcast<u32>(23i)) | (_e573 & 8388607u)), 2139095039u, (_e569 >= 255i));
+                phi_949_ = select(((bitcast<u32>(_e569) << bitcast<u32>(23i)) | (_e573 & 8388607u)), 2139095039u, (_e569 >= 255i));
             }
-            let _e584 = phi_948_;
-            phi_949_ = _e584;
-            phi_950_ = _e580;
+            let _e584 = phi_949_;
+            phi_950_ = _e584;
+            phi_951_ = _e580;
         }
-        let _e586 = phi_949_;
-        let _e588 = phi_950_;
-        phi_1327_ = SlimbvhTypeC(array<f32, 3>((_e214 * _e519), (_e218 * _e519), (_e221 * _e519)), array<f32, 3>((_e223 * _e524), (_e225 * _e524), (_e227 * _e524)), bitcast<f32>(((_e172 & 2147483648u) | select(_e556, 0u, _e558))), bitcast<f32>(((_e180 & 2147483648u) | select(_e586, 0u, _e588))), _e513);
+        let _e586 = phi_950_;
+        let _e588 = phi_951_;
+        phi_1328_ = SlimbvhTypeC(array<f32, 3>((_e214 * _e519), (_e218 * _e519), (_e221 * _e519)), array<f32, 3>((_e223 * _e524), (_e225 * _e524), (_e227 * _e524)), bitcast<f32>(((_e172 & 2147483648u) | select(_e556, 0u, _e558))), bitcast<f32>(((_e180 & 2147483648u) | select(_e586, 0u, _e588))), _e513);
     } else {
         let _e260 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e185, _e198))) & 2147483647u);
         if (_e260 >= 8388608u) {
-            phi_981_ = (bitcast<i32>((_e260 >> bitcast<u32>(23i))) - 127i);
+            phi_982_ = (bitcast<i32>((_e260 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_981_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e260)), 32u, (_e260 == 0u))));
+            phi_982_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e260)), 32u, (_e260 == 0u))));
         }
-        let _e274 = phi_981_;
+        let _e274 = phi_982_;
         let _e275 = (_e165 + _e274);
         if (_e165 < -126i) {
-            phi_992_ = -126i;
+            phi_993_ = -126i;
         } else {
-            phi_992_ = select(_e165, 127i, (_e165 > 127i));
+            phi_993_ = select(_e165, 127i, (_e165 > 127i));
         }
-        let _e280 = phi_992_;
+        let _e280 = phi_993_;
         let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
         let _e291 = bitcast<f32>((bitcast<u32>(((_e165 - _e280) + 127i)) << bitcast<u32>(23i)));
         let _e292 = bitcast<u32>(_e214);
@@ -440,11 +438,11 @@ fn slimbvh_trace() {
         let _e328 = ((_e326 & 2139095040u) != 0u);
         let _e344 = -(_e274);
         if (_e344 < -126i) {
-            phi_1106_ = -126i;
+            phi_1107_ = -126i;
         } else {
-            phi_1106_ = select(_e344, 127i, (_e344 > 127i));
+            phi_1107_ = select(_e344, 127i, (_e344 > 127i));
         }
-        let _e349 = phi_1106_;
+        let _e349 = phi_1107_;
         let _e354 = bitcast<f32>((bitcast<u32>((_e349 + 127i)) << bitcast<u32>(23i)));
         let _e360 = bitcast<f32>((bitcast<u32>(((_e344 - _e349) + 127i)) << bitcast<u32>(23i)));
         let _e361 = bitcast<u32>(_e223);
@@ -457,57 +455,57 @@ fn slimbvh_trace() {
         let _e422 = bitcast<i32>((_e173 >> bitcast<u32>(23i)));
         let _e429 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e419)), 32u, (_e419 == 0u))) - 8i);
         if (_e422 == 255i) {
-            phi_1235_ = 255i;
+            phi_1236_ = 255i;
         } else {
-            phi_1235_ = (((_e422 + select(0i, 1i, (_e422 == 0i))) - _e429) + _e275);
+            phi_1236_ = (((_e422 + select(0i, 1i, (_e422 == 0i))) - _e429) + _e275);
         }
-        let _e437 = phi_1235_;
+        let _e437 = phi_1236_;
         let _e441 = (_e419 << bitcast<u32>(((_e429 & 31i) & 31i)));
         if (_e437 <= 0i) {
-            phi_1258_ = u32();
-            phi_1259_ = true;
+            phi_1259_ = u32();
+            phi_1260_ = true;
         } else {
             let _e448 = (_e441 == 0u);
             if _e448 {
-                phi_1257_ = u32();
+                phi_1258_ = u32();
             } else {
-                phi_1257_ = select(((bitcast<u32>(_e437) << bitcast<u32>(23i)) | (_e441 & 8388607u)), 2139095039u, (_e437 >= 255i));
+                phi_1258_ = select(((bitcast<u32>(_e437) << bitcast<u32>(23i)) | (_e441 & 8388607u)), 2139095039u, (_e437 >= 255i));
             }
-            let _e452 = phi_1257_;
-            phi_1258_ = _e452;
-            phi_1259_ = _e448;
+            let _e452 = phi_1258_;
+            phi_1259_ = _e452;
+            phi_1260_ = _e448;
         }
-        let _e454 = phi_1258_;
-        let _e456 = phi_1259_;
+        let _e454 = phi_1259_;
+        let _e456 = phi_1260_;
         let _e467 = ((_e181 & 8388607u) | (select(0u, 1u, ((_e181 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
         let _e470 = bitcast<i32>((_e181 >> bitcast<u32>(23i)));
         let _e477 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u))) - 8i);
         if (_e470 == 255i) {
-            phi_1293_ = 255i;
+            phi_1294_ = 255i;
         } else {
-            phi_1293_ = (((_e470 + select(0i, 1i, (_e470 == 0i))) - _e477) + _e275);
+            phi_1294_ = (((_e470 + select(0i, 1i, (_e470 == 0i))) - _e477) + _e275);
         }
-        let _e485 = phi_1293_;
+        let _e485 = phi_1294_;
         let _e489 = (_e467 << bitcast<u32>(((_e477 & 31i) & 31i)));
         if (_e485 <= 0i) {
-            phi_1316_ = u32();
-            phi_1317_ = true;
+            phi_1317_ = u32();
+            phi_1318_ = true;
         } else {
             let _e496 = (_e489 == 0u);
             if _e496 {
-                phi_1315_ = u32();
+                phi_1316_ = u32();
             } else {
-                phi_1315_ = select(((bitcast<u32>(_e485) << bitcast<u32>(23i)) | (_e489 & 8388607u)), 2139095039u, (_e485 >= 255i));
+                phi_1316_ = select(((bitcast<u32>(_e485) << bitcast<u32>(23i)) | (_e489 & 8388607u)), 2139095039u, (_e485 >= 255i));
             }
-            let _e500 = phi_1315_;
-            phi_1316_ = _e500;
-            phi_1317_ = _e496;
+            let _e500 = phi_1316_;
+            phi_1317_ = _e500;
+            phi_1318_ = _e496;
         }
-        let _e502 = phi_1316_;
-        let _e504 = phi_1317_;
-        phi_1327_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e214, _e294) * _e285) * select(0.00000011920929f, 1f, _e294)) * _e291), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e218, _e311) * _e285) * select(0.00000011920929f, 1f, _e311)) * _e291), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e221, _e328) * _e285) * select(0.00000011920929f, 1f, _e328)) * _e291)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e223, _e363) * _e354) * select(0.00000011920929f, 1f, _e363)) * _e360), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e225, _e380) * _e354) * select(0.00000011920929f, 1f, _e380)) * _e360), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e227, _e397) * _e354) * select(0.00000011920929f, 1f, _e397)) * _e360)), bitcast<f32>(((_e172 & 2147483648u) | select(_e454, 0u, _e456))), bitcast<f32>(((_e180 & 2147483648u) | select(_e502, 0u, _e504))), _e274);
+        let _e502 = phi_1317_;
+        let _e504 = phi_1318_;
+        phi_1328_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e214, _e294) * _e285) * select(0.00000011920929f, 1f, _e294)) * _e291), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e218, _e311) * _e285) * select(0.00000011920929f, 1f, _e311)) * _e291), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e221, _e328) * _e285) * select(0.00000011920929f, 1f, _e328)) * _e291)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e223, _e363) * _e354) * select(0.00000011920929f, 1f, _e363)) * _e360), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e225, _e380) * _e354) * select(0.00000011920929f, 1f, _e380)) * _e360), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e227, _e397) * _e354) * select(0.00000011920929f, 1f, _e397)) * _e360)), bitcast<f32>(((_e172 & 2147483648u) | select(_e454, 0u, _e456))), bitcast<f32>(((_e180 & 2147483648u) | select(_e502, 0u, _e504))), _e274);
     }
-    let _e595 = phi_1327_;
+    let _e595 = phi_1328_;
     let _e610 = (bitcast<f32>((bitcast<u32>(_e595.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
     let _e613 = bitcast<f32>((bitcast<u32>(_e595.member[0]) & 2147483647u));
     let _e614 = (_e613 * 0.00000011920929f);
@@ -538,11 +536,11 @@ fn slimbvh_trace() {
     let _e662 = select(1f, _e595.member_2, _e660);
     let _e664 = slimbvh_any_will_do.member;
     if (_e664 == 1u) {
-        phi_1556_ = SlimbvhTypeP(SlimbvhTypeH(_e96, _e661), true);
+        phi_1557_ = SlimbvhTypeP(SlimbvhTypeH(_e96, _e661), true);
     } else {
-        phi_1556_ = SlimbvhTypeP(SlimbvhTypeH(_e96, _e661), false);
+        phi_1557_ = SlimbvhTypeP(SlimbvhTypeH(_e96, _e661), false);
     }
-    let _e671 = phi_1556_;
+    let _e671 = phi_1557_;
     let _e676 = (_e207 & 3u);
     let _e677 = (_e211 & 3u);
     let _e678 = (_e203 & 3u);
@@ -554,32 +552,32 @@ fn slimbvh_trace() {
     let _e695 = (f32(bitcast<i32>(_e119)) * _e147);
     let _e696 = (_e676 == 0u);
     if _e696 {
-        phi_1620_ = array<f32, 3>(_e691, _e693, _e695);
+        phi_1621_ = array<f32, 3>(_e691, _e693, _e695);
     } else {
         if (_e676 == 1u) {
-            phi_1619_ = array<f32, 3>(_e693, _e695, _e691);
+            phi_1620_ = array<f32, 3>(_e693, _e695, _e691);
         } else {
-            phi_1619_ = array<f32, 3>(_e695, _e691, _e693);
+            phi_1620_ = array<f32, 3>(_e695, _e691, _e693);
         }
-        let _e701 = phi_1619_;
-        phi_1620_ = _e701;
+        let _e701 = phi_1620_;
+        phi_1621_ = _e701;
     }
-    let _e704 = phi_1620_;
+    let _e704 = phi_1621_;
     let _e706 = (f32(bitcast<i32>(_e127)) * _e147);
     let _e708 = (f32(bitcast<i32>(_e131)) * _e147);
     let _e710 = (f32(bitcast<i32>(_e135)) * _e147);
     if _e696 {
-        phi_1639_ = array<f32, 3>(_e706, _e708, _e710);
+        phi_1640_ = array<f32, 3>(_e706, _e708, _e710);
     } else {
         if (_e676 == 1u) {
-            phi_1638_ = array<f32, 3>(_e708, _e710, _e706);
+            phi_1639_ = array<f32, 3>(_e708, _e710, _e706);
         } else {
-            phi_1638_ = array<f32, 3>(_e710, _e706, _e708);
+            phi_1639_ = array<f32, 3>(_e710, _e706, _e708);
         }
-        let _e715 = phi_1638_;
-        phi_1639_ = _e715;
+        let _e715 = phi_1639_;
+        phi_1640_ = _e715;
     }
-    let _e718 = phi_1639_;
+    let _e718 = phi_1640_;
     let _e729 = ((_e704[0] - _e619) * _e622);
     let _e730 = ((_e718[0] - _e620) * _e622);
     let _e731 = vec4<f32>(_e729, f32(), _e730, f32());
@@ -592,25 +590,25 @@ fn slimbvh_trace() {
     let _e742 = vec4<f32>(_e730, f32(), _e729, f32());
     let _e744 = vec4<f32>(_e735, f32(), _e734, f32());
     let _e746 = vec4<f32>(_e740, f32(), _e739, f32());
-    phi_1812_ = _e671;
-    phi_1815_ = select(4294967295u, select(4294967295u, 0u, (_e662 <= _e661)), (max(max(max(min(_e731, _e742).x, min(_e736, _e744).x), min(_e741, _e746).x), _e662) <= min((min(min(max(_e731, _e742).x, max(_e736, _e744).x), max(_e741, _e746).x) + (max(max(_e741, _e746).x, -(min(_e741, _e746).x)) * 0.0000019073523f)), _e671.member.member_1)));
-    phi_1817_ = select(0u, 4294967295u, (_e100 == 0u));
-    phi_1819_ = (_e100 + 1u);
+    phi_1813_ = _e671;
+    phi_1816_ = select(4294967295u, select(4294967295u, 0u, (_e662 <= _e661)), (max(max(max(min(_e731, _e742).x, min(_e736, _e744).x), min(_e741, _e746).x), _e662) <= min((min(min(max(_e731, _e742).x, max(_e736, _e744).x), max(_e741, _e746).x) + (max(max(_e741, _e746).x, -(min(_e741, _e746).x)) * 0.0000019073523f)), _e671.member.member_1)));
+    phi_1818_ = select(0u, 4294967295u, (_e100 == 0u));
+    phi_1820_ = (_e100 + 1u);
     loop {
-        let _e770 = phi_1812_;
-        let _e772 = phi_1815_;
-        let _e774 = phi_1817_;
-        let _e776 = phi_1819_;
+        let _e770 = phi_1813_;
+        let _e772 = phi_1816_;
+        let _e774 = phi_1818_;
+        let _e776 = phi_1820_;
         local_6 = _e770;
         let _e777 = (_e772 <= 2147483647u);
         if _e777 {
-            phi_1828_ = _e772;
-            phi_1831_ = _e774;
-            phi_1833_ = _e776;
+            phi_1829_ = _e772;
+            phi_1832_ = _e774;
+            phi_1834_ = _e776;
             loop {
-                let _e779 = phi_1828_;
-                let _e781 = phi_1831_;
-                let _e783 = phi_1833_;
+                let _e779 = phi_1829_;
+                let _e781 = phi_1832_;
+                let _e783 = phi_1834_;
                 local_2 = _e781;
                 local_3 = _e779;
                 local_4 = _e779;
@@ -628,38 +626,38 @@ fn slimbvh_trace() {
                     let _e813 = bitcast<f32>(_e793.x);
                     let _e818 = (_e813 + (f32((_e793.w >> bitcast<u32>(5u))) * _e147));
                     if (_e681 == 0u) {
-                        phi_1929_ = SlimbvhTypeK(_e793.z, _e818);
-                        phi_1930_ = SlimbvhTypeK(_e793.y, _e813);
+                        phi_1936_ = SlimbvhTypeK(_e793.z, _e818);
+                        phi_1937_ = SlimbvhTypeK(_e793.y, _e813);
                     } else {
-                        phi_1929_ = SlimbvhTypeK(_e793.y, _e813);
-                        phi_1930_ = SlimbvhTypeK(_e793.z, _e818);
+                        phi_1936_ = SlimbvhTypeK(_e793.y, _e813);
+                        phi_1937_ = SlimbvhTypeK(_e793.z, _e818);
                     }
-                    let _e829 = phi_1929_;
-                    let _e831 = phi_1930_;
+                    let _e829 = phi_1936_;
+                    let _e831 = phi_1937_;
                     let _e835 = bitcast<f32>(((_e808 + ((_e793.w & 31u) << bitcast<u32>(23i))) ^ (_e681 << bitcast<u32>(31i))));
                     let _e875 = bitcast<f32>(_e799.x);
                     let _e880 = (_e875 + (f32((_e799.w >> bitcast<u32>(5u))) * _e147));
                     if (_e684 == 0u) {
-                        phi_1975_ = SlimbvhTypeK(_e799.z, _e880);
-                        phi_1976_ = SlimbvhTypeK(_e799.y, _e875);
+                        phi_1996_ = SlimbvhTypeK(_e799.z, _e880);
+                        phi_1997_ = SlimbvhTypeK(_e799.y, _e875);
                     } else {
-                        phi_1975_ = SlimbvhTypeK(_e799.y, _e875);
-                        phi_1976_ = SlimbvhTypeK(_e799.z, _e880);
+                        phi_1996_ = SlimbvhTypeK(_e799.y, _e875);
+                        phi_1997_ = SlimbvhTypeK(_e799.z, _e880);
                     }
-                    let _e891 = phi_1975_;
-                    let _e893 = phi_1976_;
+                    let _e891 = phi_1996_;
+                    let _e893 = phi_1997_;
                     let _e897 = bitcast<f32>(((_e808 + ((_e799.w & 31u) << bitcast<u32>(23i))) ^ (_e684 << bitcast<u32>(31i))));
                     let _e937 = bitcast<f32>(_e805.x);
                     let _e942 = (_e937 + (f32((_e805.w >> bitcast<u32>(5u))) * _e147));
                     if (_e687 == 0u) {
-                        phi_2021_ = SlimbvhTypeK(_e805.z, _e942);
-                        phi_2022_ = SlimbvhTypeK(_e805.y, _e937);
+                        phi_2056_ = SlimbvhTypeK(_e805.z, _e942);
+                        phi_2057_ = SlimbvhTypeK(_e805.y, _e937);
                     } else {
-                        phi_2021_ = SlimbvhTypeK(_e805.y, _e937);
-                        phi_2022_ = SlimbvhTypeK(_e805.z, _e942);
+                        phi_2056_ = SlimbvhTypeK(_e805.y, _e937);
+                        phi_2057_ = SlimbvhTypeK(_e805.z, _e942);
                     }
-                    let _e953 = phi_2021_;
-                    let _e955 = phi_2022_;
+                    let _e953 = phi_2056_;
+                    let _e955 = phi_2057_;
                     let _e959 = bitcast<f32>(((_e808 + ((_e805.w & 31u) << bitcast<u32>(23i))) ^ (_e687 << bitcast<u32>(31i))));
                     let _e995 = (_e835 * _e622);
                     let _e1002 = (((_e831.member_1 - _e619) * _e622) + (bitcast<f32>((bitcast<u32>(_e995) & 2147483647u)) * -0.00012207031f));
@@ -687,59 +685,59 @@ fn slimbvh_trace() {
                     let _e1126 = max(max(max(((f32(((_e831.member >> bitcast<u32>(24u)) & 255u)) * _e995) + _e1002), ((f32(((_e893.member >> bitcast<u32>(24u)) & 255u)) * _e1027) + _e1034)), _e1074), _e662);
                     let _e1131 = (_e770.member.member_1 + (bitcast<f32>((bitcast<u32>(_e770.member.member_1) & 2147483647u)) * 0.0000004768374f));
                     if (_e1123 <= min((min(min(((f32((_e829.member & 255u)) * _e1011) + _e1018), ((f32((_e891.member & 255u)) * _e1043) + _e1050)), _e1087) + (max(_e1087, -(_e1071)) * 0.0000023841915f)), _e1131)) {
-                        phi_2498_ = (((bitcast<u32>(_e1123) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u);
+                        phi_2541_ = (((bitcast<u32>(_e1123) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2498_ = 4294967288u;
+                        phi_2541_ = 4294967288u;
                     }
-                    let _e1146 = phi_2498_;
+                    let _e1146 = phi_2541_;
                     if (_e1124 <= min((min(min(((f32(((_e829.member >> bitcast<u32>(8u)) & 255u)) * _e1011) + _e1018), ((f32(((_e891.member >> bitcast<u32>(8u)) & 255u)) * _e1043) + _e1050)), _e1088) + (max(_e1088, -(_e1072)) * 0.0000023841915f)), _e1131)) {
-                        phi_2511_ = ((((bitcast<u32>(_e1124) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u) | 1u);
+                        phi_2554_ = ((((bitcast<u32>(_e1124) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2511_ = 4294967288u;
+                        phi_2554_ = 4294967288u;
                     }
-                    let _e1154 = phi_2511_;
+                    let _e1154 = phi_2554_;
                     if (_e1125 <= min((min(min(((f32(((_e829.member >> bitcast<u32>(16u)) & 255u)) * _e1011) + _e1018), ((f32(((_e891.member >> bitcast<u32>(16u)) & 255u)) * _e1043) + _e1050)), _e1089) + (max(_e1089, -(_e1073)) * 0.0000023841915f)), _e1131)) {
-                        phi_2524_ = ((((bitcast<u32>(_e1125) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u) | 2u);
+                        phi_2567_ = ((((bitcast<u32>(_e1125) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_2524_ = 4294967288u;
+                        phi_2567_ = 4294967288u;
                     }
-                    let _e1162 = phi_2524_;
+                    let _e1162 = phi_2567_;
                     if (_e1126 <= min((min(min(((f32(((_e829.member >> bitcast<u32>(24u)) & 255u)) * _e1011) + _e1018), ((f32(((_e891.member >> bitcast<u32>(24u)) & 255u)) * _e1043) + _e1050)), _e1090) + (max(_e1090, -(_e1074)) * 0.0000023841915f)), _e1131)) {
-                        phi_2537_ = ((((bitcast<u32>(_e1126) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u) | 3u);
+                        phi_2580_ = ((((bitcast<u32>(_e1126) ^ select(0u, 4294967288u, _e671.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_2537_ = 4294967288u;
+                        phi_2580_ = 4294967288u;
                     }
-                    let _e1170 = phi_2537_;
+                    let _e1170 = phi_2580_;
                     if (_e1146 < _e1154) {
-                        phi_4712_ = SlimbvhTypeD(_e1146, _e1154);
+                        phi_4701_ = SlimbvhTypeD(_e1146, _e1154);
                     } else {
-                        phi_4712_ = SlimbvhTypeD(_e1154, _e1146);
+                        phi_4701_ = SlimbvhTypeD(_e1154, _e1146);
                     }
-                    let _e1175 = phi_4712_;
+                    let _e1175 = phi_4701_;
                     if (_e1162 < _e1170) {
-                        phi_4724_ = SlimbvhTypeD(_e1162, _e1170);
+                        phi_4713_ = SlimbvhTypeD(_e1162, _e1170);
                     } else {
-                        phi_4724_ = SlimbvhTypeD(_e1170, _e1162);
+                        phi_4713_ = SlimbvhTypeD(_e1170, _e1162);
                     }
-                    let _e1182 = phi_4724_;
+                    let _e1182 = phi_4713_;
                     if (_e1175.member < _e1182.member) {
-                        phi_4736_ = SlimbvhTypeD(_e1175.member, _e1182.member);
+                        phi_4725_ = SlimbvhTypeD(_e1175.member, _e1182.member);
                     } else {
-                        phi_4736_ = SlimbvhTypeD(_e1182.member, _e1175.member);
+                        phi_4725_ = SlimbvhTypeD(_e1182.member, _e1175.member);
                     }
-                    let _e1189 = phi_4736_;
+                    let _e1189 = phi_4725_;
                     if (_e1175.member_1 < _e1182.member_1) {
-                        phi_4748_ = SlimbvhTypeD(_e1175.member_1, _e1182.member_1);
+                        phi_4737_ = SlimbvhTypeD(_e1175.member_1, _e1182.member_1);
                     } else {
-                        phi_4748_ = SlimbvhTypeD(_e1182.member_1, _e1175.member_1);
+                        phi_4737_ = SlimbvhTypeD(_e1182.member_1, _e1175.member_1);
                     }
-                    let _e1196 = phi_4748_;
+                    let _e1196 = phi_4737_;
                     if (_e1196.member < _e1189.member_1) {
-                        phi_4760_ = SlimbvhTypeD(_e1196.member, _e1189.member_1);
+                        phi_4749_ = SlimbvhTypeD(_e1196.member, _e1189.member_1);
                     } else {
-                        phi_4760_ = SlimbvhTypeD(_e1189.member_1, _e1196.member);
+                        phi_4749_ = SlimbvhTypeD(_e1189.member_1, _e1196.member);
                     }
-                    let _e1203 = phi_4760_;
+                    let _e1203 = phi_4749_;
                     let _e1218 = (((_e1189.member & 7u) | ((_e1203.member & 7u) << bitcast<u32>(3u))) | (((_e1203.member_1 & 7u) | ((_e1196.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                     if (_e1218 == 0u) {
                         let _e1236 = (_e779 - 1u);
@@ -751,790 +749,787 @@ fn slimbvh_trace() {
                         } else {
                             local[(_e1236 % 128u)] = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1242);
                         }
-                        phi_2623_ = select(_e779, _e1236, _e1245);
-                        phi_2624_ = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1240 & 3u) & 3u));
+                        phi_2666_ = select(_e779, _e1236, _e1245);
+                        phi_2667_ = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1240 & 3u) & 3u));
                     } else {
                         let _e1221 = (_e1218 >> bitcast<u32>(3u));
                         if (_e1221 == 0u) {
-                            phi_2618_ = _e779;
+                            phi_2661_ = _e779;
                         } else {
                             local[(_e779 % 128u)] = ((_e781 << bitcast<u32>(9u)) | _e1221);
-                            phi_2618_ = (_e779 + 1u);
+                            phi_2661_ = (_e779 + 1u);
                         }
-                        let _e1230 = phi_2618_;
-                        phi_2623_ = _e1230;
-                        phi_2624_ = ((_e781 << bitcast<u32>(2i)) | ((_e1218 & 3u) & 3u));
+                        let _e1230 = phi_2661_;
+                        phi_2666_ = _e1230;
+                        phi_2667_ = ((_e781 << bitcast<u32>(2i)) | ((_e1218 & 3u) & 3u));
                     }
-                    let _e1260 = phi_2623_;
-                    let _e1262 = phi_2624_;
+                    let _e1260 = phi_2666_;
+                    let _e1262 = phi_2667_;
                     let _e1264 = (_e1262 >> bitcast<u32>(2i));
-                    if (_e1264 >= _e100) {
-                        phi_2661_ = 4294967295u;
+                    if (_e1264 < _e100) {
+                        let _e1270 = slimbvh_nodes.member[_e1264].member_1[(_e1262 & 3u)];
+                        if ((_e1270 & 2147483648u) != 0u) {
+                            phi_2697_ = (2147483648u | _e1262);
+                        } else {
+                            phi_2697_ = _e1270;
+                        }
+                        let _e1275 = phi_2697_;
+                        phi_2698_ = _e1275;
                     } else {
-                        if (_e1264 < _e100) {
-                            let _e1271 = slimbvh_nodes.member[_e1264].member_1[(_e1262 & 3u)];
-                            phi_2653_ = _e1271;
-                        } else {
-                            phi_2653_ = 2147483648u;
-                        }
-                        let _e1273 = phi_2653_;
-                        if ((_e1273 & 2147483648u) != 0u) {
-                            phi_2660_ = (2147483648u | _e1262);
-                        } else {
-                            phi_2660_ = _e1273;
-                        }
-                        let _e1278 = phi_2660_;
-                        phi_2661_ = _e1278;
+                        phi_2698_ = 4294967295u;
                     }
-                    let _e1280 = phi_2661_;
-                    let _e1281 = (_e783 - 1u);
-                    phi_1829_ = select(_e1260, 4294967295u, (_e1281 == 0u));
-                    phi_1832_ = _e1280;
-                    phi_1834_ = _e1281;
+                    let _e1277 = phi_2698_;
+                    let _e1278 = (_e783 - 1u);
+                    phi_1830_ = select(_e1260, 4294967295u, (_e1278 == 0u));
+                    phi_1833_ = _e1277;
+                    phi_1835_ = _e1278;
                 } else {
-                    phi_1829_ = u32();
-                    phi_1832_ = u32();
-                    phi_1834_ = u32();
+                    phi_1830_ = u32();
+                    phi_1833_ = u32();
+                    phi_1835_ = u32();
                 }
-                let _e1285 = phi_1829_;
-                let _e1287 = phi_1832_;
-                let _e1289 = phi_1834_;
+                let _e1282 = phi_1830_;
+                let _e1284 = phi_1833_;
+                let _e1286 = phi_1835_;
                 continue;
                 continuing {
-                    phi_1828_ = _e1285;
-                    phi_1831_ = _e1287;
-                    phi_1833_ = _e1289;
+                    phi_1829_ = _e1282;
+                    phi_1832_ = _e1284;
+                    phi_1834_ = _e1286;
                     break if !(_e787);
                 }
             }
-            let _e1292 = local_1;
-            if _e1292 {
-                let _e1294 = local_2;
-                let _e1295 = (_e1294 & 2147483647u);
-                let _e1297 = (_e1295 >> bitcast<u32>(2i));
-                if (_e1297 >= _e100) {
-                    phi_2888_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+            let _e1289 = local_1;
+            if _e1289 {
+                let _e1291 = local_2;
+                let _e1292 = (_e1291 & 2147483647u);
+                let _e1294 = (_e1292 >> bitcast<u32>(2i));
+                if (_e1294 >= _e100) {
+                    phi_2912_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                 } else {
-                    let _e1304 = slimbvh_nodes.member[_e1297].member[select(_e676, 2u, (2u < _e676))];
-                    let _e1315 = slimbvh_nodes.member[_e1297].member[select(_e677, 2u, (2u < _e677))];
-                    let _e1326 = slimbvh_nodes.member[_e1297].member[select(_e678, 2u, (2u < _e678))];
-                    let _e1332 = (_e1295 & 3u);
-                    let _e1335 = (((8u * _e1332) & 31u) & 31u);
-                    let _e1343 = ((_e1304.w & 31u) & 31u);
-                    let _e1345 = (((_e1304.y >> bitcast<u32>(_e1335)) & 255u) << bitcast<u32>(_e1343));
-                    let _e1359 = ((_e1315.w & 31u) & 31u);
-                    let _e1361 = (((_e1315.y >> bitcast<u32>(_e1335)) & 255u) << bitcast<u32>(_e1359));
-                    let _e1375 = ((_e1326.w & 31u) & 31u);
-                    let _e1377 = (((_e1326.y >> bitcast<u32>(_e1335)) & 255u) << bitcast<u32>(_e1375));
-                    let _e1385 = (((((_e1304.w >> bitcast<u32>(5u)) - (((_e1304.z >> bitcast<u32>(_e1335)) & 255u) << bitcast<u32>(_e1343))) - _e1345) | (((_e1315.w >> bitcast<u32>(5u)) - (((_e1315.z >> bitcast<u32>(_e1335)) & 255u) << bitcast<u32>(_e1359))) - _e1361)) | (((_e1326.w >> bitcast<u32>(5u)) - (((_e1326.z >> bitcast<u32>(_e1335)) & 255u) << bitcast<u32>(_e1375))) - _e1377));
-                    if (_e1385 < 1024u) {
-                        phi_2816_ = 0u;
+                    let _e1301 = slimbvh_nodes.member[_e1294].member[select(_e676, 2u, (2u < _e676))];
+                    let _e1312 = slimbvh_nodes.member[_e1294].member[select(_e677, 2u, (2u < _e677))];
+                    let _e1323 = slimbvh_nodes.member[_e1294].member[select(_e678, 2u, (2u < _e678))];
+                    let _e1329 = (_e1292 & 3u);
+                    let _e1332 = (((8u * _e1329) & 31u) & 31u);
+                    let _e1340 = ((_e1301.w & 31u) & 31u);
+                    let _e1342 = (((_e1301.y >> bitcast<u32>(_e1332)) & 255u) << bitcast<u32>(_e1340));
+                    let _e1356 = ((_e1312.w & 31u) & 31u);
+                    let _e1358 = (((_e1312.y >> bitcast<u32>(_e1332)) & 255u) << bitcast<u32>(_e1356));
+                    let _e1372 = ((_e1323.w & 31u) & 31u);
+                    let _e1374 = (((_e1323.y >> bitcast<u32>(_e1332)) & 255u) << bitcast<u32>(_e1372));
+                    let _e1382 = (((((_e1301.w >> bitcast<u32>(5u)) - (((_e1301.z >> bitcast<u32>(_e1332)) & 255u) << bitcast<u32>(_e1340))) - _e1342) | (((_e1312.w >> bitcast<u32>(5u)) - (((_e1312.z >> bitcast<u32>(_e1332)) & 255u) << bitcast<u32>(_e1356))) - _e1358)) | (((_e1323.w >> bitcast<u32>(5u)) - (((_e1323.z >> bitcast<u32>(_e1332)) & 255u) << bitcast<u32>(_e1372))) - _e1374));
+                    if (_e1382 < 1024u) {
+                        phi_2848_ = 0u;
                     } else {
-                        phi_2816_ = select(2u, 1u, (_e1385 < 2097152u));
+                        phi_2848_ = select(2u, 1u, (_e1382 < 2097152u));
                     }
-                    let _e1390 = phi_2816_;
-                    if (_e1297 < _e100) {
-                        let _e1406 = slimbvh_nodes.member[_e1297].member_1[_e1332];
-                        phi_2877_ = _e1406;
+                    let _e1387 = phi_2848_;
+                    let _e1402 = slimbvh_nodes.member[_e1294].member_1[_e1329];
+                    if ((_e1402 & 2147483648u) != 0u) {
+                        phi_2909_ = ((_e1402 >> bitcast<u32>(28u)) & 7u);
                     } else {
-                        phi_2877_ = 2147483648u;
+                        phi_2909_ = 0u;
                     }
-                    let _e1408 = phi_2877_;
-                    if ((_e1408 & 2147483648u) != 0u) {
-                        phi_2885_ = ((_e1408 >> bitcast<u32>(28u)) & 7u);
-                    } else {
-                        phi_2885_ = 0u;
-                    }
-                    let _e1415 = phi_2885_;
-                    phi_2888_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1304.x) + (f32(_e1345) * _e147)), (bitcast<f32>(_e1315.x) + (f32(_e1361) * _e147)), (bitcast<f32>(_e1326.x) + (f32(_e1377) * _e147)), 0f), _e1390), (_e1408 & 268435455u), _e1415);
+                    let _e1409 = phi_2909_;
+                    phi_2912_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1301.x) + (f32(_e1342) * _e147)), (bitcast<f32>(_e1312.x) + (f32(_e1358) * _e147)), (bitcast<f32>(_e1323.x) + (f32(_e1374) * _e147)), 0f), _e1387), (_e1402 & 268435455u), _e1409);
                 }
-                let _e1419 = phi_2888_;
-                phi_2892_ = _e770;
-                phi_2895_ = SlimbvhTypeD(0u, _e1419.member_2);
+                let _e1413 = phi_2912_;
+                phi_2916_ = _e770;
+                phi_2919_ = SlimbvhTypeD(0u, _e1413.member_2);
                 loop {
-                    let _e1423 = phi_2892_;
-                    let _e1425 = phi_2895_;
-                    local_5 = _e1423;
-                    local_7 = _e1423;
-                    if (_e1425.member < _e1425.member_1) {
-                        phi_2896_ = SlimbvhTypeD((_e1425.member + 1u), _e1425.member_1);
-                        phi_2918_ = SlimbvhTypeD(1u, _e1425.member);
+                    let _e1417 = phi_2916_;
+                    let _e1419 = phi_2919_;
+                    local_5 = _e1417;
+                    local_7 = _e1417;
+                    if (_e1419.member < _e1419.member_1) {
+                        phi_2920_ = SlimbvhTypeD((_e1419.member + 1u), _e1419.member_1);
+                        phi_2942_ = SlimbvhTypeD(1u, _e1419.member);
                     } else {
-                        phi_2896_ = _e1425;
-                        phi_2918_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                        phi_2920_ = _e1419;
+                        phi_2942_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                     }
-                    let _e1438 = phi_2896_;
-                    let _e1440 = phi_2918_;
-                    let _e1444 = (bitcast<i32>(_e1440.member) != 0i);
-                    if _e1444 {
-                        switch bitcast<i32>(_e1419.member.member_1) {
+                    let _e1432 = phi_2920_;
+                    let _e1434 = phi_2942_;
+                    let _e1438 = (bitcast<i32>(_e1434.member) != 0i);
+                    if _e1438 {
+                        switch bitcast<i32>(_e1413.member.member_1) {
                             case 0: {
-                                phi_2935_ = 1u;
+                                phi_2960_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_2935_ = 2u;
+                                phi_2960_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_2935_ = 3u;
+                                phi_2960_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_2935_ = u32();
+                                phi_2960_ = u32();
                                 break;
                             }
                         }
-                        let _e1450 = phi_2935_;
-                        switch bitcast<i32>(_e1419.member.member_1) {
+                        let _e1444 = phi_2960_;
+                        switch bitcast<i32>(_e1413.member.member_1) {
                             case 0: {
-                                phi_2946_ = 1u;
+                                phi_2971_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_2946_ = 2u;
+                                phi_2971_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_2946_ = 3u;
+                                phi_2971_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_2946_ = u32();
+                                phi_2971_ = u32();
                                 break;
                             }
                         }
-                        let _e1457 = phi_2946_;
-                        let _e1459 = ((_e1419.member_1 + (_e1440.member_1 * ((3u * _e1450) + 1u))) + (3u * _e1457));
-                        if (_e1459 < _e103) {
-                            let _e1462 = slimbvh_triangles.member[_e1459];
-                            phi_2962_ = _e1462;
+                        let _e1451 = phi_2971_;
+                        let _e1453 = ((_e1413.member_1 + (_e1434.member_1 * ((3u * _e1444) + 1u))) + (3u * _e1451));
+                        if (_e1453 < _e103) {
+                            let _e1456 = slimbvh_triangles.member[_e1453];
+                            phi_2987_ = _e1456;
                         } else {
-                            phi_2962_ = 4294967295u;
+                            phi_2987_ = 4294967295u;
                         }
-                        let _e1464 = phi_2962_;
-                        switch bitcast<i32>(_e1419.member.member_1) {
+                        let _e1458 = phi_2987_;
+                        switch bitcast<i32>(_e1413.member.member_1) {
                             case 0: {
-                                phi_2977_ = 1u;
+                                phi_3000_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_2977_ = 2u;
+                                phi_3000_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_2977_ = 3u;
+                                phi_3000_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_2977_ = u32();
+                                phi_3000_ = u32();
                                 break;
                             }
                         }
-                        let _e1468 = phi_2977_;
-                        let _e1472 = (_e1419.member_1 + (_e1440.member_1 * ((3u * _e1468) + 1u)));
-                        switch bitcast<i32>(_e1419.member.member_1) {
+                        let _e1461 = phi_3000_;
+                        let _e1465 = (_e1413.member_1 + (_e1434.member_1 * ((3u * _e1461) + 1u)));
+                        switch bitcast<i32>(_e1413.member.member_1) {
                             case 0: {
-                                if (_e1472 < _e103) {
-                                    let _e1752 = slimbvh_triangles.member[_e1472];
-                                    phi_3003_ = _e1752;
-                                } else {
-                                    phi_3003_ = 0u;
-                                }
-                                let _e1754 = phi_3003_;
-                                let _e1757 = ((10u * _e207) & 31u);
-                                let _e1768 = ((10u * _e211) & 31u);
-                                let _e1779 = ((10u * _e203) & 31u);
-                                let _e1789 = (_e1472 + 1u);
-                                if (_e1789 < _e103) {
-                                    let _e1792 = slimbvh_triangles.member[_e1789];
-                                    phi_3052_ = _e1792;
-                                } else {
-                                    phi_3052_ = 0u;
-                                }
-                                let _e1794 = phi_3052_;
-                                let _e1820 = (_e1472 + 2u);
-                                if (_e1820 < _e103) {
-                                    let _e1823 = slimbvh_triangles.member[_e1820];
-                                    phi_3101_ = _e1823;
-                                } else {
-                                    phi_3101_ = 0u;
-                                }
-                                let _e1825 = phi_3101_;
-                                phi_3602_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1419.member.member.x + ((bitcast<f32>((1258291200u | ((_e1754 >> bitcast<u32>(_e1757)) & 1023u))) - 8388608f) * _e147)), (_e1419.member.member.y + ((bitcast<f32>((1258291200u | ((_e1754 >> bitcast<u32>(_e1768)) & 1023u))) - 8388608f) * _e147)), (_e1419.member.member.z + ((bitcast<f32>((1258291200u | ((_e1754 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e1419.member.member.x + ((bitcast<f32>((1258291200u | ((_e1794 >> bitcast<u32>(_e1757)) & 1023u))) - 8388608f) * _e147)), (_e1419.member.member.y + ((bitcast<f32>((1258291200u | ((_e1794 >> bitcast<u32>(_e1768)) & 1023u))) - 8388608f) * _e147)), (_e1419.member.member.z + ((bitcast<f32>((1258291200u | ((_e1794 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e1419.member.member.x + ((bitcast<f32>((1258291200u | ((_e1825 >> bitcast<u32>(_e1757)) & 1023u))) - 8388608f) * _e147)), (_e1419.member.member.y + ((bitcast<f32>((1258291200u | ((_e1825 >> bitcast<u32>(_e1768)) & 1023u))) - 8388608f) * _e147)), (_e1419.member.member.z + ((bitcast<f32>((1258291200u | ((_e1825 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e147))));
+                                phi_3011_ = 1u;
                                 break;
                             }
                             case 1: {
-                                if (_e1472 < _e103) {
-                                    let _e1563 = slimbvh_triangles.member[_e1472];
-                                    phi_3150_ = _e1563;
-                                } else {
-                                    phi_3150_ = 0u;
-                                }
-                                let _e1565 = phi_3150_;
-                                let _e1566 = (_e1472 + 1u);
-                                if (_e1566 < _e103) {
-                                    let _e1569 = slimbvh_triangles.member[_e1566];
-                                    phi_3165_ = _e1569;
-                                } else {
-                                    phi_3165_ = 0u;
-                                }
-                                let _e1571 = phi_3165_;
-                                let _e1573 = (_e207 == 1u);
-                                if _e1573 {
-                                    phi_3175_ = ((_e1565 >> bitcast<u32>(21i)) | (_e1571 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3175_ = (_e1571 >> bitcast<u32>(10i));
-                                }
-                                let _e1582 = phi_3175_;
-                                let _e1591 = (_e211 == 1u);
-                                if _e1591 {
-                                    phi_3196_ = ((_e1565 >> bitcast<u32>(21i)) | (_e1571 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3196_ = (_e1571 >> bitcast<u32>(10i));
-                                }
-                                let _e1600 = phi_3196_;
-                                let _e1609 = (_e203 == 1u);
-                                if _e1609 {
-                                    phi_3217_ = ((_e1565 >> bitcast<u32>(21i)) | (_e1571 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3217_ = (_e1571 >> bitcast<u32>(10i));
-                                }
-                                let _e1618 = phi_3217_;
-                                let _e1627 = (_e1472 + 2u);
-                                if (_e1627 < _e103) {
-                                    let _e1630 = slimbvh_triangles.member[_e1627];
-                                    phi_3247_ = _e1630;
-                                } else {
-                                    phi_3247_ = 0u;
-                                }
-                                let _e1632 = phi_3247_;
-                                let _e1633 = (_e1472 + 3u);
-                                if (_e1633 < _e103) {
-                                    let _e1636 = slimbvh_triangles.member[_e1633];
-                                    phi_3262_ = _e1636;
-                                } else {
-                                    phi_3262_ = 0u;
-                                }
-                                let _e1638 = phi_3262_;
-                                if _e1573 {
-                                    phi_3272_ = ((_e1632 >> bitcast<u32>(21i)) | (_e1638 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3272_ = (_e1638 >> bitcast<u32>(10i));
-                                }
-                                let _e1647 = phi_3272_;
-                                if _e1591 {
-                                    phi_3293_ = ((_e1632 >> bitcast<u32>(21i)) | (_e1638 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3293_ = (_e1638 >> bitcast<u32>(10i));
-                                }
-                                let _e1663 = phi_3293_;
-                                if _e1609 {
-                                    phi_3314_ = ((_e1632 >> bitcast<u32>(21i)) | (_e1638 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3314_ = (_e1638 >> bitcast<u32>(10i));
-                                }
-                                let _e1679 = phi_3314_;
-                                let _e1688 = (_e1472 + 4u);
-                                if (_e1688 < _e103) {
-                                    let _e1691 = slimbvh_triangles.member[_e1688];
-                                    phi_3344_ = _e1691;
-                                } else {
-                                    phi_3344_ = 0u;
-                                }
-                                let _e1693 = phi_3344_;
-                                let _e1694 = (_e1472 + 5u);
-                                if (_e1694 < _e103) {
-                                    let _e1697 = slimbvh_triangles.member[_e1694];
-                                    phi_3359_ = _e1697;
-                                } else {
-                                    phi_3359_ = 0u;
-                                }
-                                let _e1699 = phi_3359_;
-                                if _e1573 {
-                                    phi_3369_ = ((_e1693 >> bitcast<u32>(21i)) | (_e1699 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3369_ = (_e1699 >> bitcast<u32>(10i));
-                                }
-                                let _e1708 = phi_3369_;
-                                if _e1591 {
-                                    phi_3390_ = ((_e1693 >> bitcast<u32>(21i)) | (_e1699 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3390_ = (_e1699 >> bitcast<u32>(10i));
-                                }
-                                let _e1724 = phi_3390_;
-                                if _e1609 {
-                                    phi_3411_ = ((_e1693 >> bitcast<u32>(21i)) | (_e1699 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3411_ = (_e1699 >> bitcast<u32>(10i));
-                                }
-                                let _e1740 = phi_3411_;
-                                phi_3602_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1419.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1582, _e1565, _e212) & 2097151u))) - 8388608f) * _e147)), (_e1419.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1600, _e1565, _e215) & 2097151u))) - 8388608f) * _e147)), (_e1419.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1618, _e1565, _e219) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e1419.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1647, _e1632, _e212) & 2097151u))) - 8388608f) * _e147)), (_e1419.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1663, _e1632, _e215) & 2097151u))) - 8388608f) * _e147)), (_e1419.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1679, _e1632, _e219) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e1419.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1708, _e1693, _e212) & 2097151u))) - 8388608f) * _e147)), (_e1419.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1724, _e1693, _e215) & 2097151u))) - 8388608f) * _e147)), (_e1419.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1740, _e1693, _e219) & 2097151u))) - 8388608f) * _e147))));
+                                phi_3011_ = 2u;
                                 break;
                             }
                             case 2: {
-                                let _e1474 = (_e1472 + _e207);
+                                phi_3011_ = 3u;
+                                break;
+                            }
+                            default: {
+                                phi_3011_ = u32();
+                                break;
+                            }
+                        }
+                        let _e1468 = phi_3011_;
+                        let _e1469 = (_e1465 + _e1468);
+                        let _e1471 = (_e1465 + (2u * _e1468));
+                        switch bitcast<i32>(_e1413.member.member_1) {
+                            case 0: {
+                                if (_e1465 < _e103) {
+                                    let _e1748 = slimbvh_triangles.member[_e1465];
+                                    phi_3038_ = _e1748;
+                                } else {
+                                    phi_3038_ = 0u;
+                                }
+                                let _e1750 = phi_3038_;
+                                let _e1753 = ((10u * _e207) & 31u);
+                                let _e1764 = ((10u * _e211) & 31u);
+                                let _e1775 = ((10u * _e203) & 31u);
+                                if (_e1469 < _e103) {
+                                    let _e1787 = slimbvh_triangles.member[_e1469];
+                                    phi_3084_ = _e1787;
+                                } else {
+                                    phi_3084_ = 0u;
+                                }
+                                let _e1789 = phi_3084_;
+                                if (_e1471 < _e103) {
+                                    let _e1817 = slimbvh_triangles.member[_e1471];
+                                    phi_3130_ = _e1817;
+                                } else {
+                                    phi_3130_ = 0u;
+                                }
+                                let _e1819 = phi_3130_;
+                                phi_3597_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1413.member.member.x + ((bitcast<f32>((1258291200u | ((_e1750 >> bitcast<u32>(_e1753)) & 1023u))) - 8388608f) * _e147)), (_e1413.member.member.y + ((bitcast<f32>((1258291200u | ((_e1750 >> bitcast<u32>(_e1764)) & 1023u))) - 8388608f) * _e147)), (_e1413.member.member.z + ((bitcast<f32>((1258291200u | ((_e1750 >> bitcast<u32>(_e1775)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e1413.member.member.x + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1753)) & 1023u))) - 8388608f) * _e147)), (_e1413.member.member.y + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1764)) & 1023u))) - 8388608f) * _e147)), (_e1413.member.member.z + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1775)) & 1023u))) - 8388608f) * _e147))), array<f32, 3>((_e1413.member.member.x + ((bitcast<f32>((1258291200u | ((_e1819 >> bitcast<u32>(_e1753)) & 1023u))) - 8388608f) * _e147)), (_e1413.member.member.y + ((bitcast<f32>((1258291200u | ((_e1819 >> bitcast<u32>(_e1764)) & 1023u))) - 8388608f) * _e147)), (_e1413.member.member.z + ((bitcast<f32>((1258291200u | ((_e1819 >> bitcast<u32>(_e1775)) & 1023u))) - 8388608f) * _e147))));
+                                break;
+                            }
+                            case 1: {
+                                if (_e1465 < _e103) {
+                                    let _e1561 = slimbvh_triangles.member[_e1465];
+                                    phi_3177_ = _e1561;
+                                } else {
+                                    phi_3177_ = 0u;
+                                }
+                                let _e1563 = phi_3177_;
+                                let _e1564 = (_e1465 + 1u);
+                                if (_e1564 < _e103) {
+                                    let _e1567 = slimbvh_triangles.member[_e1564];
+                                    phi_3190_ = _e1567;
+                                } else {
+                                    phi_3190_ = 0u;
+                                }
+                                let _e1569 = phi_3190_;
+                                let _e1571 = (_e207 == 1u);
+                                if _e1571 {
+                                    phi_3200_ = ((_e1563 >> bitcast<u32>(21i)) | (_e1569 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3200_ = (_e1569 >> bitcast<u32>(10i));
+                                }
+                                let _e1580 = phi_3200_;
+                                let _e1589 = (_e211 == 1u);
+                                if _e1589 {
+                                    phi_3221_ = ((_e1563 >> bitcast<u32>(21i)) | (_e1569 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3221_ = (_e1569 >> bitcast<u32>(10i));
+                                }
+                                let _e1598 = phi_3221_;
+                                let _e1607 = (_e203 == 1u);
+                                if _e1607 {
+                                    phi_3242_ = ((_e1563 >> bitcast<u32>(21i)) | (_e1569 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3242_ = (_e1569 >> bitcast<u32>(10i));
+                                }
+                                let _e1616 = phi_3242_;
+                                if (_e1469 < _e103) {
+                                    let _e1627 = slimbvh_triangles.member[_e1469];
+                                    phi_3269_ = _e1627;
+                                } else {
+                                    phi_3269_ = 0u;
+                                }
+                                let _e1629 = phi_3269_;
+                                let _e1630 = (_e1469 + 1u);
+                                if (_e1630 < _e103) {
+                                    let _e1633 = slimbvh_triangles.member[_e1630];
+                                    phi_3282_ = _e1633;
+                                } else {
+                                    phi_3282_ = 0u;
+                                }
+                                let _e1635 = phi_3282_;
+                                if _e1571 {
+                                    phi_3292_ = ((_e1629 >> bitcast<u32>(21i)) | (_e1635 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3292_ = (_e1635 >> bitcast<u32>(10i));
+                                }
+                                let _e1644 = phi_3292_;
+                                if _e1589 {
+                                    phi_3313_ = ((_e1629 >> bitcast<u32>(21i)) | (_e1635 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3313_ = (_e1635 >> bitcast<u32>(10i));
+                                }
+                                let _e1660 = phi_3313_;
+                                if _e1607 {
+                                    phi_3334_ = ((_e1629 >> bitcast<u32>(21i)) | (_e1635 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3334_ = (_e1635 >> bitcast<u32>(10i));
+                                }
+                                let _e1676 = phi_3334_;
+                                if (_e1471 < _e103) {
+                                    let _e1687 = slimbvh_triangles.member[_e1471];
+                                    phi_3361_ = _e1687;
+                                } else {
+                                    phi_3361_ = 0u;
+                                }
+                                let _e1689 = phi_3361_;
+                                let _e1690 = (_e1471 + 1u);
+                                if (_e1690 < _e103) {
+                                    let _e1693 = slimbvh_triangles.member[_e1690];
+                                    phi_3374_ = _e1693;
+                                } else {
+                                    phi_3374_ = 0u;
+                                }
+                                let _e1695 = phi_3374_;
+                                if _e1571 {
+                                    phi_3384_ = ((_e1689 >> bitcast<u32>(21i)) | (_e1695 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3384_ = (_e1695 >> bitcast<u32>(10i));
+                                }
+                                let _e1704 = phi_3384_;
+                                if _e1589 {
+                                    phi_3405_ = ((_e1689 >> bitcast<u32>(21i)) | (_e1695 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3405_ = (_e1695 >> bitcast<u32>(10i));
+                                }
+                                let _e1720 = phi_3405_;
+                                if _e1607 {
+                                    phi_3426_ = ((_e1689 >> bitcast<u32>(21i)) | (_e1695 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3426_ = (_e1695 >> bitcast<u32>(10i));
+                                }
+                                let _e1736 = phi_3426_;
+                                phi_3597_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1413.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1580, _e1563, _e212) & 2097151u))) - 8388608f) * _e147)), (_e1413.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1598, _e1563, _e215) & 2097151u))) - 8388608f) * _e147)), (_e1413.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1616, _e1563, _e219) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e1413.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1644, _e1629, _e212) & 2097151u))) - 8388608f) * _e147)), (_e1413.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1660, _e1629, _e215) & 2097151u))) - 8388608f) * _e147)), (_e1413.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1676, _e1629, _e219) & 2097151u))) - 8388608f) * _e147))), array<f32, 3>((_e1413.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1704, _e1689, _e212) & 2097151u))) - 8388608f) * _e147)), (_e1413.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1720, _e1689, _e215) & 2097151u))) - 8388608f) * _e147)), (_e1413.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1736, _e1689, _e219) & 2097151u))) - 8388608f) * _e147))));
+                                break;
+                            }
+                            case 2: {
+                                let _e1474 = (_e1465 + _e207);
                                 if (_e1474 < _e103) {
                                     let _e1477 = slimbvh_triangles.member[_e1474];
-                                    phi_3442_ = _e1477;
+                                    phi_3455_ = _e1477;
                                 } else {
-                                    phi_3442_ = 0u;
+                                    phi_3455_ = 0u;
                                 }
-                                let _e1479 = phi_3442_;
-                                let _e1483 = (_e1472 + _e211);
-                                if (_e1483 < _e103) {
-                                    let _e1486 = slimbvh_triangles.member[_e1483];
-                                    phi_3460_ = _e1486;
+                                let _e1479 = phi_3455_;
+                                let _e1480 = (_e1465 + _e211);
+                                if (_e1480 < _e103) {
+                                    let _e1483 = slimbvh_triangles.member[_e1480];
+                                    phi_3468_ = _e1483;
                                 } else {
-                                    phi_3460_ = 0u;
+                                    phi_3468_ = 0u;
                                 }
-                                let _e1488 = phi_3460_;
-                                let _e1492 = (_e1472 + _e203);
-                                if (_e1492 < _e103) {
-                                    let _e1495 = slimbvh_triangles.member[_e1492];
-                                    phi_3478_ = _e1495;
+                                let _e1485 = phi_3468_;
+                                let _e1486 = (_e1465 + _e203);
+                                if (_e1486 < _e103) {
+                                    let _e1489 = slimbvh_triangles.member[_e1486];
+                                    phi_3481_ = _e1489;
                                 } else {
-                                    phi_3478_ = 0u;
+                                    phi_3481_ = 0u;
                                 }
-                                let _e1497 = phi_3478_;
-                                let _e1502 = (_e1472 + 3u);
-                                let _e1503 = (_e1502 + _e207);
-                                if (_e1503 < _e103) {
-                                    let _e1506 = slimbvh_triangles.member[_e1503];
-                                    phi_3501_ = _e1506;
+                                let _e1491 = phi_3481_;
+                                let _e1502 = (_e1469 + _e207);
+                                if (_e1502 < _e103) {
+                                    let _e1505 = slimbvh_triangles.member[_e1502];
+                                    phi_3507_ = _e1505;
                                 } else {
-                                    phi_3501_ = 0u;
+                                    phi_3507_ = 0u;
                                 }
-                                let _e1508 = phi_3501_;
-                                let _e1512 = (_e1502 + _e211);
-                                if (_e1512 < _e103) {
-                                    let _e1515 = slimbvh_triangles.member[_e1512];
-                                    phi_3519_ = _e1515;
+                                let _e1507 = phi_3507_;
+                                let _e1508 = (_e1469 + _e211);
+                                if (_e1508 < _e103) {
+                                    let _e1511 = slimbvh_triangles.member[_e1508];
+                                    phi_3520_ = _e1511;
                                 } else {
-                                    phi_3519_ = 0u;
+                                    phi_3520_ = 0u;
                                 }
-                                let _e1517 = phi_3519_;
-                                let _e1521 = (_e1502 + _e203);
-                                if (_e1521 < _e103) {
-                                    let _e1524 = slimbvh_triangles.member[_e1521];
-                                    phi_3537_ = _e1524;
+                                let _e1513 = phi_3520_;
+                                let _e1514 = (_e1469 + _e203);
+                                if (_e1514 < _e103) {
+                                    let _e1517 = slimbvh_triangles.member[_e1514];
+                                    phi_3533_ = _e1517;
                                 } else {
-                                    phi_3537_ = 0u;
+                                    phi_3533_ = 0u;
                                 }
-                                let _e1526 = phi_3537_;
-                                let _e1531 = (_e1472 + 6u);
-                                let _e1532 = (_e1531 + _e207);
-                                if (_e1532 < _e103) {
-                                    let _e1535 = slimbvh_triangles.member[_e1532];
-                                    phi_3560_ = _e1535;
+                                let _e1519 = phi_3533_;
+                                let _e1530 = (_e1471 + _e207);
+                                if (_e1530 < _e103) {
+                                    let _e1533 = slimbvh_triangles.member[_e1530];
+                                    phi_3559_ = _e1533;
                                 } else {
-                                    phi_3560_ = 0u;
+                                    phi_3559_ = 0u;
                                 }
-                                let _e1537 = phi_3560_;
-                                let _e1541 = (_e1531 + _e211);
-                                if (_e1541 < _e103) {
-                                    let _e1544 = slimbvh_triangles.member[_e1541];
-                                    phi_3578_ = _e1544;
+                                let _e1535 = phi_3559_;
+                                let _e1536 = (_e1471 + _e211);
+                                if (_e1536 < _e103) {
+                                    let _e1539 = slimbvh_triangles.member[_e1536];
+                                    phi_3572_ = _e1539;
                                 } else {
-                                    phi_3578_ = 0u;
+                                    phi_3572_ = 0u;
                                 }
-                                let _e1546 = phi_3578_;
-                                let _e1550 = (_e1531 + _e203);
-                                if (_e1550 < _e103) {
-                                    let _e1553 = slimbvh_triangles.member[_e1550];
-                                    phi_3596_ = _e1553;
+                                let _e1541 = phi_3572_;
+                                let _e1542 = (_e1471 + _e203);
+                                if (_e1542 < _e103) {
+                                    let _e1545 = slimbvh_triangles.member[_e1542];
+                                    phi_3585_ = _e1545;
                                 } else {
-                                    phi_3596_ = 0u;
+                                    phi_3585_ = 0u;
                                 }
-                                let _e1555 = phi_3596_;
-                                phi_3602_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1479)) * _e147), (f32(bitcast<i32>(_e1488)) * _e147), (f32(bitcast<i32>(_e1497)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1508)) * _e147), (f32(bitcast<i32>(_e1517)) * _e147), (f32(bitcast<i32>(_e1526)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1537)) * _e147), (f32(bitcast<i32>(_e1546)) * _e147), (f32(bitcast<i32>(_e1555)) * _e147)));
+                                let _e1547 = phi_3585_;
+                                phi_3597_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1479)) * _e147), (f32(bitcast<i32>(_e1485)) * _e147), (f32(bitcast<i32>(_e1491)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1507)) * _e147), (f32(bitcast<i32>(_e1513)) * _e147), (f32(bitcast<i32>(_e1519)) * _e147)), array<f32, 3>((f32(bitcast<i32>(_e1535)) * _e147), (f32(bitcast<i32>(_e1541)) * _e147), (f32(bitcast<i32>(_e1547)) * _e147)));
                                 break;
                             }
                             default: {
-                                phi_3602_ = array<array<f32, 3>, 3>();
+                                phi_3597_ = array<array<f32, 3>, 3>();
                                 break;
                             }
                         }
-                        let _e1853 = phi_3602_;
-                        let _e1870 = (_e1853[0][2] - _e595.member[2]);
-                        let _e1873 = (((_e1853[0][0] - _e595.member[0]) * _e650) - (_e1870 * _e618));
-                        let _e1876 = (((_e1853[0][1] - _e595.member[1]) * _e650) - (_e1870 * _e634));
-                        let _e1879 = (_e1853[1][2] - _e595.member[2]);
-                        let _e1882 = (((_e1853[1][0] - _e595.member[0]) * _e650) - (_e1879 * _e618));
-                        let _e1885 = (((_e1853[1][1] - _e595.member[1]) * _e650) - (_e1879 * _e634));
-                        let _e1888 = (_e1853[2][2] - _e595.member[2]);
-                        let _e1891 = (((_e1853[2][0] - _e595.member[0]) * _e650) - (_e1888 * _e618));
-                        let _e1894 = (((_e1853[2][1] - _e595.member[1]) * _e650) - (_e1888 * _e634));
-                        let _e1895 = (_e1891 * _e1885);
-                        let _e1896 = (_e1894 * _e1882);
-                        let _e1897 = (_e1873 * _e1894);
-                        let _e1898 = (_e1876 * _e1891);
-                        let _e1899 = (_e1882 * _e1876);
-                        let _e1900 = (_e1885 * _e1873);
-                        let _e1905 = (((_e1895 >= _e1896) && (_e1897 >= _e1898)) && (_e1899 >= _e1900));
-                        let _e1911 = (_e1905 || (((_e1895 <= _e1896) && (_e1897 <= _e1898)) && (_e1899 <= _e1900)));
-                        if _e1911 {
-                            let _e1913 = select(-1f, 1f, _e1905);
-                            let _e1915 = ((_e1895 - _e1896) * _e1913);
-                            let _e1917 = select(0f, _e1915, (_e1915 > 0f));
-                            let _e1919 = ((_e1897 - _e1898) * _e1913);
-                            let _e1921 = select(0f, _e1919, (_e1919 > 0f));
-                            let _e1923 = ((_e1899 - _e1900) * _e1913);
-                            let _e1925 = select(0f, _e1923, (_e1923 > 0f));
-                            let _e1927 = ((_e1917 + _e1921) + _e1925);
-                            let _e1942 = ((min(min(_e1853[0][0], _e1853[1][0]), _e1853[2][0]) - _e619) * _e622);
-                            let _e1943 = ((max(max(_e1853[0][0], _e1853[1][0]), _e1853[2][0]) - _e620) * _e622);
-                            let _e1944 = vec4<f32>(_e1942, f32(), _e1943, f32());
-                            let _e1947 = ((min(min(_e1853[0][1], _e1853[1][1]), _e1853[2][1]) - _e635) * _e638);
-                            let _e1948 = ((max(max(_e1853[0][1], _e1853[1][1]), _e1853[2][1]) - _e636) * _e638);
-                            let _e1949 = vec4<f32>(_e1947, f32(), _e1948, f32());
-                            let _e1952 = ((min(min(_e1853[0][2], _e1853[1][2]), _e1853[2][2]) - _e651) * _e654);
-                            let _e1953 = ((max(max(_e1853[0][2], _e1853[1][2]), _e1853[2][2]) - _e652) * _e654);
-                            let _e1954 = vec4<f32>(_e1952, f32(), _e1953, f32());
-                            let _e1955 = vec4<f32>(_e1943, f32(), _e1942, f32());
-                            let _e1957 = vec4<f32>(_e1948, f32(), _e1947, f32());
-                            let _e1959 = vec4<f32>(_e1953, f32(), _e1952, f32());
-                            let _e1968 = max(max(min(_e1944, _e1955).x, min(_e1949, _e1957).x), min(_e1954, _e1959).x);
-                            let _e1973 = min(min(max(_e1944, _e1955).x, max(_e1949, _e1957).x), max(_e1954, _e1959).x);
-                            let _e1978 = max(_e1968, _e662);
-                            let _e2000 = (((((_e1911 && (_e1927 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1873, _e1882), _e1891) <= 0f) && (max(max(_e1873, _e1882), _e1891) >= 0f))) && ((min(min(_e1876, _e1885), _e1894) <= 0f) && (max(max(_e1876, _e1885), _e1894) >= 0f))) && (_e1978 <= (_e1973 + (max(max(_e1954, _e1959).x, -(min(_e1954, _e1959).x)) * 0.0000019073523f)))) && (_e1978 <= _e1423.member.member_1));
-                            if _e2000 {
-                                let _e2005 = (_e1853[1][0] - _e1853[0][0]);
-                                let _e2006 = (_e1853[1][1] - _e1853[0][1]);
-                                let _e2007 = (_e1853[1][2] - _e1853[0][2]);
-                                let _e2008 = vec3<f32>(_e2005, _e2006, _e2007);
-                                let _e2009 = (_e1853[2][0] - _e1853[1][0]);
-                                let _e2010 = (_e1853[2][1] - _e1853[1][1]);
-                                let _e2011 = (_e1853[2][2] - _e1853[1][2]);
-                                let _e2012 = vec3<f32>(_e2009, _e2010, _e2011);
-                                let _e2013 = (_e1853[0][0] - _e1853[2][0]);
-                                let _e2014 = (_e1853[0][1] - _e1853[2][1]);
-                                let _e2015 = (_e1853[0][2] - _e1853[2][2]);
-                                let _e2016 = vec3<f32>(_e2013, _e2014, _e2015);
-                                let _e2027 = max(max(bitcast<f32>((bitcast<u32>(_e2005) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2006) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2007) & 2147483647u)));
-                                let _e2038 = max(max(bitcast<f32>((bitcast<u32>(_e2009) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2010) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2011) & 2147483647u)));
-                                let _e2051 = max(max(_e2027, _e2038), max(max(bitcast<f32>((bitcast<u32>(_e2013) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2014) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2015) & 2147483647u))));
-                                if (_e2027 == _e2051) {
-                                    phi_3967_ = _e1885;
-                                    phi_3968_ = _e1882;
-                                    phi_3969_ = _e1876;
-                                    phi_3970_ = _e1873;
-                                    phi_3971_ = vec3<f32>(_e1853[0][0], _e1853[0][1], _e1853[0][2]);
-                                    phi_3972_ = _e2016;
-                                    phi_3973_ = _e2012;
-                                    phi_3974_ = _e2008;
+                        let _e1847 = phi_3597_;
+                        let _e1864 = (_e1847[0][2] - _e595.member[2]);
+                        let _e1867 = (((_e1847[0][0] - _e595.member[0]) * _e650) - (_e1864 * _e618));
+                        let _e1870 = (((_e1847[0][1] - _e595.member[1]) * _e650) - (_e1864 * _e634));
+                        let _e1873 = (_e1847[1][2] - _e595.member[2]);
+                        let _e1876 = (((_e1847[1][0] - _e595.member[0]) * _e650) - (_e1873 * _e618));
+                        let _e1879 = (((_e1847[1][1] - _e595.member[1]) * _e650) - (_e1873 * _e634));
+                        let _e1882 = (_e1847[2][2] - _e595.member[2]);
+                        let _e1885 = (((_e1847[2][0] - _e595.member[0]) * _e650) - (_e1882 * _e618));
+                        let _e1888 = (((_e1847[2][1] - _e595.member[1]) * _e650) - (_e1882 * _e634));
+                        let _e1889 = (_e1885 * _e1879);
+                        let _e1890 = (_e1888 * _e1876);
+                        let _e1891 = (_e1867 * _e1888);
+                        let _e1892 = (_e1870 * _e1885);
+                        let _e1893 = (_e1876 * _e1870);
+                        let _e1894 = (_e1879 * _e1867);
+                        let _e1899 = (((_e1889 >= _e1890) && (_e1891 >= _e1892)) && (_e1893 >= _e1894));
+                        let _e1905 = (_e1899 || (((_e1889 <= _e1890) && (_e1891 <= _e1892)) && (_e1893 <= _e1894)));
+                        if _e1905 {
+                            let _e1907 = select(-1f, 1f, _e1899);
+                            let _e1909 = ((_e1889 - _e1890) * _e1907);
+                            let _e1911 = select(0f, _e1909, (_e1909 > 0f));
+                            let _e1913 = ((_e1891 - _e1892) * _e1907);
+                            let _e1915 = select(0f, _e1913, (_e1913 > 0f));
+                            let _e1917 = ((_e1893 - _e1894) * _e1907);
+                            let _e1919 = select(0f, _e1917, (_e1917 > 0f));
+                            let _e1921 = ((_e1911 + _e1915) + _e1919);
+                            let _e1936 = ((min(min(_e1847[0][0], _e1847[1][0]), _e1847[2][0]) - _e619) * _e622);
+                            let _e1937 = ((max(max(_e1847[0][0], _e1847[1][0]), _e1847[2][0]) - _e620) * _e622);
+                            let _e1938 = vec4<f32>(_e1936, f32(), _e1937, f32());
+                            let _e1941 = ((min(min(_e1847[0][1], _e1847[1][1]), _e1847[2][1]) - _e635) * _e638);
+                            let _e1942 = ((max(max(_e1847[0][1], _e1847[1][1]), _e1847[2][1]) - _e636) * _e638);
+                            let _e1943 = vec4<f32>(_e1941, f32(), _e1942, f32());
+                            let _e1946 = ((min(min(_e1847[0][2], _e1847[1][2]), _e1847[2][2]) - _e651) * _e654);
+                            let _e1947 = ((max(max(_e1847[0][2], _e1847[1][2]), _e1847[2][2]) - _e652) * _e654);
+                            let _e1948 = vec4<f32>(_e1946, f32(), _e1947, f32());
+                            let _e1949 = vec4<f32>(_e1937, f32(), _e1936, f32());
+                            let _e1951 = vec4<f32>(_e1942, f32(), _e1941, f32());
+                            let _e1953 = vec4<f32>(_e1947, f32(), _e1946, f32());
+                            let _e1962 = max(max(min(_e1938, _e1949).x, min(_e1943, _e1951).x), min(_e1948, _e1953).x);
+                            let _e1967 = min(min(max(_e1938, _e1949).x, max(_e1943, _e1951).x), max(_e1948, _e1953).x);
+                            let _e1972 = max(_e1962, _e662);
+                            let _e1994 = (((((_e1905 && (_e1921 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1867, _e1876), _e1885) <= 0f) && (max(max(_e1867, _e1876), _e1885) >= 0f))) && ((min(min(_e1870, _e1879), _e1888) <= 0f) && (max(max(_e1870, _e1879), _e1888) >= 0f))) && (_e1972 <= (_e1967 + (max(max(_e1948, _e1953).x, -(min(_e1948, _e1953).x)) * 0.0000019073523f)))) && (_e1972 <= _e1417.member.member_1));
+                            if _e1994 {
+                                let _e1999 = (_e1847[1][0] - _e1847[0][0]);
+                                let _e2000 = (_e1847[1][1] - _e1847[0][1]);
+                                let _e2001 = (_e1847[1][2] - _e1847[0][2]);
+                                let _e2002 = vec3<f32>(_e1999, _e2000, _e2001);
+                                let _e2003 = (_e1847[2][0] - _e1847[1][0]);
+                                let _e2004 = (_e1847[2][1] - _e1847[1][1]);
+                                let _e2005 = (_e1847[2][2] - _e1847[1][2]);
+                                let _e2006 = vec3<f32>(_e2003, _e2004, _e2005);
+                                let _e2007 = (_e1847[0][0] - _e1847[2][0]);
+                                let _e2008 = (_e1847[0][1] - _e1847[2][1]);
+                                let _e2009 = (_e1847[0][2] - _e1847[2][2]);
+                                let _e2010 = vec3<f32>(_e2007, _e2008, _e2009);
+                                let _e2021 = max(max(bitcast<f32>((bitcast<u32>(_e1999) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2000) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2001) & 2147483647u)));
+                                let _e2032 = max(max(bitcast<f32>((bitcast<u32>(_e2003) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2004) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2005) & 2147483647u)));
+                                let _e2045 = max(max(_e2021, _e2032), max(max(bitcast<f32>((bitcast<u32>(_e2007) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2008) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2009) & 2147483647u))));
+                                if (_e2021 == _e2045) {
+                                    phi_3962_ = _e1879;
+                                    phi_3963_ = _e1876;
+                                    phi_3964_ = _e1870;
+                                    phi_3965_ = _e1867;
+                                    phi_3966_ = vec3<f32>(_e1847[0][0], _e1847[0][1], _e1847[0][2]);
+                                    phi_3967_ = _e2010;
+                                    phi_3968_ = _e2006;
+                                    phi_3969_ = _e2002;
                                 } else {
-                                    let _e2053 = (_e2038 == _e2051);
-                                    let _e2058 = vec3(_e2053);
-                                    phi_3967_ = select(_e1876, _e1894, _e2053);
-                                    phi_3968_ = select(_e1873, _e1891, _e2053);
-                                    phi_3969_ = select(_e1894, _e1885, _e2053);
-                                    phi_3970_ = select(_e1891, _e1882, _e2053);
-                                    phi_3971_ = select(vec3<f32>(_e1853[2][0], _e1853[2][1], _e1853[2][2]), vec3<f32>(_e1853[1][0], _e1853[1][1], _e1853[1][2]), _e2058);
-                                    phi_3972_ = select(_e2012, _e2008, _e2058);
-                                    phi_3973_ = select(_e2008, _e2016, _e2058);
-                                    phi_3974_ = select(_e2016, _e2012, _e2058);
+                                    let _e2047 = (_e2032 == _e2045);
+                                    let _e2052 = vec3(_e2047);
+                                    phi_3962_ = select(_e1870, _e1888, _e2047);
+                                    phi_3963_ = select(_e1867, _e1885, _e2047);
+                                    phi_3964_ = select(_e1888, _e1879, _e2047);
+                                    phi_3965_ = select(_e1885, _e1876, _e2047);
+                                    phi_3966_ = select(vec3<f32>(_e1847[2][0], _e1847[2][1], _e1847[2][2]), vec3<f32>(_e1847[1][0], _e1847[1][1], _e1847[1][2]), _e2052);
+                                    phi_3967_ = select(_e2006, _e2002, _e2052);
+                                    phi_3968_ = select(_e2002, _e2010, _e2052);
+                                    phi_3969_ = select(_e2010, _e2006, _e2052);
                                 }
-                                let _e2064 = phi_3967_;
-                                let _e2066 = phi_3968_;
-                                let _e2068 = phi_3969_;
-                                let _e2070 = phi_3970_;
-                                let _e2072 = phi_3971_;
-                                let _e2074 = phi_3972_;
-                                let _e2076 = phi_3973_;
-                                let _e2078 = phi_3974_;
-                                let _e2085 = ((_e2076.y * _e2074.z) - (_e2074.y * _e2076.z));
-                                let _e2090 = ((_e2076.z * _e2074.x) - (_e2074.z * _e2076.x));
-                                let _e2093 = ((_e2076.x * _e2074.y) - (_e2074.x * _e2076.y));
-                                let _e2096 = ((_e1917 >= _e1921) && (_e1917 >= _e1925));
-                                let _e2097 = (_e1921 >= _e1925);
-                                let _e2111 = (((_e2085 * (select(select(_e1853[2][0], _e1853[1][0], _e2097), _e1853[0][0], _e2096) - _e595.member[0])) + (_e2090 * (select(select(_e1853[2][1], _e1853[1][1], _e2097), _e1853[0][1], _e2096) - _e595.member[1]))) + (_e2093 * (select(select(_e1853[2][2], _e1853[1][2], _e2097), _e1853[0][2], _e2096) - _e595.member[2])));
-                                let _e2116 = (((_e2085 * _e618) + (_e2090 * _e634)) + (_e2093 * _e650));
-                                let _e2117 = (_e2066 - _e2070);
-                                let _e2118 = (_e2064 - _e2068);
-                                let _e2121 = ((_e2117 * _e2117) + (_e2118 * _e2118));
-                                let _e2128 = (-(((_e2070 * _e2117) + (_e2068 * _e2118))) / select(0.000000000000000000000000000000000000011754944f, _e2121, (_e2121 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e2130 = select(1f, _e2128, (_e2128 < 1f));
-                                let _e2132 = select(0f, _e2130, (_e2130 > 0f));
-                                let _e2141 = ((_e2072.x + (_e2078.x * _e2132)) - _e595.member[0]);
-                                let _e2144 = ((_e2072.y + (_e2078.y * _e2132)) - _e595.member[1]);
-                                let _e2147 = ((_e2072.z + (_e2078.z * _e2132)) - _e595.member[2]);
-                                let _e2212 = ((bitcast<f32>((bitcast<u32>(((((_e2085 * _e2141) + (_e2090 * _e2144)) + (_e2093 * _e2147)) - _e2111)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2141) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2144) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2147) & 2147483647u))), _e2051)) * max(max(bitcast<f32>((bitcast<u32>(_e2085) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2090) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2116) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2076.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2076.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2076.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2074.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2074.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2074.z) & 2147483647u)))))));
-                                let _e2213 = (_e2111 / _e2116);
-                                if (_e2000 && !(_e2212)) {
-                                    let _e2216 = (_e2147 / _e650);
-                                    let _e2224 = (((_e2085 * (_e2141 - (_e618 * _e2216))) + (_e2090 * (_e2144 - (_e634 * _e2216)))) / _e2116);
-                                    phi_4153_ = select(select(_e2216, (_e2216 + _e2224), (bitcast<f32>((bitcast<u32>(_e2224) & 2147483647u)) <= _e2051)), _e2213, _e2212);
+                                let _e2058 = phi_3962_;
+                                let _e2060 = phi_3963_;
+                                let _e2062 = phi_3964_;
+                                let _e2064 = phi_3965_;
+                                let _e2066 = phi_3966_;
+                                let _e2068 = phi_3967_;
+                                let _e2070 = phi_3968_;
+                                let _e2072 = phi_3969_;
+                                let _e2079 = ((_e2070.y * _e2068.z) - (_e2068.y * _e2070.z));
+                                let _e2084 = ((_e2070.z * _e2068.x) - (_e2068.z * _e2070.x));
+                                let _e2087 = ((_e2070.x * _e2068.y) - (_e2068.x * _e2070.y));
+                                let _e2090 = ((_e1911 >= _e1915) && (_e1911 >= _e1919));
+                                let _e2091 = (_e1915 >= _e1919);
+                                let _e2105 = (((_e2079 * (select(select(_e1847[2][0], _e1847[1][0], _e2091), _e1847[0][0], _e2090) - _e595.member[0])) + (_e2084 * (select(select(_e1847[2][1], _e1847[1][1], _e2091), _e1847[0][1], _e2090) - _e595.member[1]))) + (_e2087 * (select(select(_e1847[2][2], _e1847[1][2], _e2091), _e1847[0][2], _e2090) - _e595.member[2])));
+                                let _e2110 = (((_e2079 * _e618) + (_e2084 * _e634)) + (_e2087 * _e650));
+                                let _e2111 = (_e2060 - _e2064);
+                                let _e2112 = (_e2058 - _e2062);
+                                let _e2115 = ((_e2111 * _e2111) + (_e2112 * _e2112));
+                                let _e2122 = (-(((_e2064 * _e2111) + (_e2062 * _e2112))) / select(0.000000000000000000000000000000000000011754944f, _e2115, (_e2115 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e2124 = select(1f, _e2122, (_e2122 < 1f));
+                                let _e2126 = select(0f, _e2124, (_e2124 > 0f));
+                                let _e2135 = ((_e2066.x + (_e2072.x * _e2126)) - _e595.member[0]);
+                                let _e2138 = ((_e2066.y + (_e2072.y * _e2126)) - _e595.member[1]);
+                                let _e2141 = ((_e2066.z + (_e2072.z * _e2126)) - _e595.member[2]);
+                                let _e2206 = ((bitcast<f32>((bitcast<u32>(((((_e2079 * _e2135) + (_e2084 * _e2138)) + (_e2087 * _e2141)) - _e2105)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2135) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2138) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2141) & 2147483647u))), _e2045)) * max(max(bitcast<f32>((bitcast<u32>(_e2079) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2084) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2087) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2110) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2070.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2070.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2070.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2068.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2068.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2068.z) & 2147483647u)))))));
+                                let _e2207 = (_e2105 / _e2110);
+                                if (_e1994 && !(_e2206)) {
+                                    let _e2210 = (_e2141 / _e650);
+                                    let _e2218 = (((_e2079 * (_e2135 - (_e618 * _e2210))) + (_e2084 * (_e2138 - (_e634 * _e2210)))) / _e2110);
+                                    phi_4148_ = select(select(_e2210, (_e2210 + _e2218), (bitcast<f32>((bitcast<u32>(_e2218) & 2147483647u)) <= _e2045)), _e2207, _e2206);
                                 } else {
-                                    phi_4153_ = _e2213;
+                                    phi_4148_ = _e2207;
                                 }
-                                let _e2233 = phi_4153_;
-                                let _e2235 = select(_e1973, _e2233, (_e2233 < _e1973));
-                                let _e2237 = select(_e1968, _e2235, (_e2235 > _e1968));
-                                let _e2240 = select(_e2237, 0f, (bitcast<u32>(_e2237) == 2147483648u));
-                                let _e2241 = (1f / _e1927);
-                                phi_4179_ = SlimbvhTypeE(_e2240, (_e1921 * _e2241), (_e1925 * _e2241), ((_e2000 && (_e2240 >= _e662)) && (_e2240 <= _e1423.member.member_1)));
-                                phi_4180_ = SlimbvhTypeE();
+                                let _e2227 = phi_4148_;
+                                let _e2229 = select(_e1967, _e2227, (_e2227 < _e1967));
+                                let _e2231 = select(_e1962, _e2229, (_e2229 > _e1962));
+                                let _e2234 = select(_e2231, 0f, (bitcast<u32>(_e2231) == 2147483648u));
+                                let _e2235 = (1f / _e1921);
+                                phi_4174_ = SlimbvhTypeE(_e2234, (_e1915 * _e2235), (_e1919 * _e2235), ((_e1994 && (_e2234 >= _e662)) && (_e2234 <= _e1417.member.member_1)));
+                                phi_4175_ = SlimbvhTypeE();
                             } else {
-                                phi_4179_ = SlimbvhTypeE();
-                                phi_4180_ = SlimbvhTypeE(0f, 0f, 0f, _e2000);
+                                phi_4174_ = SlimbvhTypeE();
+                                phi_4175_ = SlimbvhTypeE(0f, 0f, 0f, _e1994);
                             }
-                            let _e2250 = phi_4179_;
-                            let _e2252 = phi_4180_;
-                            phi_4183_ = _e2250;
-                            phi_4184_ = _e2252;
-                            phi_4185_ = select(true, false, _e2000);
+                            let _e2244 = phi_4174_;
+                            let _e2246 = phi_4175_;
+                            phi_4178_ = _e2244;
+                            phi_4179_ = _e2246;
+                            phi_4180_ = select(true, false, _e1994);
                         } else {
-                            phi_4183_ = SlimbvhTypeE();
-                            phi_4184_ = SlimbvhTypeE(0f, 0f, 0f, _e1911);
-                            phi_4185_ = true;
+                            phi_4178_ = SlimbvhTypeE();
+                            phi_4179_ = SlimbvhTypeE(0f, 0f, 0f, _e1905);
+                            phi_4180_ = true;
                         }
-                        let _e2255 = phi_4183_;
-                        let _e2257 = phi_4184_;
-                        let _e2259 = phi_4185_;
-                        if _e2259 {
-                            phi_4189_ = _e2257;
+                        let _e2249 = phi_4178_;
+                        let _e2251 = phi_4179_;
+                        let _e2253 = phi_4180_;
+                        if _e2253 {
+                            phi_4184_ = _e2251;
                         } else {
-                            phi_4189_ = _e2255;
+                            phi_4184_ = _e2249;
                         }
-                        let _e2261 = phi_4189_;
-                        if _e2261.member_3 {
-                            phi_4198_ = SlimbvhTypeF(_e2261.member, _e2261.member_1, _e2261.member_2, _e1464);
+                        let _e2255 = phi_4184_;
+                        if _e2255.member_3 {
+                            phi_4193_ = SlimbvhTypeF(_e2255.member, _e2255.member_1, _e2255.member_2, _e1458);
                         } else {
-                            phi_4198_ = _e96;
+                            phi_4193_ = _e96;
                         }
-                        let _e2268 = phi_4198_;
-                        if (_e2268.member_3 != 4294967295u) {
-                            if (_e1464 != 4294967295u) {
-                                if (_e2268.member < _e1423.member.member.member) {
-                                    phi_4226_ = true;
+                        let _e2262 = phi_4193_;
+                        if (_e2262.member_3 != 4294967295u) {
+                            if (_e1458 != 4294967295u) {
+                                if (_e2262.member < _e1417.member.member.member) {
+                                    phi_4221_ = true;
                                 } else {
-                                    if (_e2268.member == _e1423.member.member.member) {
-                                        phi_4225_ = (_e2268.member_3 < _e1423.member.member.member_3);
+                                    if (_e2262.member == _e1417.member.member.member) {
+                                        phi_4220_ = (_e2262.member_3 < _e1417.member.member.member_3);
                                     } else {
-                                        phi_4225_ = false;
+                                        phi_4220_ = false;
                                     }
-                                    let _e2283 = phi_4225_;
-                                    phi_4226_ = _e2283;
+                                    let _e2277 = phi_4220_;
+                                    phi_4221_ = _e2277;
                                 }
-                                let _e2285 = phi_4226_;
-                                if _e2285 {
-                                    phi_4233_ = SlimbvhTypeP(SlimbvhTypeH(_e2268, _e2268.member), _e1423.member_1);
+                                let _e2279 = phi_4221_;
+                                if _e2279 {
+                                    phi_4228_ = SlimbvhTypeP(SlimbvhTypeH(_e2262, _e2262.member), _e1417.member_1);
                                 } else {
-                                    phi_4233_ = _e1423;
+                                    phi_4228_ = _e1417;
                                 }
-                                let _e2291 = phi_4233_;
-                                if _e2291.member_1 {
-                                    phi_4239_ = SlimbvhTypeP(SlimbvhTypeH(_e2291.member.member, bitcast<f32>(4286578687u)), _e2291.member_1);
+                                let _e2285 = phi_4228_;
+                                if _e2285.member_1 {
+                                    phi_4234_ = SlimbvhTypeP(SlimbvhTypeH(_e2285.member.member, bitcast<f32>(4286578687u)), _e2285.member_1);
                                 } else {
-                                    phi_4239_ = _e2291;
+                                    phi_4234_ = _e2285;
                                 }
-                                let _e2300 = phi_4239_;
-                                phi_4240_ = _e2300;
+                                let _e2294 = phi_4234_;
+                                phi_4235_ = _e2294;
                             } else {
-                                phi_4240_ = _e1423;
+                                phi_4235_ = _e1417;
                             }
-                            let _e2302 = phi_4240_;
-                            phi_4241_ = _e2302;
+                            let _e2296 = phi_4235_;
+                            phi_4236_ = _e2296;
                         } else {
-                            phi_4241_ = _e1423;
+                            phi_4236_ = _e1417;
                         }
-                        let _e2304 = phi_4241_;
-                        phi_2893_ = _e2304;
+                        let _e2298 = phi_4236_;
+                        phi_2917_ = _e2298;
                     } else {
-                        phi_2893_ = SlimbvhTypeP();
+                        phi_2917_ = SlimbvhTypeP();
                     }
-                    let _e2306 = phi_2893_;
+                    let _e2300 = phi_2917_;
                     continue;
                     continuing {
-                        phi_2892_ = _e2306;
-                        phi_2895_ = _e1438;
-                        break if !(_e1444);
+                        phi_2916_ = _e2300;
+                        phi_2919_ = _e1432;
+                        break if !(_e1438);
                     }
                 }
-                let _e2309 = local_3;
-                let _e2310 = (_e2309 - 1u);
-                let _e2313 = local[(_e2310 % 128u)];
-                let _e2314 = (_e2313 & 511u);
-                let _e2316 = (_e2314 >> bitcast<u32>(3u));
-                let _e2319 = ((_e2316 == 0u) || (_e2310 == 4294967295u));
-                if _e2319 {
+                let _e2303 = local_3;
+                let _e2304 = (_e2303 - 1u);
+                let _e2307 = local[(_e2304 % 128u)];
+                let _e2308 = (_e2307 & 511u);
+                let _e2310 = (_e2308 >> bitcast<u32>(3u));
+                let _e2313 = ((_e2310 == 0u) || (_e2304 == 4294967295u));
+                if _e2313 {
                 } else {
-                    local[(_e2310 % 128u)] = (((_e2313 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2316);
+                    local[(_e2304 % 128u)] = (((_e2307 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2310);
                 }
-                let _e2326 = local_4;
-                let _e2334 = (((_e2313 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2314 & 3u) & 3u));
-                let _e2336 = (_e2334 >> bitcast<u32>(2i));
-                if (_e2336 >= _e100) {
-                    phi_4313_ = 4294967295u;
+                let _e2320 = local_4;
+                let _e2328 = (((_e2307 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2308 & 3u) & 3u));
+                let _e2330 = (_e2328 >> bitcast<u32>(2i));
+                if (_e2330 < _e100) {
+                    let _e2336 = slimbvh_nodes.member[_e2330].member_1[(_e2328 & 3u)];
+                    if ((_e2336 & 2147483648u) != 0u) {
+                        phi_4301_ = (2147483648u | _e2328);
+                    } else {
+                        phi_4301_ = _e2336;
+                    }
+                    let _e2341 = phi_4301_;
+                    phi_4302_ = _e2341;
                 } else {
-                    if (_e2336 < _e100) {
-                        let _e2343 = slimbvh_nodes.member[_e2336].member_1[(_e2334 & 3u)];
-                        phi_4305_ = _e2343;
-                    } else {
-                        phi_4305_ = 2147483648u;
-                    }
-                    let _e2345 = phi_4305_;
-                    if ((_e2345 & 2147483648u) != 0u) {
-                        phi_4312_ = (2147483648u | _e2334);
-                    } else {
-                        phi_4312_ = _e2345;
-                    }
-                    let _e2350 = phi_4312_;
-                    phi_4313_ = _e2350;
+                    phi_4302_ = 4294967295u;
                 }
-                let _e2352 = phi_4313_;
-                let _e2354 = local_5;
-                let _e2642 = local_7;
-                phi_4322_ = _e2642;
-                phi_4323_ = select(select(_e2326, _e2310, _e2319), 4294967295u, (_e662 > _e2354.member.member_1));
-                phi_4324_ = _e2352;
+                let _e2343 = phi_4302_;
+                let _e2345 = local_5;
+                let _e2631 = local_7;
+                phi_4311_ = _e2631;
+                phi_4312_ = select(select(_e2320, _e2304, _e2313), 4294967295u, (_e662 > _e2345.member.member_1));
+                phi_4313_ = _e2343;
             } else {
-                phi_4322_ = _e770;
-                let _e2645 = local_8;
-                phi_4323_ = _e2645;
-                let _e2648 = local_9;
-                phi_4324_ = _e2648;
+                phi_4311_ = _e770;
+                let _e2634 = local_8;
+                phi_4312_ = _e2634;
+                let _e2637 = local_9;
+                phi_4313_ = _e2637;
             }
-            let _e2360 = phi_4322_;
-            let _e2362 = phi_4323_;
-            let _e2364 = phi_4324_;
-            phi_1813_ = _e2360;
-            phi_1816_ = _e2362;
-            phi_1818_ = _e2364;
-            let _e2654 = local_10;
-            phi_1820_ = _e2654;
+            let _e2351 = phi_4311_;
+            let _e2353 = phi_4312_;
+            let _e2355 = phi_4313_;
+            phi_1814_ = _e2351;
+            phi_1817_ = _e2353;
+            phi_1819_ = _e2355;
+            let _e2643 = local_10;
+            phi_1821_ = _e2643;
         } else {
-            phi_1813_ = SlimbvhTypeP();
-            phi_1816_ = u32();
-            phi_1818_ = u32();
-            phi_1820_ = u32();
+            phi_1814_ = SlimbvhTypeP();
+            phi_1817_ = u32();
+            phi_1819_ = u32();
+            phi_1821_ = u32();
         }
-        let _e2366 = phi_1813_;
-        let _e2368 = phi_1816_;
-        let _e2370 = phi_1818_;
-        let _e2372 = phi_1820_;
+        let _e2357 = phi_1814_;
+        let _e2359 = phi_1817_;
+        let _e2361 = phi_1819_;
+        let _e2363 = phi_1821_;
         continue;
         continuing {
-            phi_1812_ = _e2366;
-            phi_1815_ = _e2368;
-            phi_1817_ = _e2370;
-            phi_1819_ = _e2372;
+            phi_1813_ = _e2357;
+            phi_1816_ = _e2359;
+            phi_1818_ = _e2361;
+            phi_1820_ = _e2363;
             break if !(_e777);
         }
     }
-    let _e2375 = local_6;
-    if (_e2375.member.member.member_3 != 4294967295u) {
-        let _e2381 = -((_e165 + _e595.member_4));
-        let _e2382 = bitcast<u32>(_e2375.member.member.member);
-        let _e2386 = (bitcast<i32>((_e2382 >> bitcast<u32>(23i))) & 255i);
-        let _e2387 = (_e2386 + _e2381);
-        if (_e2386 == 255i) {
-            phi_4381_ = _e2375.member.member.member;
+    let _e2366 = local_6;
+    if (_e2366.member.member.member_3 != 4294967295u) {
+        let _e2372 = -((_e165 + _e595.member_4));
+        let _e2373 = bitcast<u32>(_e2366.member.member.member);
+        let _e2377 = (bitcast<i32>((_e2373 >> bitcast<u32>(23i))) & 255i);
+        let _e2378 = (_e2377 + _e2372);
+        if (_e2377 == 255i) {
+            phi_4370_ = _e2366.member.member.member;
         } else {
-            if (_e2386 > 0i) {
-                if (_e2387 > 0i) {
-                    let _e2391 = (_e2387 < 255i);
-                    if _e2391 {
-                        phi_4360_ = bitcast<f32>((_e2382 + bitcast<u32>((_e2381 << bitcast<u32>(23i)))));
+            if (_e2377 > 0i) {
+                if (_e2378 > 0i) {
+                    let _e2382 = (_e2378 < 255i);
+                    if _e2382 {
+                        phi_4349_ = bitcast<f32>((_e2373 + bitcast<u32>((_e2372 << bitcast<u32>(23i)))));
                     } else {
-                        phi_4360_ = f32();
+                        phi_4349_ = f32();
                     }
-                    let _e2398 = phi_4360_;
-                    phi_4362_ = _e2398;
-                    phi_4363_ = select(true, false, _e2391);
+                    let _e2389 = phi_4349_;
+                    phi_4351_ = _e2389;
+                    phi_4352_ = select(true, false, _e2382);
                 } else {
-                    phi_4362_ = f32();
-                    phi_4363_ = true;
+                    phi_4351_ = f32();
+                    phi_4352_ = true;
                 }
-                let _e2401 = phi_4362_;
-                let _e2403 = phi_4363_;
-                phi_4364_ = _e2401;
-                phi_4365_ = _e2403;
+                let _e2392 = phi_4351_;
+                let _e2394 = phi_4352_;
+                phi_4353_ = _e2392;
+                phi_4354_ = _e2394;
             } else {
-                phi_4364_ = f32();
-                phi_4365_ = true;
+                phi_4353_ = f32();
+                phi_4354_ = true;
             }
-            let _e2405 = phi_4364_;
-            let _e2407 = phi_4365_;
-            if _e2407 {
-                let _e2408 = (_e2382 & 2147483648u);
-                let _e2415 = ((_e2382 & 8388607u) | (select(0u, 1u, ((_e2382 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e2419 = (_e2415 == 0u);
-                if _e2419 {
-                    phi_5041_ = bitcast<f32>(_e2408);
+            let _e2396 = phi_4353_;
+            let _e2398 = phi_4354_;
+            if _e2398 {
+                let _e2399 = (_e2373 & 2147483648u);
+                let _e2406 = ((_e2373 & 8388607u) | (select(0u, 1u, ((_e2373 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e2410 = (_e2406 == 0u);
+                if _e2410 {
+                    phi_5030_ = bitcast<f32>(_e2399);
                 } else {
-                    let _e2424 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2415)), 32u, _e2419) - 8u);
-                    let _e2427 = (_e2415 << bitcast<u32>((_e2424 & 31u)));
-                    let _e2429 = ((_e2387 + select(0i, 1i, (_e2386 == 0i))) - bitcast<i32>(_e2424));
-                    if (_e2429 >= 255i) {
-                        phi_5031_ = bitcast<f32>((_e2408 | 2139095040u));
-                        phi_5032_ = f32();
-                        phi_5033_ = true;
+                    let _e2415 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2406)), 32u, _e2410) - 8u);
+                    let _e2418 = (_e2406 << bitcast<u32>((_e2415 & 31u)));
+                    let _e2420 = ((_e2378 + select(0i, 1i, (_e2377 == 0i))) - bitcast<i32>(_e2415));
+                    if (_e2420 >= 255i) {
+                        phi_5020_ = bitcast<f32>((_e2399 | 2139095040u));
+                        phi_5021_ = f32();
+                        phi_5022_ = true;
                     } else {
-                        let _e2431 = (_e2429 > 0i);
-                        if _e2431 {
-                            phi_5025_ = bitcast<f32>(((_e2408 | (bitcast<u32>(_e2429) << bitcast<u32>(23i))) | (_e2427 & 8388607u)));
-                            phi_5026_ = f32();
+                        let _e2422 = (_e2420 > 0i);
+                        if _e2422 {
+                            phi_5014_ = bitcast<f32>(((_e2399 | (bitcast<u32>(_e2420) << bitcast<u32>(23i))) | (_e2418 & 8388607u)));
+                            phi_5015_ = f32();
                         } else {
-                            if (_e2429 < -24i) {
-                                phi_4991_ = 26u;
+                            if (_e2420 < -24i) {
+                                phi_4980_ = 26u;
                             } else {
-                                phi_4991_ = bitcast<u32>((1i - _e2429));
+                                phi_4980_ = bitcast<u32>((1i - _e2420));
                             }
-                            let _e2436 = phi_4991_;
-                            let _e2437 = (_e2436 & 31u);
-                            let _e2439 = (_e2427 >> bitcast<u32>(_e2437));
-                            let _e2443 = (_e2427 & ((1u << bitcast<u32>(_e2437)) - 1u));
-                            let _e2447 = (1u << bitcast<u32>(((_e2436 - 1u) & 31u)));
-                            if (_e2443 > _e2447) {
-                                phi_5012_ = true;
+                            let _e2427 = phi_4980_;
+                            let _e2428 = (_e2427 & 31u);
+                            let _e2430 = (_e2418 >> bitcast<u32>(_e2428));
+                            let _e2434 = (_e2418 & ((1u << bitcast<u32>(_e2428)) - 1u));
+                            let _e2438 = (1u << bitcast<u32>(((_e2427 - 1u) & 31u)));
+                            if (_e2434 > _e2438) {
+                                phi_5001_ = true;
                             } else {
-                                if (_e2443 == _e2447) {
-                                    phi_5009_ = ((_e2439 & 1u) == 1u);
+                                if (_e2434 == _e2438) {
+                                    phi_4998_ = ((_e2430 & 1u) == 1u);
                                 } else {
-                                    phi_5009_ = false;
+                                    phi_4998_ = false;
                                 }
-                                let _e2453 = phi_5009_;
-                                phi_5012_ = _e2453;
+                                let _e2444 = phi_4998_;
+                                phi_5001_ = _e2444;
                             }
-                            let _e2455 = phi_5012_;
-                            phi_5025_ = f32();
-                            phi_5026_ = bitcast<f32>((_e2408 | (_e2439 + select(0u, 1u, _e2455))));
+                            let _e2446 = phi_5001_;
+                            phi_5014_ = f32();
+                            phi_5015_ = bitcast<f32>((_e2399 | (_e2430 + select(0u, 1u, _e2446))));
                         }
-                        let _e2468 = phi_5025_;
-                        let _e2470 = phi_5026_;
-                        phi_5031_ = _e2468;
-                        phi_5032_ = _e2470;
-                        phi_5033_ = _e2431;
+                        let _e2459 = phi_5014_;
+                        let _e2461 = phi_5015_;
+                        phi_5020_ = _e2459;
+                        phi_5021_ = _e2461;
+                        phi_5022_ = _e2422;
                     }
-                    let _e2474 = phi_5031_;
-                    let _e2476 = phi_5032_;
-                    let _e2478 = phi_5033_;
-                    phi_5041_ = select(_e2476, _e2474, _e2478);
+                    let _e2465 = phi_5020_;
+                    let _e2467 = phi_5021_;
+                    let _e2469 = phi_5022_;
+                    phi_5030_ = select(_e2467, _e2465, _e2469);
                 }
-                let _e2482 = phi_5041_;
-                phi_4380_ = _e2482;
+                let _e2473 = phi_5030_;
+                phi_4369_ = _e2473;
             } else {
-                phi_4380_ = _e2405;
+                phi_4369_ = _e2396;
             }
-            let _e2484 = phi_4380_;
-            phi_4381_ = _e2484;
+            let _e2475 = phi_4369_;
+            phi_4370_ = _e2475;
         }
-        let _e2486 = phi_4381_;
-        let _e2487 = bitcast<u32>(_e2486);
-        if ((_e2487 & 2147483647u) >= 2139095040u) {
-            phi_4393_ = bitcast<f32>(((_e2487 & 2147483648u) | 2139095039u));
+        let _e2477 = phi_4370_;
+        let _e2478 = bitcast<u32>(_e2477);
+        if ((_e2478 & 2147483647u) >= 2139095040u) {
+            phi_4382_ = bitcast<f32>(((_e2478 & 2147483648u) | 2139095039u));
         } else {
-            phi_4393_ = _e2486;
+            phi_4382_ = _e2477;
         }
-        let _e2494 = phi_4393_;
-        phi_4398_ = SlimbvhTypeF(_e2494, _e2375.member.member.member_1, _e2375.member.member.member_2, _e2375.member.member.member_3);
+        let _e2485 = phi_4382_;
+        phi_4387_ = SlimbvhTypeF(_e2485, _e2366.member.member.member_1, _e2366.member.member.member_2, _e2366.member.member.member_3);
     } else {
-        phi_4398_ = _e96;
+        phi_4387_ = _e96;
     }
-    let _e2499 = phi_4398_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2499.member), bitcast<u32>(_e2499.member_1), bitcast<u32>(_e2499.member_2), _e2499.member_3);
+    let _e2490 = phi_4387_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2490.member), bitcast<u32>(_e2490.member_1), bitcast<u32>(_e2490.member_2), _e2490.member_3);
     return;
 }
 

@@ -50,6 +50,19 @@ impl LeafCorner {
         }
     }
 
+    /// The width of its triangles.
+    #[inline(always)]
+    #[must_use]
+    pub const fn width(&self) -> LeafWidth {
+        const NARROW: u32 = LeafWidth::Narrow.words();
+        const MIDDLE: u32 = LeafWidth::Middle.words();
+        match self.words {
+            NARROW => LeafWidth::Narrow,
+            MIDDLE => LeafWidth::Middle,
+            _ => LeafWidth::Wide,
+        }
+    }
+
     /// In the scene's unit.
     #[inline(always)]
     fn min(&self, step: f32) -> [f32; 3] {
@@ -62,20 +75,41 @@ impl LeafCorner {
 #[inline(always)]
 #[must_use]
 pub fn encode_narrow_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 4] {
+    let v = &triangle.vertices;
+    [
+        narrow_vertex([v[0], v[1], v[2]], corner, step),
+        narrow_vertex([v[3], v[4], v[5]], corner, step),
+        narrow_vertex([v[6], v[7], v[8]], corner, step),
+        triangle.primitive,
+    ]
+}
+
+/// A vertex in one word.
+#[inline(always)]
+pub(super) fn narrow_vertex([x, y, z]: [f32; 3], corner: &LeafCorner, step: f32) -> u32 {
     let [a, b, c] = corner.min(step);
     let inverse = 1.0 / step;
     // Sums of below 2^20 steps: no operation is ever rounded, fused or not.
-    let vertex = |[x, y, z]: [f32; 3]| {
-        let xy = (x - a) * inverse + (y - b) * (1024.0 * inverse);
-        low_bits(xy) | low_bits((z - c) * inverse) << 20
-    };
-    let v = &triangle.vertices;
-    [
-        vertex([v[0], v[1], v[2]]),
-        vertex([v[3], v[4], v[5]]),
-        vertex([v[6], v[7], v[8]]),
-        triangle.primitive,
-    ]
+    let xy = (x - a) * inverse + (y - b) * (1024.0 * inverse);
+    low_bits(xy) | low_bits((z - c) * inverse) << 20
+}
+
+/// A vertex in two words.
+#[inline(always)]
+pub(super) fn middle_vertex([x, y, z]: [f32; 3], corner: &LeafCorner, step: f32) -> [u32; 2] {
+    let [a, b, c] = corner.min(step);
+    let inverse = 1.0 / step;
+    // No operation is ever rounded.
+    let y = low_bits((y - b) * inverse);
+    let [x, z] = [(x - a) * inverse, (z - c) * inverse];
+    [low_bits(x) | y << 21, y >> 11 | low_bits(z) << 10]
+}
+
+/// A vertex in three words.
+#[inline(always)]
+pub(super) fn wide_vertex([x, y, z]: [f32; 3], step: f32) -> [u32; 3] {
+    let whole = |x: f32| lattice_steps(x, exponent(step)) as u32;
+    [whole(x), whole(y), whole(z)]
 }
 
 /// A whole number from 0 to below 2^22: a sum with 2^23 holds it in its last bits.
@@ -89,33 +123,22 @@ const fn low_bits(x: f32) -> u32 {
 #[inline(always)]
 #[must_use]
 pub fn encode_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 10] {
-    const NARROW: u32 = LeafWidth::Narrow.words();
-    const MIDDLE: u32 = LeafWidth::Middle.words();
     let (v, primitive) = (&triangle.vertices, triangle.primitive);
-    match corner.words {
-        NARROW => {
+    match corner.width() {
+        LeafWidth::Narrow => {
             let [a, b, c, d] = encode_narrow_triangle(triangle, corner, step);
             [a, b, c, d, 0, 0, 0, 0, 0, 0]
         }
-        MIDDLE => {
-            let [x, y, z] = corner.min(step);
-            let inverse = 1.0 / step;
-            // No operation is ever rounded.
-            let vertex = |[a, b, c]: [f32; 3]| {
-                let y = low_bits((b - y) * inverse);
-                let [x, z] = [(a - x) * inverse, (c - z) * inverse];
-                [low_bits(x) | y << 21, y >> 11 | low_bits(z) << 10]
-            };
-            let [a, b] = vertex([v[0], v[1], v[2]]);
-            let [c, d] = vertex([v[3], v[4], v[5]]);
-            let [e, f] = vertex([v[6], v[7], v[8]]);
+        LeafWidth::Middle => {
+            let [a, b] = middle_vertex([v[0], v[1], v[2]], corner, step);
+            let [c, d] = middle_vertex([v[3], v[4], v[5]], corner, step);
+            let [e, f] = middle_vertex([v[6], v[7], v[8]], corner, step);
             [a, b, c, d, e, f, primitive, 0, 0, 0]
         }
-        _ => {
-            let whole = |x: f32| lattice_steps(x, exponent(step)) as u32;
-            let [a, b, c] = [whole(v[0]), whole(v[1]), whole(v[2])];
-            let [d, e, f] = [whole(v[3]), whole(v[4]), whole(v[5])];
-            let [g, h, i] = [whole(v[6]), whole(v[7]), whole(v[8])];
+        LeafWidth::Wide => {
+            let [a, b, c] = wide_vertex([v[0], v[1], v[2]], step);
+            let [d, e, f] = wide_vertex([v[3], v[4], v[5]], step);
+            let [g, h, i] = wide_vertex([v[6], v[7], v[8]], step);
             [a, b, c, d, e, f, g, h, i, primitive]
         }
     }
@@ -137,65 +160,86 @@ impl LatticeTriangles<'_> {
         slot.first
             .wrapping_add(slot.number * slot.bounds.width.words())
     }
+}
 
-    /// A vertex of one word, coordinates in the order of the axes, as those of its leaf's corner are.
-    #[inline(always)]
-    fn narrow(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
-        let word = crate::load(self.words, at, 0);
-        let steps = |axis: u32| whole_number((word >> (10 * axis)) & 0x3ff) * self.step;
-        [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+/// The vertices whose words begin at these places, coordinates in the order of the axes, as those of their leaf's frame are.
+#[inline(always)]
+pub(super) fn vertices(
+    words: &[u32],
+    [a, b, c]: [u32; 3],
+    frame: &LeafFrame,
+    axes: [u32; 3],
+    step: f32,
+) -> [[f32; 3]; 3] {
+    let min = frame.min;
+    match frame.width {
+        LeafWidth::Narrow => [
+            narrow(words, a, min, axes, step),
+            narrow(words, b, min, axes, step),
+            narrow(words, c, min, axes, step),
+        ],
+        LeafWidth::Middle => [
+            middle(words, a, min, axes, step),
+            middle(words, b, min, axes, step),
+            middle(words, c, min, axes, step),
+        ],
+        LeafWidth::Wide => [
+            wide(words, a, axes, step),
+            wide(words, b, axes, step),
+            wide(words, c, axes, step),
+        ],
     }
+}
 
-    /// A vertex of two words.
-    #[inline(always)]
-    fn middle(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
-        let a = crate::load(self.words, at, 0);
-        let b = crate::load(self.words, at.wrapping_add(1), 0);
-        let steps = |axis: u32| {
-            let later = if axis == 1 {
-                a >> 21 | b << 11
-            } else {
-                b >> 10
-            };
-            let bits = if axis == 0 { a } else { later };
-            whole_number(bits & 0x001f_ffff) * self.step
+/// A vertex of one word.
+#[inline(always)]
+fn narrow(words: &[u32], at: u32, min: Vec4, [i, j, k]: [u32; 3], step: f32) -> [f32; 3] {
+    let word = crate::load(words, at, 0);
+    let steps = |axis: u32| whole_number((word >> (10 * axis)) & 0x3ff) * step;
+    [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+}
+
+/// A vertex of two words.
+#[inline(always)]
+fn middle(words: &[u32], at: u32, min: Vec4, [i, j, k]: [u32; 3], step: f32) -> [f32; 3] {
+    let a = crate::load(words, at, 0);
+    let b = crate::load(words, at.wrapping_add(1), 0);
+    let steps = |axis: u32| {
+        let later = if axis == 1 {
+            a >> 21 | b << 11
+        } else {
+            b >> 10
         };
-        [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
-    }
+        let bits = if axis == 0 { a } else { later };
+        whole_number(bits & 0x001f_ffff) * step
+    };
+    [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+}
 
-    /// A vertex of three words.
-    #[inline(always)]
-    fn wide(&self, at: u32, [i, j, k]: [u32; 3]) -> [f32; 3] {
-        let steps = |axis: u32| {
-            let word = crate::load(self.words, at.wrapping_add(axis), 0);
-            word as i32 as f32 * self.step
-        };
-        [steps(i), steps(j), steps(k)]
-    }
+/// A vertex of three words.
+#[inline(always)]
+fn wide(words: &[u32], at: u32, [i, j, k]: [u32; 3], step: f32) -> [f32; 3] {
+    let i = crate::load(words, at.wrapping_add(i), 0);
+    let j = crate::load(words, at.wrapping_add(j), 0);
+    let k = crate::load(words, at.wrapping_add(k), 0);
+    [
+        i as i32 as f32 * step,
+        j as i32 as f32 * step,
+        k as i32 as f32 * step,
+    ]
 }
 
 impl TriangleSource<LeafFrame> for LatticeTriangles<'_> {
     #[inline(always)]
     fn corners(&self, slot: &LeafSlot<LeafFrame>, axes: [u32; 3]) -> [[f32; 3]; 3] {
-        let LeafFrame { min, width } = slot.bounds;
         let begin = Self::begin(slot);
-        match width {
-            LeafWidth::Narrow => [
-                self.narrow(begin, min, axes),
-                self.narrow(begin.wrapping_add(1), min, axes),
-                self.narrow(begin.wrapping_add(2), min, axes),
-            ],
-            LeafWidth::Middle => [
-                self.middle(begin, min, axes),
-                self.middle(begin.wrapping_add(2), min, axes),
-                self.middle(begin.wrapping_add(4), min, axes),
-            ],
-            LeafWidth::Wide => [
-                self.wide(begin, axes),
-                self.wide(begin.wrapping_add(3), axes),
-                self.wide(begin.wrapping_add(6), axes),
-            ],
-        }
+        let next = slot.bounds.width.vertex_words();
+        let places = [
+            begin,
+            begin.wrapping_add(next),
+            begin.wrapping_add(2 * next),
+        ];
+        vertices(self.words, places, &slot.bounds, axes, self.step)
     }
 
     #[inline(always)]
@@ -251,7 +295,7 @@ mod tests {
                 let order = |v: [i32; 3]| axes.map(|axis: u32| v[axis as usize]);
                 let frame = LeafFrame::of(&LatticeBounds::new(&bounds, 0.5, axes), 0.5);
                 prop_assert_eq!(frame.width, width);
-                let slot = LeafSlot { first, number: 1, bounds: frame };
+                let slot = LeafSlot { first, number: 1, count: 2, bounds: frame };
                 let expected = vertices.map(|v| order(v).map(|x| x as f32 * 0.5));
                 prop_assert_eq!(triangles.corners(&slot, axes), expected);
                 prop_assert_eq!(triangles.primitive(&slot), primitive);

@@ -99,6 +99,17 @@ impl LeafWidth {
         }
     }
 
+    /// The width with this number; above 2, wide.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of_number(number: u32) -> Self {
+        match number {
+            0 => Self::Narrow,
+            1 => Self::Middle,
+            _ => Self::Wide,
+        }
+    }
+
     /// The same from the box that the traversal carries.
     #[inline(always)]
     #[must_use]
@@ -123,7 +134,8 @@ impl LeafWidth {
 
     /// Words of a vertex.
     #[inline(always)]
-    pub(super) const fn vertex_words(self) -> u32 {
+    #[must_use]
+    pub const fn vertex_words(self) -> u32 {
         match self {
             Self::Narrow => 1,
             Self::Middle => 2,

@@ -1,12 +1,13 @@
 //! A wide node on the lattice in 48 bytes: three axes, and links in the bits that they leave free.
 //!
 //! It holds the planes of [`WideNode`](super::WideNode) but no extents: a child's upper plane lies where its cell ends, at the last
-//! cell up to a cell beyond the node. Triangles lie on the lattice, too: links name words ([`WideLinks`]).
+//! cell up to a cell beyond the node. Triangles lie on the lattice, too: links name words ([`PackedLinks`]).
 
 use super::leaf_width::LeafWidth;
+use super::packed_links::PackedLinks;
 use super::rounded_children::RoundedChildren;
 use super::wide_axis::{SHIFT_BITS, WideAxis, box_above, wide_axes};
-use super::wide_links::WideLinks;
+use crate::build::wide::WIDTH;
 use crate::geometry::lattice::LatticeBox;
 use bytemuck::{Pod, Zeroable};
 
@@ -21,36 +22,43 @@ pub struct PackedWideNode {
 const _: () = assert!(size_of::<PackedWideNode>() == 48);
 
 impl PackedWideNode {
-    /// One thread per wide node. Takes its children. Returns it with all links, whose runs begin at 0. A leaf's triangles are as
-    /// wide as they may need, counted from its decoded box's smallest corner.
+    /// One thread per wide node. Takes its children, and how many corners each of them has that is a leaf. Returns it with all links,
+    /// whose runs begin at 0. The corners of all leaves are as wide as the widest needs, counted from its decoded box's smallest
+    /// corner.
     #[inline]
     #[must_use]
-    pub fn new(from: &RoundedChildren) -> Self {
+    pub fn new(from: &RoundedChildren, corner_counts: [u32; WIDTH]) -> Self {
         let node = Self {
             axes: wide_axes::<true>(from),
         };
-        let width = |child: u32| {
-            LeafWidth::of(&LatticeBox {
-                min: node.child_box(child, from.step_exponent).min,
-                max: from.boxes[child as usize & 3].max,
-            })
+        // Their bits together are as long as the longest.
+        let reach = |child: u32| {
+            if child < from.count && from.nodes[child as usize & 3].is_leaf() {
+                let [a, b, c] = node.child_box(child, from.step_exponent).min;
+                let [x, y, z] = from.boxes[child as usize & 3].max;
+                x.wrapping_sub(a) as u32 | y.wrapping_sub(b) as u32 | z.wrapping_sub(c) as u32
+            } else {
+                0
+            }
         };
-        let widths = [width(0), width(1), width(2), width(3)];
-        node.linked(WideLinks::new(from.nodes, widths, from.count))
+        let any = reach(0) | reach(1) | reach(2) | reach(3);
+        let width = LeafWidth::of_extents([any; 3]);
+        let links = PackedLinks::new(from.nodes, corner_counts, width, from.count);
+        node.linked(links)
     }
 
     /// What its children are.
     #[inline(always)]
     #[must_use]
-    pub const fn links(&self) -> WideLinks {
+    pub const fn links(&self) -> PackedLinks {
         let [x, y, z] = &self.axes;
-        WideLinks::from_words([x.scale, y.scale, z.scale])
+        PackedLinks::from_words([x.scale, y.scale, z.scale])
     }
 
     /// The node with these links.
     #[inline(always)]
     #[must_use]
-    pub const fn linked(self, links: WideLinks) -> Self {
+    pub const fn linked(self, links: PackedLinks) -> Self {
         let ([x, y, z], [a, b, c]) = (self.axes, links.words());
         Self {
             axes: [with_link(x, a), with_link(y, b), with_link(z, c)],
@@ -88,11 +96,14 @@ mod tests {
     use crate::geometry::float::power_of_two;
     use proptest::prelude::*;
 
+    /// Of the leaves of [`CHILDREN`].
+    const CORNERS: [u32; 4] = [0, 5, 0, 18];
+
     proptest! {
         #[test]
         fn decoded_boxes_hold_the_children_and_leave_the_node_by_less_than_a_cell(from in case()) {
             let exponent = from.step_exponent;
-            let node = PackedWideNode::new(&from);
+            let node = PackedWideNode::new(&from, CORNERS);
             let (there, exact) = (&from.boxes[..from.count as usize], WideNode::new(&from, 7));
             let whole = whole(there);
             for (i, bounds) in there.iter().enumerate() {
@@ -122,7 +133,7 @@ mod tests {
         fn planes_hold_the_children_as_floats(from in case()) {
             // A plane beyond the node may be beyond 2^24 steps, too, and be rounded; never to below a plane that it holds.
             let step = power_of_two(from.step_exponent);
-            let node = PackedWideNode::new(&from);
+            let node = PackedWideNode::new(&from, CORNERS);
             for i in 0..from.count {
                 let bounds = &from.boxes[i as usize];
                 for (axis, stored) in node.axes.iter().enumerate() {
@@ -134,31 +145,33 @@ mod tests {
         }
 
         #[test]
-        fn links_are_those_of_the_children_and_hold_their_triangles(from in case(), first_child in 0..1u32 << 28, first_word in 0..1u32 << 27) {
-            let node = PackedWideNode::new(&from);
+        fn links_are_those_of_the_children_and_hold_their_triangles(from in case(), first_child in 0..(1u32 << 23) - 4, first_word in 0..1u32 << 27) {
+            let node = PackedWideNode::new(&from, CORNERS);
             let links = node.links().at(first_child, first_word);
             prop_assert!(links.are_canonical(from.count));
             let linked = node.linked(links);
             prop_assert_eq!(linked.links(), links);
             let exact = WideNode::new(&from, first_child);
-            let wider = exact.links(&from).at(first_child, first_word);
-            prop_assert_eq!(links.kinds, wider.kinds);
+            let mut widest = LeafWidth::Narrow as u32;
             for i in 0..from.count {
                 prop_assert_eq!(linked.child_box(i, from.step_exponent), node.child_box(i, from.step_exponent));
-                prop_assert!(links.width_bits(i) <= wider.width_bits(i));
-                if !CHILDREN[i as usize].is_leaf() {
-                    prop_assert_eq!(links.child(i), exact.children[i as usize]);
-                    prop_assert_eq!(links.width_bits(i), 0);
+                let (child, named) = (CHILDREN[i as usize], links.child(i));
+                if !child.is_leaf() {
+                    prop_assert_eq!(named, exact.children[i as usize]);
                     continue;
                 }
+                prop_assert_eq!([named.is_leaf() as u32, named.count()], [1, child.count()]);
+                prop_assert_eq!(links.corner_count(i), CORNERS[i as usize]);
                 // Every corner of the exact box is within reach.
                 let min = node.child_box(i, from.step_exponent).min;
-                let bits = [10, 21, 32][links.width_bits(i) as usize];
+                let bits = [10, 21, 32][links.width as usize];
                 for axis in 0..3 {
                     let reach = i64::from(from.boxes[i as usize].max[axis]) - i64::from(min[axis]);
                     prop_assert!(reach < 1 << bits);
+                    widest = widest.max(u32::from(reach >= 1 << 10) + u32::from(reach >= 1 << 21));
                 }
             }
+            prop_assert_eq!(links.width, widest, "no wider than a leaf needs");
         }
     }
 
@@ -175,7 +188,7 @@ mod tests {
             count: 4,
             step_exponent: -10,
         };
-        let node = PackedWideNode::new(&from);
+        let node = PackedWideNode::new(&from, CORNERS);
         for child in 0..4 {
             let mut spoilt = node;
             spoilt.axes[1].upper -= 1 << (8 * child);
@@ -183,7 +196,7 @@ mod tests {
             assert!(node.child_box(child, -10).contains(held));
             assert!(!spoilt.child_box(child, -10).contains(held));
         }
-        for (axis, bit) in [(0, 5), (1, 31), (2, 5), (2, 21), (2, 25)] {
+        for (axis, bit) in [(0, 5), (1, 5), (1, 28), (2, 11), (2, 12), (2, 23)] {
             let mut spoilt = node;
             spoilt.axes[axis].scale ^= 1 << bit;
             assert_ne!(

@@ -519,7 +519,7 @@ mod tests {
             }
             let own = [encode_paper10_triangle(&triangle, &bounds, 0)];
             let source = Paper10Triangles { triangles: &own, opaque_zero: 0 };
-            let slot = LeafSlot { first: 0, number: 0, bounds };
+            let slot = LeafSlot { first: 0, number: 0, count: 1, bounds };
             prop_assert_eq!(source.primitive(&slot), primitive);
             let corners = source.corners(&slot, [0, 1, 2]);
             for i in 0..9 {

@@ -13,7 +13,6 @@
 use super::leaf_width::LeafWidth;
 use super::rounded_children::RoundedChildren;
 use super::wide_axis::{WideAxis, box_above, wide_axes};
-use super::wide_links::WideLinks;
 use crate::build::node::NodeRef;
 use crate::build::wide::WIDTH;
 use crate::geometry::lattice::LatticeBox;
@@ -42,28 +41,59 @@ impl WideNode {
         }
     }
 
-    /// What the children are where triangles lie on the lattice, too; runs begin at 0. A leaf's triangles are as wide as its
-    /// decoded box needs.
+    /// The width of a leaf's triangles on the lattice: as its decoded box needs.
     #[inline(always)]
     #[must_use]
-    pub fn links(&self, from: &RoundedChildren) -> WideLinks {
-        self.links_of(from.nodes, from.count, from.step_exponent)
+    pub fn leaf_width(&self, child: u32, step_exponent: i32) -> LeafWidth {
+        LeafWidth::of(&self.child_box(child, step_exponent))
     }
 
-    /// The same of children that are these in the binary tree, on the lattice whose step is two to this power.
+    /// The node whose leaves begin at words instead of triangles, one after the other from word 0 on, and how many words these are.
     #[inline(always)]
     #[must_use]
-    pub fn links_of(&self, nodes: [NodeRef; WIDTH], count: u32, step_exponent: i32) -> WideLinks {
-        let width = |child: u32| LeafWidth::of(&self.child_box(child, step_exponent));
-        WideLinks::new(nodes, [width(0), width(1), width(2), width(3)], count)
+    pub fn over_words(self, from: &RoundedChildren) -> (Self, u32) {
+        let words = |i: u32| {
+            let child = self.children[i as usize];
+            if i < from.count && child.is_leaf() {
+                child.count() * self.leaf_width(i, from.step_exponent).words()
+            } else {
+                0
+            }
+        };
+        let named = |i: u32, first: u32| {
+            let child = self.children[i as usize];
+            if i < from.count && child.is_leaf() {
+                NodeRef::leaf(first, child.count())
+            } else {
+                child
+            }
+        };
+        let b = words(0);
+        let c = b + words(1);
+        let d = c + words(2);
+        let node = Self {
+            children: [named(0, 0), named(1, b), named(2, c), named(3, d)],
+            ..self
+        };
+        (node, d + words(3))
     }
 
-    /// The node with these children.
+    /// The node whose inner children and whose leaves' words begin so much further on. Its children are the first `count`.
     #[inline(always)]
     #[must_use]
-    pub fn linked(self, links: WideLinks) -> Self {
+    pub fn moved(self, count: u32, first_child: u32, first_word: u32) -> Self {
+        let moved = |i: u32| {
+            let child = self.children[i as usize];
+            if i >= count {
+                child
+            } else if child.is_leaf() {
+                NodeRef::leaf(child.first().wrapping_add(first_word), child.count())
+            } else {
+                NodeRef::inner(child.index().wrapping_add(first_child))
+            }
+        };
         Self {
-            children: links.children(),
+            children: [moved(0), moved(1), moved(2), moved(3)],
             ..self
         }
     }
@@ -196,17 +226,26 @@ pub(super) mod tests {
 
         #[test]
         fn leaves_are_as_wide_as_their_decoded_boxes_need(from in case()) {
-            let node = WideNode::new(&from, 7);
-            let links = node.links(&from);
-            let linked = node.linked(links.at(70, 500));
+            let (node, count) = WideNode::new(&from, 0).over_words(&from);
+            let moved = node.moved(from.count, 70, 500);
+            let (mut inner, mut word) = (0, 0);
             for i in 0..from.count {
-                let child = linked.children[i as usize];
-                prop_assert_eq!(child, links.at(70, 500).child(i));
+                let [at_first, child] = [node, moved].map(|node| node.children[i as usize]);
                 prop_assert_eq!(child.is_leaf(), CHILDREN[i as usize].is_leaf());
                 if child.is_leaf() {
+                    prop_assert_eq!(at_first, NodeRef::leaf(word, CHILDREN[i as usize].count()));
+                    prop_assert_eq!(child, NodeRef::leaf(500 + word, at_first.count()));
                     let width = LeafWidth::of(&node.child_box(i, from.step_exponent));
-                    prop_assert_eq!(links.triangle_words(i), width.words());
+                    prop_assert_eq!(node.leaf_width(i, from.step_exponent), width);
+                    word += child.count() * width.words();
+                } else {
+                    prop_assert_eq!([at_first, child], [NodeRef::inner(inner), NodeRef::inner(70 + inner)]);
+                    inner += 1;
                 }
+            }
+            prop_assert_eq!(count, word);
+            for i in from.count..4 {
+                prop_assert_eq!(moved.children[i as usize], NodeRef::EMPTY_LEAF);
             }
         }
     }

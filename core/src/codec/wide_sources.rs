@@ -10,9 +10,9 @@
 //! rounding is monotone and children's planes have 24 bits: it still lies beyond what it must hold.
 
 use super::leaf_width::{LeafFrame, LeafWidth};
+use super::packed_links::PackedLinks;
 use super::packed_wide_node::PackedWideNode;
 use super::wide_axis::{SHIFT_BITS, WideAxis};
-use super::wide_links::WideLinks;
 use super::wide_node::WideNode;
 use crate::build::node::NodeRef;
 use crate::build::wide::WIDTH;
@@ -36,17 +36,22 @@ pub struct WideRow {
 const _: () = assert!(size_of::<WideRow>() == size_of::<WideNode>());
 const _: () = assert!(size_of::<PackedWideRow>() == size_of::<PackedWideNode>());
 
+/// The same, whose leaves' triangles lie on the lattice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(transparent)]
+pub struct MixedWideRow(pub WideRow);
+
 /// A [`super::PackedWideNode`] as rows: its axes.
 pub type PackedWideRow = [UVec4; 3];
 
-/// The planes of one axis' children: those that a ray meets first, and the others. `IS_EXACT` in nodes of 64 bytes.
+/// The planes of one axis' children: those that a ray meets first, and the others.
 #[inline(always)]
-fn planes<const IS_EXACT: bool>(axis: UVec4, reversed: u32, step: f32) -> [CodedPlanes; 2] {
+fn planes(is_exact: bool, axis: UVec4, reversed: u32, step: f32) -> (CodedPlanes, CodedPlanes) {
     let shift = axis.w & ((1 << SHIFT_BITS) - 1);
     // A step is a power of two: its bits are those of its exponent.
     let cell = step.to_bits().wrapping_add(shift << 23);
     let origin = f32::from_bits(axis.x);
-    let end = if IS_EXACT {
+    let end = if is_exact {
         origin + (axis.w >> SHIFT_BITS) as f32 * step
     } else {
         origin + f32::from_bits(cell)
@@ -57,15 +62,15 @@ fn planes<const IS_EXACT: bool>(axis: UVec4, reversed: u32, step: f32) -> [Coded
         ((axis.z, end), (axis.y, origin))
     };
     // Where upper planes count down from the end, their cells are negative.
-    let sign = if IS_EXACT { reversed << 31 } else { 0 };
+    let sign = if is_exact { reversed << 31 } else { 0 };
     let cell = f32::from_bits(cell ^ sign);
     let coded = |(numbers, base), cell: f32| CodedPlanes {
         numbers: numbers_of(numbers),
         base,
         cell,
     };
-    let second_cell = if IS_EXACT { -cell } else { cell };
-    [coded(first, cell), coded(second, second_cell)]
+    let second_cell = if is_exact { -cell } else { cell };
+    (coded(first, cell), coded(second, second_cell))
 }
 
 /// The numbers of all children.
@@ -73,19 +78,6 @@ fn planes<const IS_EXACT: bool>(axis: UVec4, reversed: u32, step: f32) -> [Coded
 fn numbers_of(bytes: u32) -> Vec4 {
     let number = |child: u32| (bytes >> (8 * child) & 0xff) as f32;
     Vec4::new(number(0), number(1), number(2), number(3))
-}
-
-/// All axes' planes, in the rays' order.
-#[inline(always)]
-fn all_planes<const IS_EXACT: bool>(
-    [a, b, c]: [UVec4; 3],
-    reversed: [u32; 3],
-    step: f32,
-) -> ([CodedPlanes; 3], [CodedPlanes; 3]) {
-    let [a, d] = planes::<IS_EXACT>(a, reversed[0], step);
-    let [b, e] = planes::<IS_EXACT>(b, reversed[1], step);
-    let [c, f] = planes::<IS_EXACT>(c, reversed[2], step);
-    ([a, b, c], [d, e, f])
 }
 
 /// An axis of a node, from its row.
@@ -119,28 +111,65 @@ fn twice(bounds: &LatticeBox, step: f32, axes: [u32; 3]) -> [PlanePair; 3] {
     ]
 }
 
-/// Wide nodes of 64 bytes with triangles in full, the root first.
+/// What wide nodes on the lattice differ in: how they name their children.
+pub trait LatticeRow: Copy {
+    /// What a leaf's triangles are decoded relative to.
+    type Bounds: Copy;
+
+    /// [`NodeSource::NOTHING`].
+    const NOTHING: NodeRef;
+
+    /// Whether the node's upper sides are exact, and its upper planes counted down from them.
+    const IS_EXACT: bool;
+
+    /// The row of an axis.
+    fn axis(&self, axis: u32) -> UVec4;
+
+    /// How many children there are.
+    fn count(&self) -> u32;
+
+    /// A child as it is walked to.
+    fn child(&self, child: WideRef) -> NodeRef;
+
+    /// [`NodeSource::leaf`].
+    fn leaf(nodes: &[Self], cursor: NodeRef, axes: [u32; 3], step: f32) -> LeafRun<Self::Bounds>;
+}
+
+/// Wide nodes on the lattice, the root first.
 #[derive(Clone, Copy)]
-pub struct WideNodes<'a> {
+pub struct LatticeWideNodes<'a, R> {
     /// Nodes.
-    pub nodes: &'a [WideRow],
+    pub nodes: &'a [R],
     /// The root's box.
     pub root: LatticeBox,
     /// The lattice's step, a power of two.
     pub step: f32,
 }
 
-impl NodeSource for WideNodes<'_> {
+/// Wide nodes of 64 bytes with triangles in full.
+pub type WideNodes<'a> = LatticeWideNodes<'a, WideRow>;
+
+/// Wide nodes of 64 bytes with triangles on the lattice.
+pub type WideMixedNodes<'a> = LatticeWideNodes<'a, MixedWideRow>;
+
+/// Wide nodes of 48 bytes, with triangles on the lattice whose corners are shared.
+pub type PackedWideNodes<'a> = LatticeWideNodes<'a, PackedWideRow>;
+
+impl<R: LatticeRow> NodeSource for LatticeWideNodes<'_, R> {
     type Cursor = NodeRef;
     type Node = WideFork<CodedPlanes>;
-    type Bounds = ();
+    type Bounds = R::Bounds;
 
-    const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
+    const NOTHING: NodeRef = R::NOTHING;
     const TESTS_ROOT: bool = true;
 
     #[inline(always)]
     fn root(&self, _axes: [u32; 3]) -> NodeRef {
-        NodeRef::inner(0)
+        if self.nodes.is_empty() {
+            R::NOTHING
+        } else {
+            NodeRef::inner(0)
+        }
     }
 
     #[inline(always)]
@@ -155,8 +184,8 @@ impl NodeSource for WideNodes<'_> {
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: NodeRef, _axes: [u32; 3]) -> LeafRun<()> {
-        LeafRun::of(cursor, ())
+    fn leaf(&self, cursor: NodeRef, axes: [u32; 3]) -> LeafRun<R::Bounds> {
+        R::leaf(self.nodes, cursor, axes, self.step)
     }
 
     #[inline(always)]
@@ -164,22 +193,31 @@ impl NodeSource for WideNodes<'_> {
         let (node, index) = (cursor.index(), cursor.index() as usize);
         let [a, b, c] = order.axes;
         let rows = [
-            self.nodes[index].axes[a.min(2) as usize],
-            self.nodes[index].axes[b.min(2) as usize],
-            self.nodes[index].axes[c.min(2) as usize],
+            self.nodes[index].axis(a),
+            self.nodes[index].axis(b),
+            self.nodes[index].axis(c),
         ];
-        let (first, second) = all_planes::<true>(rows, order.reversed, self.step);
+        let [(a, d), (b, e), (c, f)] = [
+            planes(R::IS_EXACT, rows[0], order.reversed[0], self.step),
+            planes(R::IS_EXACT, rows[1], order.reversed[1], self.step),
+            planes(R::IS_EXACT, rows[2], order.reversed[2], self.step),
+        ];
         WideFork {
-            first,
-            second,
+            first: [a, b, c],
+            second: [d, e, f],
             node,
-            count: child_count(self.nodes[index].children),
+            count: self.nodes[index].count(),
         }
     }
 
     #[inline(always)]
     fn resume(&self, waited: WideRef) -> NodeRef {
-        reference(self.nodes, waited)
+        let index = waited.node() as usize;
+        if index < self.nodes.len() {
+            self.nodes[index].child(waited)
+        } else {
+            R::NOTHING
+        }
     }
 
     #[inline(always)]
@@ -188,136 +226,35 @@ impl NodeSource for WideNodes<'_> {
     }
 }
 
-/// A child's reference.
-#[inline(always)]
-fn reference(nodes: &[WideRow], child: WideRef) -> NodeRef {
-    let index = child.node() as usize;
-    if index < nodes.len() {
-        NodeRef(nodes[index].children[child.child() as usize])
-    } else {
-        NodeRef::EMPTY_LEAF
-    }
-}
+impl LatticeRow for WideRow {
+    type Bounds = ();
 
-/// Wide nodes of 64 bytes with triangles on the lattice, the root first.
-#[derive(Clone, Copy)]
-pub struct WideMixedNodes<'a> {
-    /// Nodes.
-    pub nodes: &'a [WideRow],
-    /// The root's box.
-    pub root: LatticeBox,
-    /// The lattice's step, a power of two.
-    pub step: f32,
+    const NOTHING: NodeRef = NodeRef::EMPTY_LEAF;
+    const IS_EXACT: bool = true;
+
+    #[inline(always)]
+    fn axis(&self, axis: u32) -> UVec4 {
+        self.axes[axis.min(2) as usize]
+    }
+
+    #[inline(always)]
+    fn count(&self) -> u32 {
+        child_count(self.children)
+    }
+
+    #[inline(always)]
+    fn child(&self, child: WideRef) -> NodeRef {
+        NodeRef(self.children[child.child() as usize])
+    }
+
+    #[inline(always)]
+    fn leaf(_: &[Self], cursor: NodeRef, _: [u32; 3], _: f32) -> LeafRun<()> {
+        LeafRun::of(cursor, ())
+    }
 }
 
 /// A child out of range: a leaf without triangles.
 const NO_CHILD: NodeRef = NodeRef(u32::MAX);
-
-/// The cursor of a child with this reference.
-#[inline(always)]
-const fn named(reference: NodeRef, child: WideRef) -> NodeRef {
-    if reference.is_leaf() {
-        child.leaf()
-    } else {
-        reference
-    }
-}
-
-impl NodeSource for WideMixedNodes<'_> {
-    type Cursor = NodeRef;
-    type Node = WideFork<CodedPlanes>;
-    type Bounds = LeafFrame;
-
-    const NOTHING: NodeRef = NO_CHILD;
-    const TESTS_ROOT: bool = true;
-
-    #[inline(always)]
-    fn root(&self, _axes: [u32; 3]) -> NodeRef {
-        first_node(self.nodes)
-    }
-
-    #[inline(always)]
-    fn root_planes(&self, axes: [u32; 3]) -> [PlanePair; 3] {
-        twice(&self.root, self.step, axes)
-    }
-
-    #[inline(always)]
-    fn is_leaf(&self, cursor: NodeRef) -> bool {
-        cursor.index() as usize >= self.nodes.len()
-    }
-
-    #[inline(always)]
-    fn leaf(&self, cursor: NodeRef, axes: [u32; 3]) -> LeafRun<LeafFrame> {
-        let child = WideRef::of_leaf(cursor);
-        let index = child.node() as usize;
-        if index >= self.nodes.len() {
-            return NO_LEAF;
-        }
-        let axes = [
-            axis_of(self.nodes[index].axes[axes[0].min(2) as usize]),
-            axis_of(self.nodes[index].axes[axes[1].min(2) as usize]),
-            axis_of(self.nodes[index].axes[axes[2].min(2) as usize]),
-        ];
-        let extent = |axis: &WideAxis| {
-            let [low, high] = axis.planes(child.child());
-            high.wrapping_sub(low)
-        };
-        let [a, b, c] = &axes;
-        let width = LeafWidth::of_extents([extent(a), extent(b), extent(c)]);
-        let bounds = frame(&axes, child, width, self.step);
-        let reference = reference(self.nodes, child);
-        LeafRun {
-            // Children out of order name inner nodes as leaves.
-            count: if reference.is_leaf() {
-                reference.count()
-            } else {
-                0
-            },
-            ..LeafRun::of(reference, bounds)
-        }
-    }
-
-    #[inline(always)]
-    fn children(&self, cursor: NodeRef, order: Order) -> WideFork<CodedPlanes> {
-        let (node, index) = (cursor.index(), cursor.index() as usize);
-        let [a, b, c] = order.axes;
-        let rows = [
-            self.nodes[index].axes[a.min(2) as usize],
-            self.nodes[index].axes[b.min(2) as usize],
-            self.nodes[index].axes[c.min(2) as usize],
-        ];
-        let (first, second) = all_planes::<true>(rows, order.reversed, self.step);
-        WideFork {
-            first,
-            second,
-            node,
-            count: child_count(self.nodes[index].children),
-        }
-    }
-
-    #[inline(always)]
-    fn resume(&self, waited: WideRef) -> NodeRef {
-        if waited.node() as usize >= self.nodes.len() {
-            return NO_CHILD;
-        }
-        named(reference(self.nodes, waited), waited)
-    }
-
-    #[inline(always)]
-    fn step_limit(&self) -> u32 {
-        self.nodes.len() as u32 + 1
-    }
-}
-
-/// The root, where there is one.
-#[inline(always)]
-const fn first_node<T>(nodes: &[T]) -> NodeRef {
-    if nodes.is_empty() {
-        NO_CHILD
-    } else {
-        NodeRef::inner(0)
-    }
-}
 
 const NO_LEAF: LeafRun<LeafFrame> = LeafRun {
     first: 0,
@@ -338,102 +275,112 @@ fn frame([a, b, c]: &[WideAxis; 3], child: WideRef, width: LeafWidth, step: f32)
     }
 }
 
-/// Wide nodes of 48 bytes, the root first. Triangles lie on the lattice.
-#[derive(Clone, Copy)]
-pub struct PackedWideNodes<'a> {
-    /// Nodes.
-    pub nodes: &'a [PackedWideRow],
-    /// The root's box.
-    pub root: LatticeBox,
-    /// The lattice's step, a power of two.
-    pub step: f32,
-}
-
-impl PackedWideNodes<'_> {
-    #[inline(always)]
-    fn links(&self, index: usize) -> WideLinks {
-        let rows = &self.nodes[index];
-        WideLinks::from_words([rows[0].w, rows[1].w, rows[2].w])
-    }
-}
-
-impl NodeSource for PackedWideNodes<'_> {
-    type Cursor = NodeRef;
-    type Node = WideFork<CodedPlanes>;
+impl LatticeRow for MixedWideRow {
     type Bounds = LeafFrame;
 
     const NOTHING: NodeRef = NO_CHILD;
-    const TESTS_ROOT: bool = true;
+    const IS_EXACT: bool = true;
 
     #[inline(always)]
-    fn root(&self, _axes: [u32; 3]) -> NodeRef {
-        first_node(self.nodes)
+    fn axis(&self, axis: u32) -> UVec4 {
+        self.0.axis(axis)
     }
 
     #[inline(always)]
-    fn root_planes(&self, axes: [u32; 3]) -> [PlanePair; 3] {
-        twice(&self.root, self.step, axes)
+    fn count(&self) -> u32 {
+        self.0.count()
     }
 
     #[inline(always)]
-    fn is_leaf(&self, cursor: NodeRef) -> bool {
-        cursor.index() as usize >= self.nodes.len()
+    fn child(&self, child: WideRef) -> NodeRef {
+        let reference = self.0.child(child);
+        if reference.is_leaf() {
+            child.leaf()
+        } else {
+            reference
+        }
     }
 
     #[inline(always)]
-    fn leaf(&self, cursor: NodeRef, axes: [u32; 3]) -> LeafRun<LeafFrame> {
+    fn leaf(nodes: &[Self], cursor: NodeRef, axes: [u32; 3], step: f32) -> LeafRun<LeafFrame> {
         let child = WideRef::of_leaf(cursor);
         let index = child.node() as usize;
-        if index >= self.nodes.len() {
+        if index >= nodes.len() {
             return NO_LEAF;
         }
         let axes = [
-            axis_of(self.nodes[index][axes[0].min(2) as usize]),
-            axis_of(self.nodes[index][axes[1].min(2) as usize]),
-            axis_of(self.nodes[index][axes[2].min(2) as usize]),
+            axis_of(nodes[index].axis(axes[0])),
+            axis_of(nodes[index].axis(axes[1])),
+            axis_of(nodes[index].axis(axes[2])),
         ];
-        let links = self.links(index);
-        let width = links.width(child.child());
+        let extent = |axis: &WideAxis| {
+            let [low, high] = axis.planes(child.child());
+            high.wrapping_sub(low)
+        };
+        let [a, b, c] = &axes;
+        let width = LeafWidth::of_extents([extent(a), extent(b), extent(c)]);
+        let bounds = frame(&axes, child, width, step);
+        let reference = nodes[index].0.child(child);
+        LeafRun {
+            // Children out of order name inner nodes as leaves.
+            count: if reference.is_leaf() {
+                reference.count()
+            } else {
+                0
+            },
+            ..LeafRun::of(reference, bounds)
+        }
+    }
+}
+
+/// The links of a node of 48 bytes.
+#[inline(always)]
+const fn links(row: &PackedWideRow) -> PackedLinks {
+    PackedLinks::from_words([row[0].w, row[1].w, row[2].w])
+}
+
+impl LatticeRow for PackedWideRow {
+    type Bounds = LeafFrame;
+
+    const NOTHING: NodeRef = NO_CHILD;
+    const IS_EXACT: bool = false;
+
+    #[inline(always)]
+    fn axis(&self, axis: u32) -> UVec4 {
+        self[axis.min(2) as usize]
+    }
+
+    #[inline(always)]
+    fn count(&self) -> u32 {
+        links(self).count()
+    }
+
+    #[inline(always)]
+    fn child(&self, child: WideRef) -> NodeRef {
+        let links = links(self);
+        if links.is_inner(child.child()) {
+            NodeRef::inner(links.inner_child(child.child()))
+        } else {
+            child.leaf()
+        }
+    }
+
+    #[inline(always)]
+    fn leaf(nodes: &[Self], cursor: NodeRef, axes: [u32; 3], step: f32) -> LeafRun<LeafFrame> {
+        let child = WideRef::of_leaf(cursor);
+        let index = child.node() as usize;
+        if index >= nodes.len() {
+            return NO_LEAF;
+        }
+        let axes = [
+            axis_of(nodes[index].axis(axes[0])),
+            axis_of(nodes[index].axis(axes[1])),
+            axis_of(nodes[index].axis(axes[2])),
+        ];
+        let links = links(&nodes[index]);
         LeafRun::of(
             links.child(child.child()),
-            frame(&axes, child, width, self.step),
+            frame(&axes, child, links.width(), step),
         )
-    }
-
-    #[inline(always)]
-    fn children(&self, cursor: NodeRef, order: Order) -> WideFork<CodedPlanes> {
-        let (node, index) = (cursor.index(), cursor.index() as usize);
-        let [a, b, c] = order.axes;
-        let rows = [
-            self.nodes[index][a.min(2) as usize],
-            self.nodes[index][b.min(2) as usize],
-            self.nodes[index][c.min(2) as usize],
-        ];
-        let (first, second) = all_planes::<false>(rows, order.reversed, self.step);
-        WideFork {
-            first,
-            second,
-            node,
-            count: self.links(index).count(),
-        }
-    }
-
-    #[inline(always)]
-    fn resume(&self, waited: WideRef) -> NodeRef {
-        let index = waited.node() as usize;
-        if index >= self.nodes.len() {
-            return NO_CHILD;
-        }
-        let links = self.links(index);
-        if links.is_inner(waited.child()) {
-            NodeRef::inner(links.inner_child(waited.child()))
-        } else {
-            waited.leaf()
-        }
-    }
-
-    #[inline(always)]
-    fn step_limit(&self) -> u32 {
-        self.nodes.len() as u32 + 1
     }
 }

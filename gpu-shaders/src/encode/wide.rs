@@ -2,13 +2,16 @@
 
 use super::{lattice_step, store_root};
 use crate::thread_index;
+use crate::trace::root_words;
+use crate::wide::corner_counts;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
     FINEST_STEP, FullWideNode, LeafCorner, MixedWideNode, PackedWideNode, RootWords,
-    RoundedChildren, RoundedNode, WideNode,
+    RoundedChildren, RoundedNode, TriangleCorners, WideNode, store_shared_triangle,
 };
+use slimbvh_core::float::power_of_two;
 use slimbvh_core::wide::{Begins, Collapse, Origin, WIDTH, WideChildren, wide_children};
-use slimbvh_core::{Node, NodeRef};
+use slimbvh_core::{LeafTriangle, Node};
 use spirv_std_macros::spirv;
 
 /// One thread per binary node. Reads the number of nodes, the nodes, which of them wide ones take in, where these come from, and
@@ -55,8 +58,8 @@ pub fn encode_w4_64_f32(
 
 /// One thread per binary node. Reads the number of nodes, the scene's exponent, the exponent of the lattice's step with a flag
 /// that is 1 where that is in the caller's unit, the nodes, which of them wide ones take in, where these come from, and the prefix
-/// sums of their numbers of inner children, then of their leaves' words. Stores the wide node that begins here in 64 bytes, for each
-/// triangle of its leaves the leaf's corner and where its words begin, and the root's box.
+/// sums of their numbers of inner children, then of their leaves' words. Stores the wide node that begins here in 64 bytes, and for
+/// each triangle of its leaves the leaf's corner and where its words begin.
 #[spirv(compute(threads(64)))]
 pub fn encode_w4_64_lattice(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -68,18 +71,27 @@ pub fn encode_w4_64_lattice(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] origins: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] begins: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] nodes: &mut [WideNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] corners: &mut [LeafCorner],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] frames: &mut [LeafCorner],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 9)] words: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 10)] root: &mut [RootWords],
 ) {
     let node = thread_index(id);
     let to = place(node, total, origins, begins);
-    let step = lattice_step(exponent, step);
-    let tree = (plain, collapses, begins);
-    store_mixed(node, to, step, tree, (nodes, corners, words, root));
+    if (to as usize) < nodes.len() {
+        let step = lattice_step(exponent, step);
+        let found = children(node, plain, collapses);
+        let from = RoundedChildren::new(&found, step);
+        store_mixed(
+            node,
+            to,
+            (&from, [0; WIDTH]),
+            begins,
+            (nodes, frames, words),
+        );
+    }
 }
 
-/// As [`encode_w4_64_lattice`]. Stores the node in 48 bytes.
+/// As [`encode_w4_64_lattice`]. Reads which corners triangles have, too. Stores the node in 48 bytes, and for each triangle where the
+/// words of its leaf begin.
 #[spirv(compute(threads(64)))]
 pub fn encode_w4_48_lattice(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -90,16 +102,49 @@ pub fn encode_w4_48_lattice(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] collapses: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] origins: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] begins: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] nodes: &mut [PackedWideNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] corners: &mut [LeafCorner],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 9)] words: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 10)] root: &mut [RootWords],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] corners: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 8)] nodes: &mut [PackedWideNode],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 9)] frames: &mut [LeafCorner],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 10)] words: &mut [u32],
 ) {
     let node = thread_index(id);
     let to = place(node, total, origins, begins);
-    let step = lattice_step(exponent, step);
-    let tree = (plain, collapses, begins);
-    store_mixed(node, to, step, tree, (nodes, corners, words, root));
+    if (to as usize) < nodes.len() {
+        let step = lattice_step(exponent, step);
+        let found = children(node, plain, collapses);
+        let from = RoundedChildren::new(&found, step);
+        let counts = corner_counts(&found, corners);
+        store_mixed(node, to, (&from, counts), begins, (nodes, frames, words));
+    }
+}
+
+/// One thread per triangle. Reads how many there are, the root, the triangles, the corners of their leaves' boxes, where the words of
+/// each one's leaf begin, and which of its leaf's corners it has. Stores its part of these words.
+#[spirv(compute(threads(64)))]
+pub fn encode_shared_triangles(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] count: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] frames: &[LeafCorner],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] begins: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] corners: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] words: &mut [u32],
+) {
+    let triangle = thread_index(id);
+    let i = triangle as usize;
+    if triangle < count.x
+        && i < triangles.len()
+        && i < frames.len()
+        && i < begins.len()
+        && i < corners.len()
+    {
+        let step = power_of_two(root_words(root).step_exponent());
+        // The last one has none beside it.
+        let next = (i + 1).min(corners.len() - 1);
+        let own = [TriangleCorners(corners[i]), TriangleCorners(corners[next])];
+        store_shared_triangle(&triangles[i], &frames[i], own, step, begins[i], words);
+    }
 }
 
 /// The place of the wide node that begins at a binary node; `u32::MAX` where none begins.
@@ -126,7 +171,12 @@ pub(crate) fn children(node: u32, plain: &[Node], collapses: &[u32]) -> WideChil
 
 /// Stores the root's exact box on the lattice.
 #[inline(always)]
-fn store_wide_root(node: u32, step_exponent: i32, plain: &[Node], root: &mut [RootWords]) {
+pub(crate) fn store_wide_root(
+    node: u32,
+    step_exponent: i32,
+    plain: &[Node],
+    root: &mut [RootWords],
+) {
     if node == 0 && !plain.is_empty() {
         let [left, right] = RoundedNode::new(&plain[0], step_exponent).boxes();
         let words = RootWords::of_lattice(&left.union(&right), step_exponent);
@@ -138,43 +188,44 @@ fn store_wide_root(node: u32, step_exponent: i32, plain: &[Node], root: &mut [Ro
 fn store_mixed<N: MixedWideNode>(
     node: u32,
     place: u32,
-    step_exponent: i32,
-    (plain, collapses, begins): (&[Node], &[u32], &[u32]),
-    (nodes, corners, words, root): (&mut [N], &mut [LeafCorner], &mut [u32], &mut [RootWords]),
+    (from, corner_counts): (&RoundedChildren, [u32; WIDTH]),
+    begins: &[u32],
+    (nodes, frames, words): (&mut [N], &mut [LeafCorner], &mut [u32]),
 ) {
-    let to = place as usize;
-    if to < nodes.len() {
-        let from = RoundedChildren::new(&children(node, plain, collapses), step_exponent);
-        let coded = N::encode(&from);
-        let begins = Begins(begins);
-        let links = coded.mixed_links(&from);
-        let links = links.at(begins.first_child(node), begins.first_word(node));
-        nodes[to] = coded.with_mixed_links(links);
-        for child in 0..WIDTH as u32 {
-            let leaf = from.nodes[child as usize];
-            if child < from.count && leaf.is_leaf() {
-                let corner = coded.corner(links, child, step_exponent);
-                store_triangles(leaf, links.child(child).first(), corner, corners, words);
-            }
-        }
-        store_wide_root(node, step_exponent, plain, root);
+    let begins = Begins(begins);
+    let (first_child, first_word) = (begins.first_child(node), begins.first_word(node));
+    let (coded, _) = N::encode(from, corner_counts);
+    let coded = coded.placed(from.count, first_child, first_word);
+    if (place as usize) < nodes.len() {
+        nodes[place as usize] = coded;
     }
+    store_leaf(&coded, 0, from, frames, words);
+    store_leaf(&coded, 1, from, frames, words);
+    store_leaf(&coded, 2, from, frames, words);
+    store_leaf(&coded, 3, from, frames, words);
 }
 
-/// Stores for each triangle of a leaf its corner and where its words begin, those of the first at `word`.
+/// Stores for each triangle of a child, if that is a leaf, the leaf's corner and where its words begin: its own, or those of its leaf
+/// where they share corners.
 #[inline(always)]
-fn store_triangles(
-    leaf: NodeRef,
-    word: u32,
-    corner: LeafCorner,
-    corners: &mut [LeafCorner],
+fn store_leaf<N: MixedWideNode>(
+    coded: &N,
+    child: u32,
+    from: &RoundedChildren,
+    frames: &mut [LeafCorner],
     words: &mut [u32],
 ) {
-    for number in 0..leaf.count() {
-        let i = leaf.first().wrapping_add(number) as usize;
-        if i < corners.len() && i < words.len() {
-            corners[i] = corner;
-            words[i] = word.wrapping_add(number.wrapping_mul(corner.words));
+    let leaf = from.nodes[child as usize];
+    if child < from.count && leaf.is_leaf() {
+        let corner = coded.corner(child, from.step_exponent);
+        let stride = if N::SHARES_CORNERS { 0 } else { corner.words };
+        let first = coded.first_word(child);
+        for number in 0..leaf.count() {
+            let i = leaf.first().wrapping_add(number) as usize;
+            if i < frames.len() && i < words.len() {
+                frames[i] = corner;
+                words[i] = first.wrapping_add(number.wrapping_mul(stride));
+            }
         }
     }
 }

@@ -7,7 +7,8 @@
 use super::{root_words, step};
 use glam::{UVec4, Vec4};
 use slimbvh_core::codec::{
-    LatticeTriangles, PackedWideNodes, PackedWideRow, WideMixedNodes, WideNodes, WideRow,
+    LatticeTriangles, MixedWideRow, PackedWideNodes, PackedWideRow, SharedTriangles,
+    WideMixedNodes, WideNodes, WideRow,
 };
 use slimbvh_core::launch::LANES;
 use slimbvh_core::ray::PreparedRay;
@@ -111,7 +112,7 @@ call_kernels! {
 call_kernels! {
     [(root 3) 4 5 6 7 8 9]
     [LaneListStack::new]
-    |nodes: WideRow, triangles: u32|
+    |nodes: MixedWideRow, triangles: u32|
         WideMixedNodes { nodes, root: root.lattice(), step: step(&root) },
         LatticeTriangles { words: triangles, step: step(&root) };
     pub fn call_trace_w4_64_lattice;
@@ -123,7 +124,7 @@ call_kernels! {
     [LaneListStack::new]
     |nodes: PackedWideRow, triangles: u32|
         PackedWideNodes { nodes, root: root.lattice(), step: step(&root) },
-        LatticeTriangles { words: triangles, step: step(&root) };
+        SharedTriangles { words: triangles, step: step(&root) };
     pub fn call_trace_w4_48_lattice;
     pub fn call_trace_in_group_w4_48_lattice;
 }

@@ -6,7 +6,8 @@ use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::classify::{FacingFilter, PackedSides};
 use slimbvh_core::codec::{
-    LatticeTriangles, PackedWideNodes, PackedWideRow, WideMixedNodes, WideNodes, WideRow,
+    LatticeTriangles, MixedWideRow, PackedWideNodes, PackedWideRow, SharedTriangles,
+    WideMixedNodes, WideNodes, WideRow,
 };
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::shade::{Path, Shadow};
@@ -53,7 +54,7 @@ trace_kernels! {
 trace_kernels! {
     [(root) 1 2 3 4 5 6 7 8 9]
     [LaneWords, LaneListStack::new]
-    |nodes: WideRow, triangles: u32|
+    |nodes: MixedWideRow, triangles: u32|
         WideMixedNodes { nodes, root: root.lattice(), step: step(&root) },
         LatticeTriangles { words: triangles, step: step(&root) };
     pub fn trace_closest_w4_64_lattice;
@@ -73,7 +74,7 @@ trace_kernels! {
     [LaneWords, LaneListStack::new]
     |nodes: PackedWideRow, triangles: u32|
         PackedWideNodes { nodes, root: root.lattice(), step: step(&root) },
-        LatticeTriangles { words: triangles, step: step(&root) };
+        SharedTriangles { words: triangles, step: step(&root) };
     pub fn trace_closest_w4_48_lattice;
     pub fn trace_any_w4_48_lattice;
     pub fn trace_nearest_w4_48_lattice;

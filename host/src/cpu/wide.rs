@@ -6,7 +6,7 @@ mod store;
 
 use self::collapse::Collapsing;
 use self::place::{Placing, place_again};
-use self::store::{Exact, Full, Mixed, Packed, Store, Widths};
+use self::store::{Exact, Full, Mixed, MixedItem, Store};
 use super::BLOCK;
 use super::encode::Tree;
 use crate::tree::lattice::LatticeMesh;
@@ -14,7 +14,8 @@ use crate::tree::wide::{WideConnection, WideList, WideTree};
 use crate::tree::{MeshCodec, WideStore};
 use rayon::prelude::*;
 use slimbvh_core::encode::{
-    FINEST_STEP, FullWideNode, LeafWidth, RoundedChildren, WideNode, scaled_step,
+    FINEST_STEP, FullWideNode, LeafWidth, PackedWideNode, RoundedChildren, WideNode,
+    number_corners, scaled_step,
 };
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::refit::{PyramidBox, range_bounds};
@@ -31,7 +32,9 @@ pub(super) struct WideEncoder {
     /// The common width of all triangles on the lattice of the last tree, if there was one.
     width: Option<LeafWidth>,
     full: Vec<FullWideNode>,
-    on_lattice: Vec<WideNode>,
+    exact: Vec<WideNode>,
+    mixed: Vec<MixedItem<WideNode>>,
+    packed: Vec<MixedItem<PackedWideNode>>,
 }
 
 impl Default for WideEncoder {
@@ -41,7 +44,9 @@ impl Default for WideEncoder {
             places: Places::default(),
             width: Some(LeafWidth::Narrow),
             full: Vec::new(),
-            on_lattice: Vec::new(),
+            exact: Vec::new(),
+            mixed: Vec::new(),
+            packed: Vec::new(),
         }
     }
 }
@@ -57,11 +62,14 @@ struct Places {
     begins: Vec<u32>,
     /// The same of the words of its leaves' triangles; empty for triangles in full.
     words: Vec<u32>,
+    /// For each triangle, which corners it has ([`slimbvh_core::encode::TriangleCorners`]); empty if corners are not shared.
+    corners: Vec<u32>,
 }
 
 impl Places {
     /// No wide node begins at any of so many binary nodes.
-    fn clear(&mut self, node_count: usize, word_count: usize) {
+    fn clear<S: Store>(&mut self, node_count: usize, triangle_count: usize) {
+        let word_count = if S::MIXED { node_count } else { 0 };
         let fill = |list: &mut Vec<u32>, count, number| {
             list.clear();
             list.resize(count, number);
@@ -70,6 +78,8 @@ impl Places {
         fill(&mut self.origins, node_count, Origin::ABSENT.0);
         fill(&mut self.begins, node_count, 0);
         fill(&mut self.words, word_count, 0);
+        self.corners
+            .resize(if S::SHARES_CORNERS { triangle_count } else { 0 }, 0);
     }
 }
 
@@ -77,6 +87,36 @@ impl Places {
 struct Triangles<'a> {
     leaves: &'a [LeafTriangle],
     step_exponent: i32,
+}
+
+impl Triangles<'_> {
+    /// A leaf's.
+    fn of(&self, leaf: NodeRef) -> &[LeafTriangle] {
+        let first = leaf.first() as usize;
+        &self.leaves[first..first + leaf.count() as usize]
+    }
+
+    /// Numbers the corners of a leaf's triangles, in a list whose first is that of triangle `first`.
+    fn number(&self, leaf: NodeRef, first: u32, corners: &mut [u32]) {
+        let (at, count) = ((leaf.first() - first) as usize, leaf.count());
+        let own = &mut corners[at..at + count as usize];
+        number_corners(0, count, self.of(leaf), own);
+    }
+}
+
+/// Which corners triangles have, from one on; empty if corners are not shared.
+#[derive(Clone, Copy)]
+struct Corners<'a> {
+    first: u32,
+    list: &'a [u32],
+}
+
+impl<'a> Corners<'a> {
+    /// Those of a leaf's triangles.
+    fn of(self, leaf: NodeRef) -> &'a [u32] {
+        let first = (leaf.first() - self.first) as usize;
+        &self.list[first..first + leaf.count() as usize]
+    }
 }
 
 /// What a wide tree is encoded from.
@@ -124,7 +164,9 @@ impl WideEncoder {
             places,
             width,
             full,
-            on_lattice,
+            exact,
+            mixed,
+            packed,
         } = self;
         let mut run = Run {
             binary,
@@ -142,15 +184,15 @@ impl WideEncoder {
             WideStore::Exact => {
                 let mut nodes = old.nodes.into_exact();
                 if mesh_step.is_some() {
-                    run.fill::<Mixed>(from, on_lattice, &mut nodes);
+                    run.fill::<Mixed<WideNode>>(from, mixed, &mut nodes);
                 } else {
-                    run.fill::<Exact>(from, on_lattice, &mut nodes);
+                    run.fill::<Exact>(from, exact, &mut nodes);
                 }
                 WideList::Exact(nodes)
             }
             WideStore::Packed => {
                 let mut nodes = old.nodes.into_packed();
-                run.fill::<Packed>(from, on_lattice, &mut nodes);
+                run.fill::<Mixed<PackedWideNode>>(from, packed, &mut nodes);
                 WideList::Packed(nodes)
             }
         };
@@ -169,8 +211,11 @@ impl WideEncoder {
             + size_of_val(self.places.origins.as_slice())
             + size_of_val(self.places.begins.as_slice())
             + size_of_val(self.places.words.as_slice())
+            + size_of_val(self.places.corners.as_slice())
             + size_of_val(self.full.as_slice())
-            + size_of_val(self.on_lattice.as_slice())
+            + size_of_val(self.exact.as_slice())
+            + size_of_val(self.mixed.as_slice())
+            + size_of_val(self.packed.as_slice())
     }
 }
 
@@ -274,51 +319,60 @@ impl Run<'_> {
         let step_exponent = triangles.step_exponent;
         match from {
             Source::Binary(tree) => {
-                // Usually all triangles have one width, that of the last time. Then their words need not be counted by their boxes;
+                // Usually all corners have one width, that of the last time. Then their words need not be counted by their boxes;
                 // otherwise they are counted in a second run.
                 let is_done = !S::MIXED || self.width.is_some();
-                if !(is_done && self.fill_binary::<S>(tree, *self.width, nodes)) {
-                    self.fill_binary::<S>(tree, None, nodes);
-                    *self.width = self.common_width();
+                if !(is_done && self.fill_binary::<S>(tree, *self.width, nodes).is_some()) {
+                    let widths = self.fill_binary::<S>(tree, None, nodes);
+                    let widths = widths.expect("words were counted by what is stored");
+                    let is_one = widths.count_ones() == 1;
+                    *self.width = is_one.then(|| LeafWidth::of_number(widths.trailing_zeros()));
                 }
             }
             Source::Wide {
                 connections,
                 pyramid,
             } => {
+                let Places { corners, .. } = &mut *self.places;
+                if S::SHARES_CORNERS {
+                    number_all(connections, triangles, corners);
+                }
+                let corners = Corners {
+                    first: 0,
+                    list: corners,
+                };
                 unplaced.resize(connections.len(), S::Item::default());
                 let blocks = unplaced.par_chunks_mut(BLOCK).enumerate();
                 blocks.for_each(|(block, items)| {
                     for (item, i) in items.iter_mut().zip((block * BLOCK) as u32..) {
                         let WideConnection { first, last, .. } = connections[i as usize];
                         let children = children_of(i, connections, triangles.leaves, pyramid);
-                        *item = S::item(&children, [first, last], step_exponent);
+                        *item = S::item(&children, [first, last], corners, step_exponent);
                     }
                 });
                 nodes.resize(connections.len(), S::Node::default());
-                place_again::<S>(unplaced, connections, triangles, nodes, self.words);
+                let from = (unplaced.as_slice(), *connections);
+                place_again::<S>(from, triangles, corners, (nodes, self.words));
             }
         }
     }
 
-    /// Collapses a binary tree and fills the lists, with triangles of a common width, if one is given. Returns whether they have it.
+    /// Collapses a binary tree and fills the lists, with corners of a common width, if one is given. Returns the widths of all leaves, a
+    /// bit each, unless they are others.
     fn fill_binary<S: Store>(
         &mut self,
         tree: &Tree,
         common: Option<LeafWidth>,
         nodes: &mut Vec<S::Node>,
-    ) -> bool {
-        let step_exponent = self.triangles.step_exponent;
+    ) -> Option<u32> {
         let count = tree.nodes.len();
         self.binary.resize(count, Node::EMPTY);
         let mut collapsing = Collapsing {
             tree,
             nodes: self.binary,
             places: self.places,
-            widths: Widths {
-                common,
-                step_exponent,
-            },
+            triangles: self.triangles,
+            common,
         };
         let division = collapsing.divide::<S>();
         let mut roots = Vec::with_capacity(division.runs.len());
@@ -355,19 +409,23 @@ impl Run<'_> {
         }
         .fill_top::<S>(&division, roots, nodes, self.words)
     }
-
-    /// The narrowest width with as many words. Mixed widths can have as many, too; then the next time they are counted again.
-    fn common_width(&self) -> Option<LeafWidth> {
-        let (count, words) = (self.triangles.leaves.len(), self.words.len());
-        let widths = [LeafWidth::Narrow, LeafWidth::Middle];
-        widths
-            .into_iter()
-            .find(|width| width.words() as usize * count == words)
-    }
 }
 
-/// The children that are there.
-fn count_of(children: [NodeRef; slimbvh_core::wide::WIDTH]) -> u32 {
-    let is_there = |child: &NodeRef| *child != NodeRef::EMPTY_LEAF;
-    children.iter().filter(|child| is_there(child)).count() as u32
+/// Numbers the corners of all leaves' triangles.
+fn number_all(connections: &[WideConnection], triangles: &Triangles, corners: &mut Vec<u32>) {
+    corners.resize(triangles.leaves.len(), 0);
+    let children = connections.iter().flat_map(|it| it.children);
+    let mut leaves: Vec<NodeRef> = children
+        .filter(|child| child.is_leaf() && child.count() > 0)
+        .collect();
+    leaves.par_sort_unstable_by_key(|leaf| leaf.first());
+    let mut rest = corners.as_mut_slice();
+    let own = leaves.iter().map(|&leaf| {
+        let (own, after) = std::mem::take(&mut rest).split_at_mut(leaf.count() as usize);
+        rest = after;
+        (leaf, own)
+    });
+    let own: Vec<_> = own.collect();
+    let own = own.into_par_iter().with_min_len(BLOCK);
+    own.for_each(|(leaf, corners)| triangles.number(leaf, leaf.first(), corners));
 }

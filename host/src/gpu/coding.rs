@@ -121,7 +121,12 @@ pub enum Encodes {
     /// The same without a root's box.
     WideInFull(Kernel),
     /// Triangles vary in size: one kernel counts their words, another encodes wide nodes.
-    MixedWide { words: Kernel, nodes: Kernel },
+    MixedWide {
+        words: Kernel,
+        nodes: Kernel,
+        /// Whether corners that a leaf's triangles share are stored once, so that they are numbered before.
+        shares_corners: bool,
+    },
 }
 
 impl Coding {
@@ -135,10 +140,12 @@ impl Coding {
             Self::W464Lattice => Encodes::MixedWide {
                 words: Kernel::wide_words_64,
                 nodes: Kernel::encode_w4_64_lattice,
+                shares_corners: false,
             },
             Self::W448Lattice => Encodes::MixedWide {
                 words: Kernel::wide_words_48,
                 nodes: Kernel::encode_w4_48_lattice,
+                shares_corners: true,
             },
         }
     }

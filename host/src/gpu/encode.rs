@@ -104,15 +104,24 @@ impl Encoder {
                 recorder.dispatch(kernel, &[total], from, &[nodes, root], each_node());
             }
             Encodes::MixedWide { nodes: kernel, .. } => {
-                let [corners, words] = &self.leaves(gpu, bvh);
-                recorder.dispatch(
-                    kernel,
-                    &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
-                    from,
-                    &[nodes, corners, words, root],
-                    each_node(),
-                );
-                record_triangles(recorder, (bvh, coded), [corners, words]);
+                let [frames, words] = &self.leaves(gpu, bvh);
+                let uniforms = &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)];
+                let from = [&bvh.nodes, collapses, origins, begins];
+                let to = &[nodes, frames, words];
+                if let Some(corners) = &places.corners {
+                    let from: Vec<&Range> = from.into_iter().chain([corners]).collect();
+                    recorder.dispatch(kernel, uniforms, &from, to, each_node());
+                    recorder.dispatch(
+                        Kernel::encode_shared_triangles,
+                        &[Uniform::Stored(&bvh.count), Uniform::Stored(root)],
+                        &[&bvh.triangles, frames, words, corners],
+                        &[&coded.triangles],
+                        threads(bvh.triangle_count),
+                    );
+                } else {
+                    recorder.dispatch(kernel, uniforms, &from, to, each_node());
+                    record_triangles(recorder, (bvh, coded), [frames, words]);
+                }
             }
             _ => {}
         }

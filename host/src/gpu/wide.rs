@@ -27,6 +27,7 @@ pub struct Wide {
     collapses: Slot,
     origins: Slot,
     begins: Slot,
+    corners: Slot,
     scan: Scan,
 }
 
@@ -37,6 +38,8 @@ pub struct Places {
     pub origins: Range,
     /// Prefix sums ([`Begins`]).
     pub begins: Range,
+    /// For each triangle, which of its leaf's corners it has ([`slimbvh_core::encode::TriangleCorners`]), where these are shared.
+    pub corners: Option<Range>,
 }
 
 impl Places {
@@ -56,6 +59,7 @@ impl Wide {
                 "slimbvh wide sums",
                 BufferUsages::STORAGE.union(BufferUsages::COPY_DST),
             ),
+            corners: Slot::storage("slimbvh triangle corners"),
             scan: Scan::new(),
         }
     }
@@ -71,9 +75,13 @@ impl Wide {
         topology: Topology,
         each_node: &dyn Fn() -> Groups,
     ) -> Places {
-        let words = match coded.coding.encodes() {
-            Encodes::MixedWide { words, .. } => Some(words),
-            _ => None,
+        let (words, shares_corners) = match coded.coding.encodes() {
+            Encodes::MixedWide {
+                words,
+                shares_corners,
+                ..
+            } => (Some(words), shares_corners),
+            _ => (None, false),
         };
         let bytes = 4 * most_nodes(bvh.triangle_count);
         let halves = if words.is_some() { 2 } else { 1 };
@@ -81,11 +89,16 @@ impl Wide {
             collapses: self.collapses.range(gpu, bytes).touching_nodes(4),
             origins: self.origins.range(gpu, bytes).touching_nodes(4),
             begins: self.begins.range(gpu, halves * bytes),
+            corners: shares_corners.then(|| {
+                let count = u64::from(bvh.triangle_count.max(1));
+                self.corners.range(gpu, 4 * count)
+            }),
         };
         let Places {
             collapses,
             origins,
             begins,
+            corners,
         } = &places;
         if topology == Topology::Kept && words.is_none() {
             return places;
@@ -119,11 +132,21 @@ impl Wide {
             self.scan.record(gpu, recorder, begins, &coded.inner_total);
             return places;
         };
+        if let Some(corners) = corners {
+            recorder.dispatch(
+                Kernel::wide_corners,
+                &[total],
+                &[&bvh.nodes, &bvh.triangles],
+                &[corners],
+                each_node(),
+            );
+        }
+        let from = [&bvh.nodes, collapses, origins].into_iter().chain(corners);
         recorder.dispatch(
             words,
             &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
-            &[&bvh.nodes, collapses, origins],
-            &[&begins.touching_nodes(8)],
+            &from.collect::<Vec<_>>(),
+            &[&begins.touching_nodes(8), &coded.root],
             each_node(),
         );
         self.scan.record(gpu, recorder, begins, &coded.word_total);
@@ -134,7 +157,7 @@ impl Wide {
     }
 
     pub fn bytes(&self) -> u64 {
-        let slots = [&self.collapses, &self.origins, &self.begins];
+        let slots = [&self.collapses, &self.origins, &self.begins, &self.corners];
         slots.iter().map(|slot| slot.bytes()).sum::<u64>() + self.scan.bytes()
     }
 }

@@ -4,7 +4,7 @@
 //! higher than the binary tree that it was collapsed from.
 
 use super::plain::PlainTree;
-use super::sources::{NodeOrder, StoredNodes, StoredTriangles};
+use super::sources::{LeafPlace, NodeOrder, StoredNodes, StoredTriangles};
 use super::stored::StoredTree;
 use super::visitor::TreeVisitor;
 use slimbvh_core::node::LEAF_SIZE;
@@ -179,8 +179,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Decoder<'_, N, T> {
         let (nodes, triangles) = self.from;
         if node.is_leaf() {
             let first = self.triangles.len() as u32;
-            let places = (0..node.count()).map(|number| (node.first(), number));
-            let triangles = places.map(|place| triangles.triangle(place, bounds));
+            let triangles = LeafPlace::all(node).map(|at| triangles.triangle(at, bounds));
             self.triangles.extend(triangles);
             return match node.count() {
                 0 => NodeRef::EMPTY_LEAF,

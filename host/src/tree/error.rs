@@ -196,6 +196,17 @@ pub enum TreeError {
         /// Its index in the mesh.
         primitive: u32,
     },
+    /// A leaf's shared corners are not numbered as its triangles have them: one is unknown, in no triangle, stored twice, or out of
+    /// order.
+    #[error(
+        "the leaf at place {first} of node {node} numbers its corners otherwise than a build does"
+    )]
+    BadCorners {
+        /// The leaf's parent.
+        node: u32,
+        /// The leaf's first place.
+        first: u32,
+    },
     /// The mesh has a different number of triangles than the one of the build.
     #[error("the mesh has {triangle_count} triangles, the hierarchy was built over {expected}")]
     OtherMesh {

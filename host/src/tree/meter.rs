@@ -62,7 +62,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> TriangleSource<N::Bounds> for Metere
     fn corners(&self, slot: &LeafSlot<N::Bounds>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let is_again = N::LEAVES == LeafOrder::Runs && slot.number == 0;
         let mut reads = self.reads.get();
-        reads.triangle_bytes += self.triangles.bytes(&slot.bounds) as u64;
+        reads.triangle_bytes += self.triangles.bytes(slot) as u64;
         reads.nodes_again += u64::from(is_again);
         self.reads.set(reads);
         self.triangles.corners(slot, axes)

@@ -4,14 +4,14 @@
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
 use super::lanes::Numbers;
-use super::sources::{Opened, StoredNodes, StoredTriangles, is_in_scene, triangle_in};
+use super::sources::{LeafPlace, Opened, StoredNodes, StoredTriangles, is_in_scene, triangle_in};
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
     Paper10Box, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords,
     decode_paper10_node, encode_paper10_triangle,
 };
-use slimbvh_core::trace::{LeafTriangles, PacketStacks};
+use slimbvh_core::trace::{LeafSlot, LeafTriangles, PacketStacks};
 use slimbvh_core::{Aabb, LeafTriangle, Vec3};
 
 /// Nodes of the codec, the root's box, and triangles.
@@ -191,17 +191,17 @@ impl StoredTriangles<Paper10Nodes<'_>> for Paper10Triangles<'_> {
         self.triangles.len()
     }
 
-    fn bytes(&self, _: &Paper10Box) -> usize {
+    fn bytes(&self, _: &LeafSlot<Paper10Box>) -> usize {
         size_of::<Paper10Triangle>()
     }
 
-    fn triangle(&self, place: (u32, u32), bounds: &Paper10Box) -> LeafTriangle {
-        triangle_in(self, place, *bounds)
+    fn triangle(&self, at: LeafPlace, bounds: &Paper10Box) -> LeafTriangle {
+        triangle_in(self, at, *bounds)
     }
 
     /// Encoding moved its vertices; encoding is deterministic.
-    fn stores(&self, place: (u32, u32), bounds: &Paper10Box, triangle: &LeafTriangle) -> bool {
-        let stored = self.triangles.get((place.0 + place.1) as usize);
+    fn stores(&self, at: LeafPlace, bounds: &Paper10Box, triangle: &LeafTriangle) -> bool {
+        let stored = self.triangles.get((at.leaf.first() + at.number) as usize);
         stored == Some(&encode_paper10_triangle(triangle, bounds, 0))
     }
 }

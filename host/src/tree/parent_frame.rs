@@ -5,7 +5,7 @@ use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
 use super::lanes::Numbers;
 use super::lattice::{LatticeMesh, aabb, check_root};
-use super::sources::{Opened, StoredNodes, StoredTriangles, triangle_in};
+use super::sources::{LeafPlace, Opened, StoredNodes, StoredTriangles, triangle_in};
 use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::{
@@ -14,7 +14,7 @@ use slimbvh_core::encode::{
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::trace::{LeafTriangles, PacketStacks};
+use slimbvh_core::trace::{LeafSlot, LeafTriangles, PacketStacks};
 use slimbvh_core::{Aabb, LeafTriangle};
 
 /// Bits of a plane of [`NodeCodec::Lattice`].
@@ -250,18 +250,22 @@ impl<const BITS: u32, const WORDS: usize> StoredTriangles<LatticeNodes<'_, BITS,
         self.words.len()
     }
 
-    fn stride(&self, bounds: &LatticeBox) -> u32 {
-        LeafWidth::of(bounds).words()
+    fn places(&self, count: u32, bounds: &LatticeBox) -> u32 {
+        count * LeafWidth::of(bounds).words()
     }
 
-    fn bytes(&self, leaf: &LeafFrame) -> usize {
-        size_of::<u32>() * leaf.width.words() as usize
+    fn place(&self, at: LeafPlace, bounds: &LatticeBox) -> u32 {
+        at.leaf.first() + at.number * LeafWidth::of(bounds).words()
     }
 
-    fn triangle(&self, place: (u32, u32), bounds: &LatticeBox) -> LeafTriangle {
+    fn bytes(&self, slot: &LeafSlot<LeafFrame>) -> usize {
+        size_of::<u32>() * slot.bounds.width.words() as usize
+    }
+
+    fn triangle(&self, at: LeafPlace, bounds: &LatticeBox) -> LeafTriangle {
         triangle_in(
             self,
-            place,
+            at,
             LeafFrame::of(&LatticeBounds::new(bounds, self.step, [0, 1, 2]), self.step),
         )
     }

@@ -93,28 +93,52 @@ pub trait StoredNodes: NodeSource + Sync {
     fn aabb(&self, bounds: &Self::Box) -> Aabb;
 }
 
+/// A triangle of a leaf, by its number there.
+#[derive(Clone, Copy, Debug)]
+pub struct LeafPlace {
+    pub leaf: NodeRef,
+    pub number: u32,
+}
+
+impl LeafPlace {
+    /// All triangles of a leaf.
+    pub fn all(leaf: NodeRef) -> impl Iterator<Item = Self> {
+        (0..leaf.count()).map(move |number| Self { leaf, number })
+    }
+}
+
 /// Triangles as they are stored, in leaves of nodes of one kind. No method panics, whatever the bytes are.
 pub trait StoredTriangles<N: StoredNodes>: TriangleSource<N::Bounds> + Sync {
     /// The number of places that all triangles occupy.
     fn place_count(&self) -> usize;
 
-    /// The number of places that a triangle occupies in a leaf with this box.
-    fn stride(&self, _bounds: &N::Box) -> u32 {
-        1
+    /// The number of places that a leaf with so many triangles and this box occupies.
+    fn places(&self, count: u32, _bounds: &N::Box) -> u32 {
+        count
+    }
+
+    /// The place of a triangle, for messages: of its index, if it has several places.
+    fn place(&self, at: LeafPlace, _bounds: &N::Box) -> u32 {
+        at.leaf.first() + at.number
     }
 
     /// Bytes of a triangle in a leaf that is walked to.
-    fn bytes(&self, _bounds: &N::Bounds) -> usize {
+    fn bytes(&self, _slot: &LeafSlot<N::Bounds>) -> usize {
         size_of::<LeafTriangle>()
     }
 
-    /// A triangle, by the first place of its leaf and its index in the leaf.
-    fn triangle(&self, place: (u32, u32), bounds: &N::Box) -> LeafTriangle;
+    /// A triangle.
+    fn triangle(&self, at: LeafPlace, bounds: &N::Box) -> LeafTriangle;
 
     /// Whether this triangle is what the place stores.
-    fn stores(&self, place: (u32, u32), bounds: &N::Box, triangle: &LeafTriangle) -> bool {
-        let stored = self.triangle(place, bounds);
+    fn stores(&self, at: LeafPlace, bounds: &N::Box, triangle: &LeafTriangle) -> bool {
+        let stored = self.triangle(at, bounds);
         bytemuck::bytes_of(&stored) == bytemuck::bytes_of(triangle)
+    }
+
+    /// Whether the places of a leaf hold what encoding its triangles gives, where other numbers would be decoded to the same.
+    fn are_canonical(&self, _leaf: NodeRef, _bounds: &N::Box) -> bool {
+        true
     }
 }
 
@@ -124,8 +148,8 @@ impl<N: StoredNodes> StoredTriangles<N> for LeafTriangles<'_> {
         self.0.len()
     }
 
-    fn triangle(&self, (first, number): (u32, u32), _: &N::Box) -> LeafTriangle {
-        let triangle = self.0.get((first + number) as usize);
+    fn triangle(&self, at: LeafPlace, _: &N::Box) -> LeafTriangle {
+        let triangle = self.0.get((at.leaf.first() + at.number) as usize);
         triangle.copied().unwrap_or_default()
     }
 }
@@ -166,12 +190,13 @@ impl StoredNodes for PlainNodes<'_> {
 /// A triangle as the traversal reads it, in a leaf with this decoded box.
 pub fn triangle_in<F: Copy>(
     source: &impl TriangleSource<F>,
-    (first, number): (u32, u32),
+    LeafPlace { leaf, number }: LeafPlace,
     bounds: F,
 ) -> LeafTriangle {
     let slot = LeafSlot {
-        first,
+        first: leaf.first(),
         number,
+        count: leaf.count(),
         bounds,
     };
     let corners = source.corners(&slot, [0, 1, 2]);

@@ -6,7 +6,7 @@ use self::marks::Marks;
 use super::bvh::Bvh;
 use super::decode::BinarySize;
 use super::error::TreeError;
-use super::sources::{LeafOrder, NodeOrder, StoredNodes, StoredTriangles, is_in_scene};
+use super::sources::{LeafOrder, LeafPlace, NodeOrder, StoredNodes, StoredTriangles, is_in_scene};
 use super::visitor::TreeVisitor;
 use crate::Mesh;
 use rayon::prelude::*;
@@ -415,7 +415,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
                 limit: LEAF_SIZE,
             });
         }
-        let end = u64::from(first) + u64::from(count) * u64::from(self.triangles.stride(bounds));
+        let end = u64::from(first) + u64::from(self.triangles.places(count, bounds));
         if end > self.triangles.place_count() as u64 {
             return Err(self.place_count(end));
         }
@@ -425,8 +425,11 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
             return Err(TreeError::TwoLeaves { node, place });
         }
         let mut exact = Aabb::EMPTY;
-        for number in 0..count {
-            exact = exact.union(self.triangle((first, number), bounds)?);
+        for at in LeafPlace::all(leaf) {
+            exact = exact.union(self.triangle(at, bounds)?);
+        }
+        if !self.triangles.are_canonical(leaf, bounds) {
+            return Err(TreeError::BadCorners { node, first });
         }
         Ok(Found {
             bounds: exact,
@@ -437,23 +440,21 @@ impl<N: StoredNodes, T: StoredTriangles<N>> Walk<'_, N, T> {
     }
 
     /// Checks a leaf's triangle. Returns its box.
-    fn triangle(&self, place: (u32, u32), bounds: &N::Box) -> Result<Aabb, TreeError> {
-        let at = || place.0 + place.1 * self.triangles.stride(bounds);
-        let stored = self.triangles.triangle(place, bounds);
+    fn triangle(&self, at: LeafPlace, bounds: &N::Box) -> Result<Aabb, TreeError> {
+        let place = self.triangles.place(at, bounds);
+        let stored = self.triangles.triangle(at, bounds);
         if !stored.vertices.iter().all(|x| x.is_finite()) {
-            return Err(TreeError::NotFinite { place: at() });
+            return Err(TreeError::NotFinite { place });
         }
         let primitive = stored.primitive;
         let is_new =
             (primitive as usize) < self.mesh_triangle_count && self.is_there.mark(primitive);
         if !is_new {
-            let place = at();
             return Err(TreeError::BadPrimitive { place, primitive });
         }
         if let Some(mesh) = &self.mesh {
             let exact = leaf_triangle(primitive, mesh, &self.scale);
-            if !self.triangles.stores(place, bounds, &exact) {
-                let place = at();
+            if !self.triangles.stores(at, bounds, &exact) {
                 return Err(TreeError::OtherCorners { place, primitive });
             }
         }

@@ -10,8 +10,8 @@ use super::stored::{List, ListReader, Lists, StoredTree};
 use super::visitor::TreeVisitor;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{
-    FullWideNode, LatticeTriangles, PackedWideNode, PackedWideNodes, RootWords, WideMixedNodes,
-    WideNode, WideNodes,
+    FullWideNode, LatticeTriangles, PackedWideNode, PackedWideNodes, RootWords, SharedTriangles,
+    WideMixedNodes, WideNode, WideNodes,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -150,7 +150,7 @@ fn visit_packed<V: TreeVisitor>(
     let (nodes, root) = (bytemuck::cast_slice(nodes), tree.root);
     let (words, step) = (tree.triangles.words(), power_of_two(tree.step_exponent));
     let nodes = PackedWideNodes { nodes, root, step };
-    visitor.visit(&nodes, &LatticeTriangles { words, step })
+    visitor.visit(&nodes, &SharedTriangles { words, step })
 }
 
 impl Lists for WideTree {

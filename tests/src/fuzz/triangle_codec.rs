@@ -65,6 +65,7 @@ fn on_lattice(input: &Input) {
         let place = LeafSlot {
             first,
             number,
+            count: number + 1,
             bounds: frame,
         };
         let expected = vertices.map(|v| axes.map(|axis| v[axis as usize] as f32 * step));
@@ -101,6 +102,7 @@ fn as_paper10(input: &Input) {
         let place = LeafSlot {
             first: 0,
             number: 0,
+            count: 1,
             bounds: Paper10Box {
                 min: order(bounds.min),
                 max: order(bounds.max),

@@ -4,14 +4,14 @@
 use super::input::{Extent, any, lattice_box};
 use arbitrary::Arbitrary;
 use slimbvh_core::encode::{
-    PackedWideNode, PackedWideNodes, PackedWideRow, RoundedChildren, WideLinks, WideMixedNodes,
-    WideNode, WideNodes, WideRow,
+    LeafFrame, LeafWidth, MixedWideNode, MixedWideRow, PackedWideNode, PackedWideNodes,
+    PackedWideRow, RoundedChildren, WideMixedNodes, WideNode, WideNodes, WideRow, leaf_words,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::slab::{CodedPlanes, FourPlanes};
-use slimbvh_core::trace::{NodeSource, Order, WideFork, WideRef};
+use slimbvh_core::trace::{LeafRun, MOST_WIDE_NODES, NodeSource, Order, WideFork, WideRef};
 use slimbvh_core::wide::WIDTH;
 use slimbvh_core::{MAX_TRIANGLES, NodeRef};
 
@@ -47,14 +47,13 @@ pub fn wide_codec(data: &[u8]) {
         count: u32::from(input.count) % (WIDTH as u32 + 1),
         step_exponent: i32::from(input.step % 33) - 24,
     };
-    let first_child = input.first_child % (MAX_TRIANGLES - WIDTH as u32);
+    let first_child = input.first_child % (MOST_WIDE_NODES - WIDTH as u32);
     let first_word = input.first_word % (MAX_TRIANGLES - 300);
     let whole = from.boxes[..from.count as usize].iter().copied();
     let root = whole.reduce(|a, b| a.union(&b)).unwrap_or(LatticeBox::ZERO);
     let step = power_of_two(from.step_exponent);
 
     let node = WideNode::new(&from, first_child);
-    let links = node.links(&from).at(first_child, first_word);
     check_boxes(&from, |child| node.child_box(child, from.step_exponent));
     let rows: [WideRow; 1] = [bytemuck::cast(node)];
     let nodes = &rows;
@@ -64,46 +63,55 @@ pub fn wide_codec(data: &[u8]) {
         node.children[child as usize]
     });
 
-    let linked = node.linked(links);
-    let rows: [WideRow; 1] = [bytemuck::cast(linked)];
+    let (coded, word_count) = WideNode::encode(&from, [0; WIDTH]);
+    let coded = coded.placed(from.count, first_child, first_word);
+    let rows = [MixedWideRow(bytemuck::cast(coded))];
     let nodes = &rows;
     let source = WideMixedNodes { nodes, root, step };
-    check_source(&from, &source, decoded, |child| named(links, child));
-    check_leaves(&from, links, decoded, |child, axes| {
-        let leaf = source.leaf(child, axes);
-        (
-            leaf.first,
-            leaf.count,
-            leaf.bounds.min.to_array(),
-            leaf.bounds.width.words(),
-        )
+    check_source(&from, &source, decoded, |child| {
+        named(coded.children[child as usize], child)
     });
+    let words_of = |child: u32| {
+        let count = from.nodes[child as usize].count();
+        count * LeafWidth::of(&decoded(child)).words()
+    };
+    check_leaves(
+        &from,
+        (first_word, word_count),
+        decoded,
+        words_of,
+        |child, axes| source.leaf(child, axes),
+    );
 
-    let packed = PackedWideNode::new(&from);
-    let links = packed.links().at(first_child, first_word);
-    let packed = packed.linked(links);
-    assert_eq!(packed.links(), links);
+    let corner_counts = from.nodes.map(|child| child.count() * 2 + 1);
+    let (packed, word_count) = PackedWideNode::encode(&from, corner_counts);
+    let packed = packed.placed(from.count, first_child, first_word);
+    let links = packed.links();
     assert!(links.are_canonical(from.count), "{links:?}");
     let decoded = |child| packed.child_box(child, from.step_exponent);
     check_boxes(&from, decoded);
     let rows: [PackedWideRow; 1] = [bytemuck::cast(packed)];
     let nodes = &rows;
     let source = PackedWideNodes { nodes, root, step };
-    check_source(&from, &source, decoded, |child| named(links, child));
-    check_leaves(&from, links, decoded, |child, axes| {
-        let leaf = source.leaf(child, axes);
-        (
-            leaf.first,
-            leaf.count,
-            leaf.bounds.min.to_array(),
-            leaf.bounds.width.words(),
-        )
+    check_source(&from, &source, decoded, |child| {
+        named(links.child(child), child)
     });
+    let words_of = |child: u32| {
+        let count = from.nodes[child as usize].count();
+        let corners = corner_counts[child as usize];
+        leaf_words(count, count / 2, corners, links.width().vertex_words())
+    };
+    check_leaves(
+        &from,
+        (first_word, word_count),
+        decoded,
+        words_of,
+        |child, axes| source.leaf(child, axes),
+    );
 }
 
 /// How a walk names a child whose leaves are decoded from their node.
-fn named(links: WideLinks, child: u32) -> NodeRef {
-    let reference = links.child(child);
+fn named(reference: NodeRef, child: u32) -> NodeRef {
     if reference.is_leaf() {
         WideRef::new(0, child).leaf()
     } else {
@@ -162,29 +170,36 @@ fn check_source<N: NodeSource<Cursor = NodeRef, Node = WideFork<CodedPlanes>>>(
     }
 }
 
-/// The walk finds each leaf's triangles, and what they are decoded relative to.
+/// The walk finds each leaf's triangles, and what they are decoded relative to. Takes the first word and how many there are, and the
+/// words of a leaf.
 fn check_leaves(
     from: &RoundedChildren,
-    links: WideLinks,
+    (first_word, word_count): (u32, u32),
     decoded: impl Fn(u32) -> LatticeBox,
-    leaf: impl Fn(NodeRef, [u32; 3]) -> (u32, u32, [f32; 4], u32),
+    leaf_words: impl Fn(u32) -> u32,
+    leaf: impl Fn(NodeRef, [u32; 3]) -> LeafRun<LeafFrame>,
 ) {
     let step = power_of_two(from.step_exponent);
-    let mut word = links.first_word;
+    let mut word = first_word;
     for child in 0..from.count {
         let reference = from.nodes[child as usize];
         if !reference.is_leaf() {
             continue;
         }
         for axes in ORDERS {
-            let (first, count, min, words) = leaf(WideRef::new(0, child).leaf(), axes);
-            assert_eq!((first, count), (word, reference.count()));
-            assert_eq!(words, links.triangle_words(child));
+            let run = leaf(WideRef::new(0, child).leaf(), axes);
+            assert_eq!((run.first, run.count), (word, reference.count()));
             let bounds = decoded(child);
             let expected = axes.map(|axis| bounds.min[axis as usize] as f32 * step);
-            assert_eq!(min[..3], expected);
+            assert_eq!(run.bounds.min.to_array()[..3], expected);
+            // Every corner of the exact box is within reach.
+            let exact = from.boxes[child as usize];
+            let bits = [10, 21, 32][run.bounds.width as usize];
+            for (min, max) in bounds.min.into_iter().zip(exact.max) {
+                assert!(i64::from(max) - i64::from(min) < 1 << bits);
+            }
         }
-        word += reference.count() * links.triangle_words(child);
+        word += leaf_words(child);
     }
-    assert_eq!(word - links.first_word, links.word_count());
+    assert_eq!(word - first_word, word_count);
 }

@@ -1,13 +1,15 @@
 //! Wide trees: nodes of up to four children hold what the binary tree holds, and answer as it does.
 
+use bytemuck::Pod;
 use proptest::prelude::*;
 use slimbvh::generate::{icosphere, soup};
 use slimbvh::{
     BuildConfig, Builder, Bvh, CodeBits, Mesh, MeshCodec, NodeCodec, TreeKind, WideStore,
 };
 use slimbvh_core::encode::{
-    FINEST_STEP, FullWideNode, LeafCorner, PackedWideNode, RootWords, RoundedChildren, WideLinks,
-    WideNode, encode_triangle, scaled_step,
+    FINEST_STEP, FullWideNode, MixedWideNode, PackedWideNode, RootWords, RoundedChildren,
+    TriangleCorners, WideNode, corner_count, encode_triangle, number_corners, scaled_step,
+    store_shared_triangle,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -132,36 +134,61 @@ impl<'a> Alone<'a> {
         nodes.collect()
     }
 
-    /// The words of all triangles, and where those of each binary node's leaves begin. Functions return a node's links and the
-    /// smallest corner of a leaf.
-    fn words(
-        &self,
-        links: impl Fn(usize) -> WideLinks,
-        corner: impl Fn(usize, u32) -> [i32; 3],
-    ) -> (Vec<u32>, Vec<u32>) {
-        let mut words: Vec<u32> = Vec::new();
+    /// All nodes over triangles on the lattice, and the words of these.
+    fn mixed<N: MixedWideNode + Pod + Default>(&self) -> Bytes {
         let step = power_of_two(self.step_exponent);
-        let begin = |(i, origin): (usize, &Origin)| {
-            let begin = words.len() as u32;
+        let mut corners = vec![0; self.leaves.len()];
+        let mut words: Vec<u32> = Vec::new();
+        let mut coded = vec![(N::default(), 0, 0); self.nodes.len()];
+        for (i, origin) in self.origins.iter().enumerate() {
             if !origin.is_there() {
-                return begin;
+                continue;
             }
-            let (links, children) = (links(i), self.children(i));
-            for (child, number) in children.nodes().into_iter().zip(0..children.count) {
-                let corner = LeafCorner {
-                    min: corner(i, number),
-                    words: links.triangle_words(number),
-                };
+            let from = self.rounded(i);
+            let counts = from.nodes.map(|child| {
                 let count = if child.is_leaf() { child.count() } else { 0 };
-                for triangle in child.first()..child.first() + count {
-                    let all = encode_triangle(&self.leaves[triangle as usize], &corner, step);
-                    words.extend(&all[..corner.words as usize]);
+                number_corners(child.first(), count, self.leaves, &mut corners);
+                corner_count(child.first(), count, &corners)
+            });
+            let (node, word_count) = N::encode(&from, counts);
+            let first_word = words.len() as u32;
+            coded[i] = (node, from.count, first_word);
+            words.resize((first_word + word_count) as usize, 0);
+            for (number, child) in (0..from.count).zip(from.nodes) {
+                let count = if child.is_leaf() { child.count() } else { 0 };
+                let corner = node.corner(number, self.step_exponent);
+                let first = first_word + node.first_word(number);
+                for triangle in 0..count {
+                    let i = (child.first() + triangle) as usize;
+                    if N::SHARES_CORNERS {
+                        let next = corners.get(i + 1).copied().unwrap_or(u32::MAX);
+                        let own = [corners[i], next].map(TriangleCorners);
+                        store_shared_triangle(
+                            &self.leaves[i],
+                            &corner,
+                            own,
+                            step,
+                            first,
+                            &mut words,
+                        );
+                    } else {
+                        let all = encode_triangle(&self.leaves[i], &corner, step);
+                        let at = (first + triangle * corner.words) as usize;
+                        let end = at + corner.words as usize;
+                        words[at..end].copy_from_slice(&all[..corner.words as usize]);
+                    }
                 }
             }
-            begin
+        }
+        let node = |i: usize, first_child| {
+            let (node, count, first_word) = coded[i];
+            node.placed(count, first_child, first_word)
         };
-        let begins = self.origins.iter().enumerate().map(begin).collect();
-        (words, begins)
+        Bytes {
+            nodes: bytemuck::cast_slice(&self.placed(node)).to_vec(),
+            triangles: bytemuck::cast_slice(&words).to_vec(),
+            root: Some(self.root()),
+        }
     }
 
     fn root(&self) -> RootWords {
@@ -174,7 +201,6 @@ impl<'a> Alone<'a> {
     fn bytes(&self, (nodes, mesh): (NodeCodec, MeshCodec)) -> Bytes {
         let is_mixed = mesh.step_exponent().is_some();
         let full = bytemuck::cast_slice(self.leaves).to_vec();
-        let step_exponent = self.step_exponent;
         match nodes {
             NodeCodec::Wide(WideStore::Full) => {
                 let node = |i: usize, first_child| {
@@ -187,18 +213,7 @@ impl<'a> Alone<'a> {
                     root: None,
                 }
             }
-            NodeCodec::Wide(WideStore::Exact) if is_mixed => {
-                let node = |i| WideNode::new(&self.rounded(i), 0);
-                let links = |i| node(i).links(&self.rounded(i));
-                let corner = |i, child| node(i).child_box(child, step_exponent).min;
-                let (words, begins) = self.words(links, corner);
-                let node = |i, first| node(i).linked(links(i).at(first, begins[i]));
-                Bytes {
-                    nodes: bytemuck::cast_slice(&self.placed(node)).to_vec(),
-                    triangles: bytemuck::cast_slice(&words).to_vec(),
-                    root: Some(self.root()),
-                }
-            }
+            NodeCodec::Wide(WideStore::Exact) if is_mixed => self.mixed::<WideNode>(),
             NodeCodec::Wide(WideStore::Exact) => {
                 let node = |i, first_child| WideNode::new(&self.rounded(i), first_child);
                 Bytes {
@@ -207,17 +222,7 @@ impl<'a> Alone<'a> {
                     root: Some(self.root()),
                 }
             }
-            NodeCodec::Wide(WideStore::Packed) => {
-                let node = |i| PackedWideNode::new(&self.rounded(i));
-                let corner = |i, child| node(i).child_box(child, step_exponent).min;
-                let (words, begins) = self.words(|i| node(i).links(), corner);
-                let node = |i, first| node(i).linked(node(i).links().at(first, begins[i]));
-                Bytes {
-                    nodes: bytemuck::cast_slice(&self.placed(node)).to_vec(),
-                    triangles: bytemuck::cast_slice(&words).to_vec(),
-                    root: Some(self.root()),
-                }
-            }
+            NodeCodec::Wide(WideStore::Packed) => self.mixed::<PackedWideNode>(),
             _ => panic!("nodes are wide"),
         }
     }

@@ -4,10 +4,11 @@
 //! they are collapsed while they are in the processor's cache.
 
 use super::super::encode::{TASK, Tree};
-use super::Places;
-use super::store::{Store, Widths, word_count};
+use super::store::Store;
+use super::{Corners, Places, Triangles};
 use rayon::prelude::*;
-use slimbvh_core::wide::{Collapse, Origin, collapsed};
+use slimbvh_core::encode::LeafWidth;
+use slimbvh_core::wide::{Collapse, Origin, WideChildren, collapsed};
 use slimbvh_core::{Node, NodeRef};
 use std::ops::Range;
 
@@ -38,7 +39,9 @@ pub(super) struct Collapsing<'a> {
     pub(super) tree: &'a Tree<'a>,
     pub(super) nodes: &'a mut [Node],
     pub(super) places: &'a mut Places,
-    pub(super) widths: Widths,
+    pub(super) triangles: &'a Triangles<'a>,
+    /// The width of all corners on the lattice, as far as is known.
+    pub(super) common: Option<LeafWidth>,
 }
 
 /// The parts of all lists for a run.
@@ -50,6 +53,8 @@ struct Part<'a> {
     inner: &'a mut [u32],
     /// As long, or empty.
     words: &'a mut [u32],
+    /// Which corners the run's triangles have, from the first one on, or empty.
+    corners: &'a mut [u32],
 }
 
 impl Collapsing<'_> {
@@ -60,16 +65,19 @@ impl Collapsing<'_> {
             tree,
             nodes,
             places,
-            widths,
+            triangles,
+            common,
         } = self;
         let mut nodes = Cut::new(nodes);
         let mut collapses = Cut::new(&mut places.collapses);
         let mut origins = Cut::new(&mut places.origins);
         let mut inner = Cut::new(&mut places.begins);
         let mut words = Cut::new(&mut places.words);
+        let mut corners = Cut::new(&mut places.corners);
         let mut parts = Vec::with_capacity(runs.len());
         for run in runs {
             let range = &run.range;
+            let root = &tree.nodes[range.start + run.root as usize];
             parts.push(Part {
                 run,
                 nodes: nodes.cut(range),
@@ -77,16 +85,17 @@ impl Collapsing<'_> {
                 origins: origins.cut(range),
                 inner: inner.cut(range),
                 words: words.cut(range),
+                corners: corners.cut(&(root.first as usize..root.last as usize + 1)),
             });
         }
         let parts = parts.into_par_iter();
-        parts.for_each(|part| part.fill::<S>(tree, *widths));
+        parts.for_each(|part| part.fill::<S>(tree, triangles, *common));
     }
 
     /// Clears the lists, and fills them for the nodes at the top.
     pub(super) fn divide<S: Store>(&mut self) -> Division {
         let count = self.nodes.len();
-        self.places.clear(count, if S::MIXED { count } else { 0 });
+        self.places.clear::<S>(count, self.triangles.leaves.len());
         let mut division = Division::default();
         if self.nodes.is_empty() {
             return division;
@@ -113,7 +122,10 @@ impl Collapsing<'_> {
             self.places.origins[i] = origin.0;
             self.places.begins[i] = collapse.inner_count();
             if S::MIXED {
-                self.places.words[i] = word_count::<S>(&children, self.widths);
+                let (corners, first) = (self.places.corners.as_mut_slice(), 0);
+                let words =
+                    word_count::<S>(&children, self.triangles, self.common, (corners, first));
+                self.places.words[i] = words;
             }
             division.top.push(root);
             let ranges = self.ranges(root, range, collapse);
@@ -194,7 +206,7 @@ impl Collapsing<'_> {
 
 impl Part<'_> {
     /// Fills the lists of a run.
-    fn fill<S: Store>(self, tree: &Tree, widths: Widths) {
+    fn fill<S: Store>(self, tree: &Tree, triangles: &Triangles, common: Option<LeafWidth>) {
         let first = self.run.range.start as u32;
         let named = |child: NodeRef| {
             if child.is_leaf() {
@@ -211,6 +223,7 @@ impl Part<'_> {
                 ..fitted
             };
         }
+        let first_triangle = self.nodes[self.run.root as usize].first;
         let mut waiting = vec![(self.run.root, self.run.origin)];
         while let Some((index, origin)) = waiting.pop() {
             let i = index as usize;
@@ -219,7 +232,8 @@ impl Part<'_> {
             self.origins[i] = origin.0;
             self.inner[i] = collapse.inner_count();
             if S::MIXED {
-                self.words[i] = word_count::<S>(&children, widths);
+                let corners = (&mut *self.corners, first_triangle);
+                self.words[i] = word_count::<S>(&children, triangles, common, corners);
             }
             let inner = children
                 .nodes()
@@ -227,6 +241,30 @@ impl Part<'_> {
                 .filter(|child| !child.is_leaf());
             let inner = inner.zip(0..);
             waiting.extend(inner.map(|(child, rank)| (child.index(), Origin::below(index, rank))));
+        }
+    }
+}
+
+/// The words of the triangles in the leaves of a wide node with these children, whose corners it numbers where they are shared: in a
+/// list that begins with those of a triangle.
+fn word_count<S: Store>(
+    children: &WideChildren,
+    triangles: &Triangles,
+    common: Option<LeafWidth>,
+    (list, first): (&mut [u32], u32),
+) -> u32 {
+    if S::SHARES_CORNERS {
+        let leaves = children.nodes().into_iter().filter(|child| child.is_leaf());
+        for leaf in leaves.filter(|leaf| leaf.count() > 0) {
+            triangles.number(leaf, first, list);
+        }
+    }
+    let corners = Corners { first, list };
+    match common {
+        Some(width) => S::words_of(children, corners, width),
+        None => {
+            let item = S::item(children, [0; 2], corners, triangles.step_exponent);
+            S::word_count(&item)
         }
     }
 }

@@ -1,14 +1,11 @@
 //! Wide nodes and the words of their triangles, at their places.
 
 use super::super::BLOCK;
-use super::super::encode::Leaf;
 use super::collapse::{Cut, Division, Run};
 use super::store::Store;
-use super::{Places, Triangles};
+use super::{Corners, Places, Triangles};
 use crate::tree::wide::WideConnection;
 use rayon::prelude::*;
-use slimbvh_core::encode::{LeafCorner, WideLinks};
-use slimbvh_core::float::power_of_two;
 use slimbvh_core::wide::{Begins, Collapse, Origin, wide_children};
 use slimbvh_core::{Node, NodeRef};
 use std::ops::Range;
@@ -28,9 +25,12 @@ struct Part<'a, N> {
     words: &'a mut [u32],
 }
 
-/// A wide node, and whether the words of its triangles, and of all that were placed before it, are as many as were counted. If not,
-/// what all lists hold means nothing.
-pub(super) type Sound<N> = (N, bool);
+/// A wide node, and the widths of its leaves' corners and of all that were placed before it, a bit each: [`UNSOUND`] if their words are
+/// not as many as were counted. Then what all lists hold means nothing.
+pub(super) type Sound<N> = (N, u32);
+
+/// No set of widths.
+const UNSOUND: u32 = 1 << 31;
 
 impl Placing<'_> {
     /// Fills the lists, which end where runs before node `end` do. The inner children of wide nodes lie in the order of the binary
@@ -65,21 +65,22 @@ impl Placing<'_> {
         parts.map(|part| self.fill_run::<S>(part)).collect()
     }
 
-    /// Fills what is left: the first nodes of runs, and those at the top. Returns whether all words are as many as were counted.
+    /// Fills what is left: the first nodes of runs, and those at the top. Returns the widths of all leaves' corners, a bit
+    /// each, if all words are as many as were counted.
     pub(super) fn fill_top<S: Store>(
         &self,
         division: &Division,
         roots: Vec<Sound<S::Node>>,
         nodes: &mut [S::Node],
         words: &mut [u32],
-    ) -> bool {
+    ) -> Option<u32> {
         let places = self.places;
         let begins = Begins(&places.begins);
         let word_count = words.len();
-        let mut is_sound = true;
-        for (run, (root, is_run_sound)) in division.runs.iter().zip(roots) {
+        let mut widths = 0;
+        for (run, (root, run_widths)) in division.runs.iter().zip(roots) {
             nodes[begins.place(run.origin) as usize] = root;
-            is_sound &= is_run_sound;
+            widths |= run_widths;
         }
         for i in division.top.iter().map(|&i| i as usize) {
             let binary = (self.nodes, places.collapses.as_slice());
@@ -87,11 +88,11 @@ impl Placing<'_> {
             let end = places.words.get(i + 1).map_or(word_count, |&n| n as usize);
             let at = [begins.first_child(i as u32), first_word];
             let own = &mut words[first_word as usize..end];
-            let (node, is_node_sound) = self.encode::<S>(i, binary, at, own);
+            let (node, node_widths) = self.encode::<S>(i, binary, at, own);
             nodes[begins.place(Origin(places.origins[i])) as usize] = node;
-            is_sound &= is_node_sound;
+            widths |= node_widths;
         }
-        is_sound
+        (widths & UNSOUND == 0).then_some(widths)
     }
 
     /// Returns the first wide node of a run, whose place is not in it.
@@ -103,7 +104,7 @@ impl Placing<'_> {
         let origins = &places.origins[range.clone()];
         let first_place = begins.first_child(0);
         let (mut words, mut word) = (part.words, at(&places.words, range.start));
-        let (mut first, mut is_sound) = (S::Node::default(), true);
+        let (mut first, mut widths) = (S::Node::default(), 0);
         for (i, &origin) in (0..).zip(origins) {
             let origin = Origin(origin);
             if !origin.is_there() {
@@ -117,8 +118,8 @@ impl Placing<'_> {
                 (own, words) = rest.split_at_mut((next - word) as usize);
             }
             let at = [begins.first_child(i as u32), word];
-            let (node, is_node_sound) = self.encode::<S>(i, binary, at, own);
-            is_sound &= is_node_sound;
+            let (node, node_widths) = self.encode::<S>(i, binary, at, own);
+            widths |= node_widths;
             word = next;
             if i as u32 == *root {
                 first = node;
@@ -126,7 +127,7 @@ impl Placing<'_> {
                 part.nodes[(begins.place(origin) - first_place) as usize] = node;
             }
         }
-        (first, is_sound)
+        (first, widths)
     }
 
     /// The wide node that begins at one of these binary nodes. Its inner children begin at a place, and its words at another, as many
@@ -142,13 +143,18 @@ impl Placing<'_> {
         let step_exponent = self.triangles.step_exponent;
         let node = &nodes[i];
         let children = wide_children(node, Collapse(collapses[i]), nodes);
-        let item = S::item(&children, [node.first, node.last], step_exponent);
-        let links = S::links(&item, step_exponent);
-        let is_sound = !S::MIXED || links.word_count() as usize == words.len();
-        if S::MIXED && is_sound {
-            put_leaves::<S>(&item, links, self.triangles, words);
+        let corners = Corners {
+            first: 0,
+            list: &self.places.corners,
+        };
+        let item = S::item(&children, [node.first, node.last], corners, step_exponent);
+        let mut widths = 0;
+        if S::word_count(&item) as usize == words.len() {
+            S::put_leaves(&item, self.triangles, corners, words, &mut widths);
+        } else {
+            widths = UNSOUND;
         }
-        (S::place(&item, at, links), is_sound)
+        (S::place(&item, at), widths)
     }
 }
 
@@ -159,13 +165,11 @@ fn at(list: &[u32], index: usize) -> u32 {
 
 /// Fills the lists from items by place. Words lie in the order in which they were.
 pub(super) fn place_again<S: Store>(
-    items: &[S::Item],
-    connections: &[WideConnection],
+    (items, connections): (&[S::Item], &[WideConnection]),
     triangles: &Triangles,
-    nodes: &mut [S::Node],
-    words: &mut Vec<u32>,
+    corners: Corners,
+    (nodes, words): (&mut [S::Node], &mut Vec<u32>),
 ) {
-    let step_exponent = triangles.step_exponent;
     let mut begins = vec![0; if S::MIXED { items.len() } else { 0 }];
     if S::MIXED {
         let mut with_leaves: Vec<usize> = (0..items.len())
@@ -173,26 +177,21 @@ pub(super) fn place_again<S: Store>(
             .collect();
         with_leaves.sort_unstable_by_key(|&i| connections[i].place);
         let mut end = 0;
-        let mut counts = Vec::with_capacity(with_leaves.len());
         for &i in &with_leaves {
-            let count = S::links(&items[i], step_exponent).word_count();
             begins[i] = end;
-            end += count;
-            counts.push(count as usize);
+            end += S::word_count(&items[i]);
         }
         words.resize(end as usize, 0);
         let mut rest = words.as_mut_slice();
-        let parts = with_leaves.iter().zip(counts).map(|(&i, count)| {
+        let parts = with_leaves.iter().map(|&i| {
+            let count = S::word_count(&items[i]) as usize;
             let (own, after) = std::mem::take(&mut rest).split_at_mut(count);
             rest = after;
             (i, own)
         });
         let parts: Vec<_> = parts.collect();
         let parts = parts.into_par_iter().with_min_len(BLOCK);
-        parts.for_each(|(i, own)| {
-            let links = S::links(&items[i], step_exponent);
-            put_leaves::<S>(&items[i], links, triangles, own);
-        });
+        parts.for_each(|(i, own)| S::put_leaves(&items[i], triangles, corners, own, &mut 0));
     }
     let blocks = nodes.par_chunks_mut(BLOCK).enumerate();
     blocks.for_each(|(block, nodes)| {
@@ -200,40 +199,7 @@ pub(super) fn place_again<S: Store>(
             let mut children = connections[i].children.into_iter();
             let first = children.find(|child| !child.is_leaf());
             let first = first.map_or(0, NodeRef::index);
-            let links = S::links(&items[i], step_exponent);
-            *to = S::place(&items[i], [first, at(&begins, i)], links);
+            *to = S::place(&items[i], [first, at(&begins, i)]);
         }
     });
-}
-
-/// Stores the triangles of an item's leaves.
-#[inline(always)]
-fn put_leaves<S: Store>(
-    item: &S::Item,
-    links: WideLinks,
-    triangles: &Triangles,
-    words: &mut [u32],
-) {
-    let step_exponent = triangles.step_exponent;
-    let corners = S::corners(item, step_exponent);
-    let step = power_of_two(step_exponent);
-    let mut words = words;
-    let children = S::children(item).into_iter().zip(corners);
-    for ((child, min), number) in children.zip(0..) {
-        if !child.is_leaf() || child.count() == 0 {
-            continue;
-        }
-        let (first, count) = (child.first() as usize, child.count() as usize);
-        let leaf = Leaf {
-            triangles: &triangles.leaves[first..first + count],
-            corner: LeafCorner {
-                min,
-                words: links.triangle_words(number),
-            },
-            step,
-        };
-        let (own, rest) = words.split_at_mut(count * leaf.corner.words as usize);
-        leaf.put(own);
-        words = rest;
-    }
 }

@@ -1,65 +1,60 @@
 //! How each store encodes a wide node: first all but its place, then the node.
 
-use super::count_of;
+use super::super::encode::Leaf;
+use super::{Corners, Triangles};
 use bytemuck::Pod;
 use slimbvh_core::NodeRef;
 use slimbvh_core::encode::{
-    FullWideNode, LeafWidth, PackedWideNode, RoundedChildren, WideLinks, WideNode,
+    FullWideNode, LeafWidth, MixedWideNode, RoundedChildren, TriangleCorners, WideNode,
+    corner_count, leaf_words, store_shared_triangle,
 };
+use slimbvh_core::float::power_of_two;
 use slimbvh_core::wide::{WIDTH, WideChildren, placed};
+use std::marker::PhantomData;
 
 /// A way to store wide nodes.
 pub(super) trait Store {
     /// A node.
     type Node: Pod + Send + Sync + Default;
 
-    /// A node without its place: children are named as in the tree that it comes from, leaves by their triangles.
+    /// A node without its place.
     type Item: Copy + Send + Sync + Default;
 
     /// Whether triangles lie on the lattice: a number of words.
     const MIXED: bool;
 
+    /// Whether corners that a leaf's triangles share are stored once, so that they must be numbered.
+    const SHARES_CORNERS: bool = false;
+
     /// A node with these children, and this first and last triangle, on a lattice whose step is two to this power.
-    fn item(children: &WideChildren, run: [u32; 2], step_exponent: i32) -> Self::Item;
+    fn item(
+        children: &WideChildren,
+        run: [u32; 2],
+        corners: Corners,
+        step_exponent: i32,
+    ) -> Self::Item;
 
-    /// The children of an item, those that are not there last: leaves without triangles.
-    fn children(item: &Self::Item) -> [NodeRef; WIDTH];
+    /// The node whose inner children begin at this place, and the words of its leaves' triangles at this one.
+    fn place(item: &Self::Item, at: [u32; 2]) -> Self::Node;
 
-    /// The node whose inner children begin at this place, and the words of its leaves' triangles at this one. Takes [`Self::links`].
-    fn place(item: &Self::Item, at: [u32; 2], links: WideLinks) -> Self::Node;
-
-    /// What children of an item are, if triangles lie on the lattice.
-    fn links(_item: &Self::Item, _step_exponent: i32) -> WideLinks {
-        WideLinks::default()
+    /// The words of the triangles in an item's leaves.
+    fn word_count(_item: &Self::Item) -> u32 {
+        0
     }
 
-    /// The smallest corners of the children's boxes, decoded.
-    fn corners(_item: &Self::Item, _step_exponent: i32) -> [[i32; 3]; WIDTH] {
-        [[0; 3]; WIDTH]
+    /// The same of a node with these children, if all corners have this width.
+    fn words_of(_children: &WideChildren, _corners: Corners, _width: LeafWidth) -> u32 {
+        0
     }
-}
 
-/// How the words of triangles on the lattice are counted.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Widths {
-    /// The width of all of them, as far as is known.
-    pub(super) common: Option<LeafWidth>,
-    /// The lattice's step is two to this power.
-    pub(super) step_exponent: i32,
-}
-
-/// The words of the triangles in the leaves of a wide node with these children.
-#[inline(always)]
-pub(super) fn word_count<S: Store>(children: &WideChildren, widths: Widths) -> u32 {
-    match widths.common {
-        Some(width) => {
-            let leaves = children.nodes().into_iter().filter(|child| child.is_leaf());
-            width.words() * leaves.map(NodeRef::count).sum::<u32>()
-        }
-        None => {
-            let item = S::item(children, [0; 2], widths.step_exponent);
-            S::links(&item, widths.step_exponent).word_count()
-        }
+    /// Stores these words, and adds the widths of its leaves' corners to a set, a bit each.
+    fn put_leaves(
+        _item: &Self::Item,
+        _triangles: &Triangles,
+        _corners: Corners,
+        _words: &mut [u32],
+        _widths: &mut u32,
+    ) {
     }
 }
 
@@ -73,7 +68,7 @@ impl Store for Full {
     const MIXED: bool = false;
 
     #[inline(always)]
-    fn item(children: &WideChildren, run: [u32; 2], _: i32) -> FullWideNode {
+    fn item(children: &WideChildren, run: [u32; 2], _: Corners, _: i32) -> FullWideNode {
         FullWideNode {
             children: children.nodes(),
             ..FullWideNode::new(children, run, 0)
@@ -81,12 +76,7 @@ impl Store for Full {
     }
 
     #[inline(always)]
-    fn children(item: &FullWideNode) -> [NodeRef; WIDTH] {
-        item.children
-    }
-
-    #[inline(always)]
-    fn place(item: &FullWideNode, [first_child, _]: [u32; 2], _: WideLinks) -> FullWideNode {
+    fn place(item: &FullWideNode, [first_child, _]: [u32; 2]) -> FullWideNode {
         FullWideNode {
             children: placed(item.children, count_of(item.children), first_child),
             ..*item
@@ -104,7 +94,7 @@ impl Store for Exact {
     const MIXED: bool = false;
 
     #[inline(always)]
-    fn item(children: &WideChildren, _: [u32; 2], step_exponent: i32) -> WideNode {
+    fn item(children: &WideChildren, _: [u32; 2], _: Corners, step_exponent: i32) -> WideNode {
         let rounded = RoundedChildren::new(children, step_exponent);
         WideNode {
             children: rounded.nodes,
@@ -113,12 +103,7 @@ impl Store for Exact {
     }
 
     #[inline(always)]
-    fn children(item: &WideNode) -> [NodeRef; WIDTH] {
-        item.children
-    }
-
-    #[inline(always)]
-    fn place(item: &WideNode, [first_child, _]: [u32; 2], _: WideLinks) -> WideNode {
+    fn place(item: &WideNode, [first_child, _]: [u32; 2]) -> WideNode {
         WideNode {
             children: placed(item.children, count_of(item.children), first_child),
             ..*item
@@ -126,83 +111,120 @@ impl Store for Exact {
     }
 }
 
-/// 64 bytes, triangles on the lattice.
-pub(super) struct Mixed;
+/// The children that are there.
+fn count_of(children: [NodeRef; WIDTH]) -> u32 {
+    let is_there = |child: &NodeRef| *child != NodeRef::EMPTY_LEAF;
+    children.iter().filter(|child| is_there(child)).count() as u32
+}
 
-impl Store for Mixed {
-    type Node = WideNode;
-    type Item = WideNode;
+/// A node over triangles on the lattice, whose children begin at 0.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct MixedItem<N> {
+    node: N,
+    /// Its children in the tree that it comes from, leaves by their triangles.
+    children: [NodeRef; WIDTH],
+    count: u32,
+    word_count: u32,
+}
 
-    const MIXED: bool = true;
-
-    #[inline(always)]
-    fn item(children: &WideChildren, run: [u32; 2], step_exponent: i32) -> WideNode {
-        Exact::item(children, run, step_exponent)
-    }
-
-    #[inline(always)]
-    fn children(item: &WideNode) -> [NodeRef; WIDTH] {
-        item.children
-    }
-
-    #[inline(always)]
-    fn place(item: &WideNode, [child, word]: [u32; 2], links: WideLinks) -> WideNode {
-        item.linked(links.at(child, word))
-    }
-
-    #[inline(always)]
-    fn links(item: &WideNode, step_exponent: i32) -> WideLinks {
-        item.links_of(item.children, count_of(item.children), step_exponent)
-    }
-
-    #[inline(always)]
-    fn corners(item: &WideNode, step_exponent: i32) -> [[i32; 3]; WIDTH] {
-        [0, 1, 2, 3].map(|child| item.child_box(child, step_exponent).min)
+impl<N> MixedItem<N> {
+    /// The leaves, with their numbers among the children.
+    fn leaves(&self) -> impl Iterator<Item = (u32, NodeRef)> {
+        let there = (0..self.count).zip(self.children);
+        there.filter(|(_, child)| child.is_leaf() && child.count() > 0)
     }
 }
 
-/// 48 bytes. An item holds the node's axes, with links, and the children beside them.
-pub(super) struct Packed;
+/// Nodes over triangles on the lattice.
+pub(super) struct Mixed<N>(PhantomData<N>);
 
-impl Packed {
-    const fn node(item: &WideNode) -> PackedWideNode {
-        PackedWideNode { axes: item.axes }
-    }
-}
-
-impl Store for Packed {
-    type Node = PackedWideNode;
-    type Item = WideNode;
+impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
+    type Node = N;
+    type Item = MixedItem<N>;
 
     const MIXED: bool = true;
+    const SHARES_CORNERS: bool = N::SHARES_CORNERS;
 
     #[inline(always)]
-    fn item(children: &WideChildren, _: [u32; 2], step_exponent: i32) -> WideNode {
+    fn item(
+        children: &WideChildren,
+        _: [u32; 2],
+        corners: Corners,
+        step_exponent: i32,
+    ) -> MixedItem<N> {
         let rounded = RoundedChildren::new(children, step_exponent);
-        WideNode {
-            axes: PackedWideNode::new(&rounded).axes,
+        let mut counts = [0; WIDTH];
+        if N::SHARES_CORNERS {
+            let leaves = children.nodes().into_iter().zip(&mut counts);
+            for (leaf, to) in leaves.filter(|(child, _)| child.is_leaf()) {
+                *to = corner_count(0, leaf.count(), corners.of(leaf));
+            }
+        }
+        let (node, word_count) = N::encode(&rounded, counts);
+        MixedItem {
+            node,
             children: rounded.nodes,
+            count: rounded.count,
+            word_count,
         }
     }
 
     #[inline(always)]
-    fn children(item: &WideNode) -> [NodeRef; WIDTH] {
-        item.children
+    fn place(item: &MixedItem<N>, [first_child, first_word]: [u32; 2]) -> N {
+        item.node.placed(item.count, first_child, first_word)
     }
 
     #[inline(always)]
-    fn place(item: &WideNode, [child, word]: [u32; 2], links: WideLinks) -> PackedWideNode {
-        Self::node(item).linked(links.at(child, word))
+    fn word_count(item: &MixedItem<N>) -> u32 {
+        item.word_count
     }
 
     #[inline(always)]
-    fn links(item: &WideNode, _: i32) -> WideLinks {
-        Self::node(item).links()
+    fn words_of(children: &WideChildren, corners: Corners, width: LeafWidth) -> u32 {
+        let leaves = children.nodes().into_iter().filter(|child| child.is_leaf());
+        let words = leaves.map(|leaf| {
+            let count = leaf.count();
+            if N::SHARES_CORNERS && count > 0 {
+                let distinct = corner_count(0, count, corners.of(leaf));
+                leaf_words(count, count / 2, distinct, width.vertex_words())
+            } else {
+                count * width.words()
+            }
+        });
+        words.sum()
     }
 
     #[inline(always)]
-    fn corners(item: &WideNode, step_exponent: i32) -> [[i32; 3]; WIDTH] {
-        let node = Self::node(item);
-        [0, 1, 2, 3].map(|child| node.child_box(child, step_exponent).min)
+    fn put_leaves(
+        item: &MixedItem<N>,
+        triangles: &Triangles,
+        corners: Corners,
+        words: &mut [u32],
+        widths: &mut u32,
+    ) {
+        let step_exponent = triangles.step_exponent;
+        let step = power_of_two(step_exponent);
+        for (number, leaf) in item.leaves() {
+            let corner = item.node.corner(number, step_exponent);
+            *widths |= 1 << corner.width() as u32;
+            let (own, first) = (triangles.of(leaf), item.node.first_word(number));
+            if N::SHARES_CORNERS {
+                let corners = corners.of(leaf);
+                for (i, triangle) in own.iter().enumerate() {
+                    let next = corners.get(i + 1).copied().unwrap_or(0);
+                    let corners = [corners[i], next].map(TriangleCorners);
+                    store_shared_triangle(triangle, &corner, corners, step, first, words);
+                }
+            } else {
+                let first = first as usize;
+                let end = first + own.len() * corner.words as usize;
+                let leaf = Leaf {
+                    triangles: own,
+                    corner,
+                    step,
+                };
+                leaf.put(&mut words[first..end]);
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What remains of a wide tree when its triangles move: which children its nodes have, and where they lie.
 
-use super::super::sources::{StoredNodes, StoredTriangles};
+use super::super::sources::{LeafPlace, StoredNodes, StoredTriangles};
 use super::super::stored::StoredTree;
 use super::super::visitor::TreeVisitor;
 use slimbvh_core::wide::WIDTH;
@@ -76,8 +76,7 @@ impl WideShape {
             if child.is_leaf() {
                 *to = NodeRef::leaf(self.triangles.len() as u32, child.count());
                 own.place = own.place.min(child.first());
-                let places = (0..child.count()).map(|number| (child.first(), number));
-                let triangles = places.map(|place| triangles.triangle(place, bounds));
+                let triangles = LeafPlace::all(*child).map(|at| triangles.triangle(at, bounds));
                 self.triangles.extend(triangles);
             } else {
                 self.open(from, child.index(), bounds);

@@ -4,18 +4,19 @@ use super::super::error::TreeError;
 use super::super::lanes::Numbers;
 use super::super::lattice::aabb;
 use super::super::sources::{
-    LeafOrder, NodeOrder, Opened, StoredNodes, StoredTriangles, triangle_in,
+    LeafOrder, LeafPlace, NodeOrder, Opened, StoredNodes, StoredTriangles, triangle_in,
 };
 use super::super::stored::Stacks;
 use glam::Vec4;
 use slimbvh_core::encode::frame::Frame;
 use slimbvh_core::encode::{
-    FullWideNode, LatticeTriangles, LeafFrame, LeafWidth, PackedWideNode, PackedWideNodes,
-    WideAxis, WideMixedNodes, WideNode, WideNodes,
+    FullWideNode, LatticeTriangles, LeafCorner, LeafFrame, LeafWidth, PackedWideNode,
+    PackedWideNodes, SharedTriangles, TriangleCorners, WideAxis, WideMixedNodes, WideNode,
+    WideNodes, corner_count, leaf_words, number_corners, store_shared_triangle,
 };
 use slimbvh_core::float::exponent;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::trace::{FullWideNodes, PacketStacks};
+use slimbvh_core::trace::{FullWideNodes, LeafSlot, PacketStacks};
 use slimbvh_core::wide::WIDTH;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
 
@@ -26,6 +27,8 @@ pub struct LatticeChild {
     pub bounds: LatticeBox,
     /// The width of its triangles, if it is a leaf with triangles on the lattice.
     pub width: LeafWidth,
+    /// The number of its corners, if it is a leaf whose triangles share these.
+    pub corner_count: u32,
 }
 
 impl LatticeChild {
@@ -33,6 +36,7 @@ impl LatticeChild {
         Self {
             bounds,
             width: LeafWidth::Wide,
+            corner_count: 0,
         }
     }
 
@@ -42,7 +46,11 @@ impl LatticeChild {
         for (max, end) in bounds.max.iter_mut().zip(parent.bounds.max) {
             *max = end.min(*max);
         }
-        Self { bounds, width }
+        Self {
+            bounds,
+            width,
+            corner_count: 0,
+        }
     }
 }
 
@@ -248,20 +256,21 @@ impl StoredNodes for WideMixedNodes<'_> {
         let node: WideNode = bytemuck::cast(self.nodes[index as usize]);
         check_exact(index, &node, bounds, self.step)?;
         // The words of all leaves lie side by side.
-        let (children, count) = (node.children, count_of(node.children));
-        let links = node.links_of(children, count as u32, exponent(self.step));
-        let mut leaves = children[..count].iter().filter(|child| child.is_leaf());
-        let expected = leaves.next().map_or([NodeRef::EMPTY_LEAF; WIDTH], |leaf| {
-            links.at(0, leaf.first()).children()
-        });
-        for (child, expected) in children[..count].iter().zip(expected) {
-            if child.is_leaf() && *child != expected {
+        let mut end = None;
+        for (number, child) in (0..).zip(node.children) {
+            if !child.is_leaf() || child == NodeRef::EMPTY_LEAF {
+                continue;
+            }
+            let (first, expected) = (child.first(), end.unwrap_or(child.first()));
+            if first != expected {
                 return Err(TreeError::LeafOutOfPlace {
                     node: index,
-                    first: child.first(),
-                    expected: expected.first(),
+                    first,
+                    expected,
                 });
             }
+            let width = node.leaf_width(number, exponent(self.step));
+            end = Some(first + child.count() * width.words());
         }
         Ok(())
     }
@@ -295,7 +304,10 @@ impl StoredNodes for PackedWideNodes<'_> {
         let links = node.links();
         let child = |i: u32| {
             let decoded = node.child_box(i, exponent(self.step));
-            let child = LatticeChild::below(bounds, decoded, links.width(i));
+            let child = LatticeChild {
+                corner_count: links.corner_count(i),
+                ..LatticeChild::below(bounds, decoded, links.width())
+            };
             (links.child(i), child)
         };
         Opened {
@@ -308,8 +320,7 @@ impl StoredNodes for PackedWideNodes<'_> {
         let node: PackedWideNode = bytemuck::cast(self.nodes[index as usize]);
         let links = node.links();
         let count = count_of(links.children());
-        let [_, _, z] = &node.axes;
-        if !links.are_canonical(count as u32) || z.scale >> 31 != 0 {
+        if !links.are_canonical(count as u32) {
             return Err(TreeError::BadLinks { node: index });
         }
         let there = (&bounds.bounds, count, self.step);
@@ -321,33 +332,85 @@ impl StoredNodes for PackedWideNodes<'_> {
     }
 }
 
-/// Triangles on the lattice below nodes that decode their leaves' boxes.
-macro_rules! triangles_below {
-    ($nodes:ident) => {
-        impl StoredTriangles<$nodes<'_>> for LatticeTriangles<'_> {
-            fn place_count(&self) -> usize {
-                self.words.len()
-            }
-
-            fn stride(&self, leaf: &LatticeChild) -> u32 {
-                leaf.width.words()
-            }
-
-            fn bytes(&self, leaf: &LeafFrame) -> usize {
-                size_of::<u32>() * leaf.width.words() as usize
-            }
-
-            fn triangle(&self, place: (u32, u32), leaf: &LatticeChild) -> LeafTriangle {
-                let [x, y, z] = leaf.bounds.min.map(|x| x as f32 * self.step);
-                let frame = LeafFrame {
-                    min: Vec4::new(x, y, z, 0.0),
-                    width: leaf.width,
-                };
-                triangle_in(self, place, frame)
-            }
-        }
-    };
+/// A leaf's frame, its axes in order.
+fn frame_of(leaf: &LatticeChild, step: f32) -> LeafFrame {
+    let [x, y, z] = leaf.bounds.min.map(|x| x as f32 * step);
+    LeafFrame {
+        min: Vec4::new(x, y, z, 0.0),
+        width: leaf.width,
+    }
 }
 
-triangles_below!(WideMixedNodes);
-triangles_below!(PackedWideNodes);
+impl StoredTriangles<WideMixedNodes<'_>> for LatticeTriangles<'_> {
+    fn place_count(&self) -> usize {
+        self.words.len()
+    }
+
+    fn places(&self, count: u32, leaf: &LatticeChild) -> u32 {
+        count * leaf.width.words()
+    }
+
+    fn place(&self, at: LeafPlace, leaf: &LatticeChild) -> u32 {
+        at.leaf.first() + at.number * leaf.width.words()
+    }
+
+    fn bytes(&self, slot: &LeafSlot<LeafFrame>) -> usize {
+        size_of::<u32>() * slot.bounds.width.words() as usize
+    }
+
+    fn triangle(&self, at: LeafPlace, leaf: &LatticeChild) -> LeafTriangle {
+        triangle_in(self, at, frame_of(leaf, self.step))
+    }
+}
+
+impl StoredTriangles<PackedWideNodes<'_>> for SharedTriangles<'_> {
+    fn place_count(&self) -> usize {
+        self.words.len()
+    }
+
+    fn places(&self, count: u32, leaf: &LatticeChild) -> u32 {
+        leaf_words(
+            count,
+            count / 2,
+            leaf.corner_count,
+            leaf.width.vertex_words(),
+        )
+    }
+
+    fn place(&self, LeafPlace { leaf, number }: LeafPlace, _: &LatticeChild) -> u32 {
+        leaf.first() + leaf.count() / 2 + number
+    }
+
+    /// Its corners, its index, and half a word that says which corners they are; the first triangle needs none.
+    fn bytes(&self, slot: &LeafSlot<LeafFrame>) -> usize {
+        let half = if slot.number == 0 { 0 } else { 2 };
+        size_of::<u32>() * slot.bounds.width.words() as usize + half
+    }
+
+    fn triangle(&self, at: LeafPlace, leaf: &LatticeChild) -> LeafTriangle {
+        triangle_in(self, at, frame_of(leaf, self.step))
+    }
+
+    fn are_canonical(&self, leaf: NodeRef, child: &LatticeChild) -> bool {
+        let triangles: Vec<LeafTriangle> = LeafPlace::all(leaf)
+            .map(|at| self.triangle(at, child))
+            .collect();
+        let mut corners = vec![0; triangles.len()];
+        number_corners(0, leaf.count(), &triangles, &mut corners);
+        if corner_count(0, leaf.count(), &corners) != child.corner_count {
+            return false;
+        }
+        let corner = LeafCorner {
+            min: child.bounds.min,
+            words: child.width.words(),
+        };
+        let mut words = vec![0; self.places(leaf.count(), child) as usize];
+        for (i, triangle) in triangles.iter().enumerate() {
+            let next = corners.get(i + 1).copied().unwrap_or(0);
+            let own = [corners[i], next].map(TriangleCorners);
+            store_shared_triangle(triangle, &corner, own, self.step, 0, &mut words);
+        }
+        let stored = &self.words[leaf.first() as usize..];
+        stored.starts_with(&words)
+    }
+}

@@ -357,38 +357,30 @@ fn faults_of_packed_links_are_found() {
             *scale = change(*scale);
         })
     };
-    let kind = |node: usize, kind: u32| spoilt(node, 2, &|z| z & !(0xf << 5) | kind << 5);
-    // A leaf of seven triangles, an unknown kind, no child before others.
-    let seven = kind(with_both, 7);
-    assert!(
-        matches!(
-            seven,
-            TreeError::LeafSize { count: 7, .. } | TreeError::PlaceCount { .. }
-        ),
-        "{seven}"
-    );
-    for unknown in [9, 15] {
-        let error = kind(with_both, unknown);
-        assert!(matches!(error, TreeError::BadLinks { .. }), "{error}");
-    }
+    // The first child's kind; the axes' bits of z: 5–6 width, 7–19 corners, from 20 kinds.
+    let kind = |node: usize, kind: u32| spoilt(node, 2, &|z| z & !(7 << 20) | kind << 20);
+    // No child before others, and an inner child in a leaf's place.
     let gap = kind(with_both, 0);
     assert!(matches!(gap, TreeError::BadLinks { .. }), "{gap}");
-    let inner = kind(with_both, 8);
+    let inner = kind(with_both, 7);
     assert!(inner != TreeError::NoRoot, "{inner}");
-    // Widths: unknown, of an inner child's or of none, or of another width.
-    let own = packed(&mut sound.clone())[with_both].links().width_bits(0);
+    // Widths: unknown, of no leaf, or of another width.
+    let own = packed(&mut sound.clone())[with_both].links().width;
     for width in (0..=3).filter(|&width| width != own) {
-        let error = spoilt(with_both, 2, &|z| z & !(3 << 23) | width << 23);
+        let error = spoilt(with_both, 2, &|z| z & !(3 << 5) | width << 5);
         assert!(error != TreeError::NoRoot, "{error}");
     }
-    let unknown = spoilt(with_both, 2, &|z| z | 3 << 23);
+    let unknown = spoilt(with_both, 2, &|z| z | 3 << 5);
     assert!(matches!(unknown, TreeError::BadLinks { .. }), "{unknown}");
-    let of_none = spoilt(bottom, 2, &|z| z | 1 << 29);
+    // Corners: of no child, more than the triangles have, and other ones.
+    let of_none = spoilt(bottom, 1, &|y| y ^ 1 << 31);
     assert!(matches!(of_none, TreeError::BadLinks { .. }), "{of_none}");
-    let last_bit = spoilt(bottom, 2, &|z| z | 1 << 31);
-    assert!(matches!(last_bit, TreeError::BadLinks { .. }), "{last_bit}");
+    let many = spoilt(with_both, 2, &|z| z | 0xf << 7);
+    assert!(matches!(many, TreeError::BadLinks { .. }), "{many}");
+    let other = spoilt(with_both, 2, &|z| z ^ 1 << 7);
+    assert!(other != TreeError::NoRoot, "{other}");
     // Runs elsewhere, and of nothing.
-    for (axis, bit) in [(0, 5), (0, 31), (1, 5), (1, 31)] {
+    for (axis, bit) in [(0, 5), (0, 31), (1, 5), (1, 27), (1, 28)] {
         let error = spoilt(with_both, axis, &|word| word ^ 1 << bit);
         assert!(
             matches!(
@@ -398,6 +390,7 @@ fn faults_of_packed_links_are_found() {
                     | TreeError::PlaceCount { .. }
                     | TreeError::BoxTooSmall { .. }
                     | TreeError::BadPrimitive { .. }
+                    | TreeError::BadCorners { .. }
             ),
             "{error}"
         );
@@ -405,6 +398,57 @@ fn faults_of_packed_links_are_found() {
     let no_inner = node_with(&sound, |children| {
         children.iter().all(|child| child.is_leaf())
     });
-    let idle = spoilt(no_inner, 0, &|word| word | 1 << 6);
+    let idle = spoilt(no_inner, 1, &|word| word | 1 << 6);
     assert!(matches!(idle, TreeError::BadLinks { .. }), "{idle}");
+}
+
+/// A leaf that would be decoded to sound triangles, but that no build stores: every bit of its words counts.
+#[test]
+fn faults_of_shared_corners_are_found() {
+    let codec = MeshCodec::Lattice {
+        step_exponent: STEP,
+    };
+    let sound = built(NodeCodec::Wide(WideStore::Packed), codec);
+    let node = node_with(&sound, |children| {
+        children[0].is_leaf() && children[0].count() > 1
+    });
+    let leaf = children(&mut sound.clone(), node)[0];
+    let halves = leaf.count() as usize / 2;
+    let first = leaf.first() as usize;
+    let words = |bvh: &mut Bvh| match &mut tree(bvh).triangles {
+        LatticeMesh::Lattice { words, .. } => std::mem::take(words),
+        LatticeMesh::Full(_) => panic!("triangles are on the lattice"),
+    };
+    let whole = words(&mut sound.clone());
+    let mut numbered_otherwise = 0;
+    for bit in 0..32 * halves {
+        let error = found(&sound, |bvh| {
+            let mut spoilt = words(bvh);
+            spoilt[first + bit / 32] ^= 1 << (bit % 32);
+            let count = bvh.triangle_count();
+            tree(bvh).triangles = LatticeMesh::Lattice {
+                words: spoilt,
+                count,
+            };
+        });
+        numbered_otherwise += u32::from(matches!(error, TreeError::BadCorners { .. }));
+    }
+    assert!(numbered_otherwise > 0, "of {halves} words");
+    // A corner above its highest coordinate's bits.
+    let at = first + halves + leaf.count() as usize;
+    let error = found(&sound, |bvh| {
+        let mut spoilt = words(bvh);
+        spoilt[at] |= 1 << 31;
+        let count = bvh.triangle_count();
+        tree(bvh).triangles = LatticeMesh::Lattice {
+            words: spoilt,
+            count,
+        };
+    });
+    let width = packed(&mut sound.clone())[node].links().width;
+    assert!(
+        width > 0 || matches!(error, TreeError::BadCorners { .. }),
+        "{error}"
+    );
+    assert!(whole.len() > at);
 }
