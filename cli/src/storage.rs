@@ -13,8 +13,8 @@ use slimbvh::{
 
 #[derive(Debug, Args)]
 pub struct StorageArguments {
-    /// Codec of inner nodes: full precision, paper10 (10 bits a plane, after the paper on NODE and NODE+MESH), 4 to 21 bits on a
-    /// lattice, or up to four children (w4: full precision; w4-64 and w4-48: 8 bits on a lattice). The picture stays the same
+    /// Codec of inner nodes: full precision, paper10 (10 bits a plane, after the paper on NODE and NODE+MESH), or up to four children
+    /// (w4: full precision; w4-64 and w4-48: 8 bits on a lattice). The picture stays the same
     #[arg(long, value_parser = node_codecs(), default_value = AUTO)]
     nodes: Nodes,
 
@@ -39,7 +39,7 @@ const AUTO: &str = "auto";
 /// Parses the name of a codec of nodes.
 fn node_codecs() -> impl TypedValueParser<Value = Nodes> {
     let auto = PossibleValue::new(AUTO).help("The default for the codec of triangles");
-    let codecs = NodeCodec::ALL.map(|codec| {
+    let codecs = NodeCodec::all().map(|codec| {
         let help = format!("{} bytes", codec.node_bytes());
         PossibleValue::new(codec.name()).help(help)
     });

@@ -6,12 +6,10 @@ use crate::thread_index;
 use crate::trace::root_words;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
-    FINEST_STEP, LatticeCodec, LeafCorner, Links, Paper10Box, Paper10Codec, Paper10Node,
-    Paper10Triangle, RootWords, RoundedNode, encode_paper10_triangle, encode_triangle, node_bounds,
-    scaled_step, with_links,
+    LeafCorner, Paper10Box, Paper10Codec, Paper10Node, Paper10Triangle, RootWords,
+    encode_paper10_triangle, encode_triangle, node_bounds, scaled_step,
 };
 use slimbvh_core::float::power_of_two;
-use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use spirv_std_macros::spirv;
 
@@ -77,69 +75,6 @@ pub fn encode_paper10_leaf10(
     }
 }
 
-/// One thread per node. Reads the number of nodes and the plain nodes on the finest lattice. Stores the node in 10 bits, with
-/// links to triangles that are stored in full, and the root's box.
-#[spirv(compute(threads(64)))]
-pub fn encode_q10_f32(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &mut [[u32; 4]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] root: &mut [RootWords],
-) {
-    store_lattice_node::<10, 4>(thread_index(id), total, plain, nodes, root);
-}
-
-/// As [`encode_q10_f32`], in 21 bits.
-#[spirv(compute(threads(64)))]
-pub fn encode_q21_f32(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &mut [[u32; 7]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] root: &mut [RootWords],
-) {
-    store_lattice_node::<21, 7>(thread_index(id), total, plain, nodes, root);
-}
-
-/// One thread per node. Reads the number of nodes, the scene's exponent, the exponent of the lattice's step with a flag that is
-/// 1 where that is in the caller's unit, and the plain nodes on that lattice. Stores the node in 10 bits without links, for each
-/// triangle of the leaves below it the leaf's corner and the number of words, and the root's box.
-#[spirv(compute(threads(64)))]
-pub fn encode_q10_sizes(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 4]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] corners: &mut [LeafCorner],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
-) {
-    let step = lattice_step(exponent, step);
-    let outputs = (corners, sizes, root);
-    store_sizes::<10, 4>(thread_index(id), total, step, plain, nodes, outputs);
-}
-
-/// As [`encode_q10_sizes`], in 21 bits.
-#[spirv(compute(threads(64)))]
-pub fn encode_q21_sizes(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 7]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] corners: &mut [LeafCorner],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
-) {
-    let step = lattice_step(exponent, step);
-    let outputs = (corners, sizes, root);
-    store_sizes::<21, 7>(thread_index(id), total, step, plain, nodes, outputs);
-}
-
 /// One thread per triangle. Reads how many there are, the root, the triangles, the corners of their leaves and where each one's
 /// words begin. Stores these.
 #[spirv(compute(threads(64)))]
@@ -166,31 +101,6 @@ pub fn encode_triangles(
             store_words(to.wrapping_add(7), [h, j, k], words);
         }
     }
-}
-
-/// One thread per node. Reads the number of nodes, the plain nodes, where each triangle's words begin, and the node in 10 bits.
-/// Stores it with links.
-#[spirv(compute(threads(64)))]
-pub fn encode_q10_links(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] begins: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [[u32; 4]],
-) {
-    store_links::<10, 4>(thread_index(id), total, plain, begins, nodes);
-}
-
-/// As [`encode_q10_links`], in 21 bits.
-#[spirv(compute(threads(64)))]
-pub fn encode_q21_links(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] begins: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [[u32; 7]],
-) {
-    store_links::<21, 7>(thread_index(id), total, plain, begins, nodes);
 }
 
 /// The exponent of a lattice's step, in the scene's magnitude. Reads the scene's exponent, and the step's: in the caller's unit,
@@ -229,79 +139,6 @@ fn store_paper10(
     }
 }
 
-#[inline(always)]
-fn store_lattice_node<const BITS: u32, const WORDS: usize>(
-    node: u32,
-    total: &UVec4,
-    plain: &[RoundedNode],
-    nodes: &mut [[u32; WORDS]],
-    root: &mut [RootWords],
-) {
-    let i = node as usize;
-    if node < total.x && i < plain.len() && i < nodes.len() {
-        let codec = LatticeCodec::<BITS, WORDS>;
-        let bounds = node_bounds(node, plain, &codec);
-        let coded = codec.encode(&bounds, &plain[i]);
-        let triangle = Links::first_triangle(plain[i].left, plain[i].right);
-        let links = Links::new(plain[i].left, plain[i].right, triangle);
-        nodes[i] = with_links::<BITS, WORDS>(coded.words, links);
-        store_root(node, RootWords::of_lattice(&bounds, FINEST_STEP), root);
-    }
-}
-
-#[inline(always)]
-fn store_sizes<const BITS: u32, const WORDS: usize>(
-    node: u32,
-    total: &UVec4,
-    step_exponent: i32,
-    plain: &[RoundedNode],
-    nodes: &mut [[u32; WORDS]],
-    (corners, sizes, root): (&mut [LeafCorner], &mut [u32], &mut [RootWords]),
-) {
-    let i = node as usize;
-    if node < total.x && i < plain.len() && i < nodes.len() {
-        let codec = LatticeCodec::<BITS, WORDS>;
-        let bounds = node_bounds(node, plain, &codec);
-        let coded = codec.encode(&bounds, &plain[i]);
-        nodes[i] = coded.words;
-        store_corner(plain[i].left, &coded.left, corners, sizes);
-        store_corner(plain[i].right, &coded.right, corners, sizes);
-        store_root(node, RootWords::of_lattice(&bounds, step_exponent), root);
-    }
-}
-
-#[inline(always)]
-fn store_corner(
-    child: NodeRef,
-    bounds: &LatticeBox,
-    corners: &mut [LeafCorner],
-    sizes: &mut [u32],
-) {
-    let corner = LeafCorner::of(bounds);
-    let count = if child.is_leaf() { child.count() } else { 0 };
-    for number in 0..count {
-        let i = (child.first() + number) as usize;
-        if i < corners.len() && i < sizes.len() {
-            corners[i] = corner;
-            sizes[i] = corner.words;
-        }
-    }
-}
-
-#[inline(always)]
-fn store_links<const BITS: u32, const WORDS: usize>(
-    node: u32,
-    total: &UVec4,
-    plain: &[RoundedNode],
-    begins: &[u32],
-    nodes: &mut [[u32; WORDS]],
-) {
-    let i = node as usize;
-    if node < total.x && i < plain.len() && i < nodes.len() {
-        nodes[i] = with_links::<BITS, WORDS>(nodes[i], links(&plain[i], begins));
-    }
-}
-
 /// Stores words side by side, those that lie inside.
 #[inline(always)]
 fn store_words<const COUNT: usize>(to: u32, from: [u32; COUNT], words: &mut [u32]) {
@@ -311,16 +148,4 @@ fn store_words<const COUNT: usize>(to: u32, from: [u32; COUNT], words: &mut [u32
             words[at] = from[i as usize];
         }
     }
-}
-
-/// Links to where triangles' words begin.
-#[inline(always)]
-fn links(plain: &RoundedNode, begins: &[u32]) -> Links {
-    let triangle = Links::first_triangle(plain.left, plain.right) as usize;
-    let place = if triangle < begins.len() {
-        begins[triangle]
-    } else {
-        0
-    };
-    Links::new(plain.left, plain.right, place)
 }

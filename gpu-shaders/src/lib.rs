@@ -9,7 +9,7 @@
     reason = "an entry point's arguments are its bindings"
 )]
 #![cfg_attr(
-    not(all(feature = "plain", feature = "coded", feature = "wide")),
+    not(all(feature = "plain", feature = "paper10", feature = "wide")),
     allow(
         dead_code,
         reason = "a part of the entry points does not use all that they share"

@@ -1,12 +1,9 @@
 //! Stage `refit`. A dispatch makes seven levels of the pyramid: a workgroup makes its part of them in its own memory.
 
-use crate::encode::lattice_step;
 use crate::group::barrier;
 use crate::{group_index, thread_index};
 use glam::{UVec3, UVec4};
-use slimbvh_core::encode::RoundedNode;
 use slimbvh_core::launch::LANES;
-use slimbvh_core::node::Connection;
 use slimbvh_core::refit::{
     GROUP_LEVELS, Level, PyramidBox, group_bounds, pair_place, pair_step, parent_bounds,
     refit_node, split_of,
@@ -106,40 +103,6 @@ pub fn refit_nodes(
     let i = node as usize;
     if node < total.x && i < nodes.len() && i < splits.len() {
         nodes[i] = refit_node(nodes[i], splits[i], triangles, pyramid);
-    }
-}
-
-/// As [`refit_nodes`]. Reads the scene's exponent, that of a lattice's step and whether it is in the caller's unit, too. Stores
-/// the node on that lattice.
-#[spirv(compute(threads(64)))]
-pub fn refit_rounded(
-    #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] pyramid: &[PyramidBox],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] splits: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] nodes: &mut [RoundedNode],
-) {
-    let node = thread_index(id);
-    let i = node as usize;
-    if node < total.x && i < nodes.len() && i < splits.len() {
-        let RoundedNode {
-            left,
-            right,
-            first,
-            last,
-            ..
-        } = nodes[i];
-        let bare = Connection {
-            left,
-            right,
-            first,
-            last,
-        };
-        let plain = refit_node((&bare).into(), splits[i], triangles, pyramid);
-        nodes[i] = RoundedNode::new(&plain, lattice_step(exponent, step));
     }
 }
 

@@ -12,9 +12,9 @@ use slimbvh_core::orientation::Target;
 mod kernels;
 #[cfg(feature = "wide")]
 pub mod called;
-#[cfg(feature = "coded")]
-pub mod coded;
 pub mod overflow;
+#[cfg(feature = "paper10")]
+pub mod paper10;
 #[cfg(feature = "plain")]
 pub mod plain;
 mod store;

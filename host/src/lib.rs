@@ -43,9 +43,11 @@ pub use slimbvh_core::tile::Tiles;
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
+#[cfg(feature = "lab")]
+pub use tree::LatticeBits;
 pub use tree::{
-    Bvh, CodecError, LatticeBits, MeshCodec, NodeCodec, Reads, RefitError, TreeError, WideStore,
-    check_codecs, sah_cost,
+    Bvh, CodecError, MeshCodec, NodeCodec, Reads, RefitError, TreeError, WideStore, check_codecs,
+    sah_cost,
 };
 
 /// The examples of the repository's README.

@@ -38,7 +38,7 @@ const CRATES: [ShaderCrate; 2] = [
         folder: "gpu-shaders",
         output: "host/shaders",
         made: &["spv", "wgsl", "json", "rs"],
-        parts: &["plain", "coded", "wide"],
+        parts: &["plain", "paper10", "wide"],
         cannot_panic: true,
     },
     ShaderCrate {

@@ -3,49 +3,35 @@
 //! A node's descendants are contiguous: those of the left child, then those of the right child. So both halves can be
 //! filled in parallel, each in its part of the lists.
 
-mod lattice;
-mod lattice_mesh;
 mod leaf_words;
 mod paper10;
+#[cfg(feature = "lab")]
+mod parent_frame;
 mod tree;
 
-use self::lattice::encode_lattice;
-use self::lattice_mesh::encode_lattice_mesh;
 use self::paper10::encode_paper10;
+#[cfg(feature = "lab")]
+use self::parent_frame::LatticeEncoder;
 use super::wide::{Source, WideEncoder};
 
 pub(super) use self::leaf_words::Leaf;
 pub(super) use self::tree::{TASK, Tree};
 use super::refit::fill_boxes;
 use super::topology::Connections;
-use crate::tree::lattice::{LatticeMesh, LatticeTree};
 use crate::tree::paper10::{Paper10Mesh, Paper10Tree};
 use crate::tree::plain::PlainTree;
 use crate::tree::wide::{WideShape, WideTree};
 use crate::tree::{MeshCodec, NodeCodec, StoredTree};
 use slimbvh_core::LeafTriangle;
-use slimbvh_core::encode::{FINEST_STEP, LeafWidth, scaled_step};
 use slimbvh_core::refit::PyramidBox;
 
 /// Stores hierarchies, in full or in a codec. Keeps buffers from one to the next.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Encoder {
     triangles: Vec<LeafTriangle>,
-    sizes: Vec<u32>,
-    /// The common width of all triangles of the last hierarchy, if there was one.
-    width: Option<LeafWidth>,
     wide: WideEncoder,
-}
-
-impl Default for Encoder {
-    fn default() -> Self {
-        Self {
-            triangles: Vec::new(),
-            sizes: Vec::new(),
-            width: Some(LeafWidth::Narrow),
-            wide: WideEncoder::default(),
-        }
-    }
+    #[cfg(feature = "lab")]
+    lattice: LatticeEncoder,
 }
 
 /// A tree to be stored, in a scene with this exponent.
@@ -130,32 +116,6 @@ impl Encoder {
                     triangles,
                 })
             }
-            NodeCodec::Lattice(bits) => {
-                let old = LatticeTree::reuse(old);
-                let (mut words, mut triangle_words) = (old.words, old.triangles.into_words());
-                let (root, step_exponent, triangles) = match mesh.step_exponent() {
-                    Some(step_exponent) => {
-                        let step_exponent = scaled_step(step_exponent, from.scene_exponent);
-                        let to = (&mut words, &mut triangle_words);
-                        let scratch = (&mut self.sizes, &mut self.width);
-                        let root = encode_lattice_mesh(&tree, (bits, step_exponent), scratch, to);
-                        let (words, count) = (triangle_words, leaves.len());
-                        self.triangles = leaves;
-                        (root, step_exponent, LatticeMesh::Lattice { words, count })
-                    }
-                    None => {
-                        let root = encode_lattice(&tree, bits, &mut words);
-                        (root, FINEST_STEP, LatticeMesh::Full(leaves))
-                    }
-                };
-                StoredTree::Lattice(LatticeTree {
-                    bits,
-                    root,
-                    step_exponent,
-                    words,
-                    triangles,
-                })
-            }
             NodeCodec::Wide(store) => {
                 let old = WideTree::reuse(old);
                 let (codecs, exponent) = ((store, mesh), from.scene_exponent);
@@ -167,13 +127,27 @@ impl Encoder {
                 }
                 StoredTree::Wide(tree)
             }
+            #[cfg(feature = "lab")]
+            NodeCodec::Lattice(bits) => {
+                let (codecs, exponent) = ((bits, mesh), from.scene_exponent);
+                let encoded = self.lattice.encode(&tree, codecs, exponent, old);
+                let (tree, rest) = encoded.over(leaves);
+                if let Some(leaves) = rest {
+                    self.triangles = leaves;
+                }
+                StoredTree::Lattice(tree)
+            }
         };
     }
 
     /// Bytes of the buffers kept.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.triangles.as_slice())
-            + size_of_val(self.sizes.as_slice())
-            + self.wide.bytes()
+        let parts = [
+            size_of_val(self.triangles.as_slice()),
+            self.wide.bytes(),
+            #[cfg(feature = "lab")]
+            self.lattice.bytes(),
+        ];
+        parts.iter().sum()
     }
 }

@@ -1,10 +1,10 @@
 //! The codecs with GPU kernels, and their sizes.
 
 use super::{GpuError, Kernel};
-use crate::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, TreeKind, WideStore};
+use crate::{BuildConfig, MeshCodec, NodeCodec, TreeKind, WideStore};
 use slimbvh_core::codec::{
     FullWideNode, LeafWidth, MOST_SHARED_BYTES, PackedWideNode, Paper10Node, Paper10Triangle,
-    WideNode, node_words,
+    WideNode,
 };
 
 /// The WGSL text for any stage, and that for compute shaders to be put behind it.
@@ -23,10 +23,6 @@ pub(super) use texts;
 pub enum Coding {
     Paper10F32,
     Paper10Leaf10,
-    Q10F32,
-    Q10Lattice,
-    Q21F32,
-    Q21Lattice,
     W4F32,
     W464F32,
     W464Lattice,
@@ -52,16 +48,15 @@ impl Coding {
             NodeCodec::F32 => None,
             NodeCodec::Paper10 if is_f32 => Some(Self::Paper10F32),
             NodeCodec::Paper10 => Some(Self::Paper10Leaf10),
-            NodeCodec::Lattice(LatticeBits::Q10) if is_f32 => Some(Self::Q10F32),
-            NodeCodec::Lattice(LatticeBits::Q10) => Some(Self::Q10Lattice),
-            NodeCodec::Lattice(LatticeBits::Q21) if is_f32 => Some(Self::Q21F32),
-            NodeCodec::Lattice(LatticeBits::Q21) => Some(Self::Q21Lattice),
             NodeCodec::Wide(WideStore::Full) => Some(Self::W4F32),
             NodeCodec::Wide(WideStore::Exact) if is_f32 => Some(Self::W464F32),
             NodeCodec::Wide(WideStore::Exact) => Some(Self::W464Lattice),
             NodeCodec::Wide(WideStore::Packed) => Some(Self::W448Lattice),
-            NodeCodec::Lattice(bits) => {
-                return Err(GpuError::Codec { bits: bits.count() });
+            #[cfg(feature = "lab")]
+            other => {
+                return Err(GpuError::Codec {
+                    nodes: other.name(),
+                });
             }
         })
     }
@@ -70,8 +65,6 @@ impl Coding {
     pub const fn node_bytes(self) -> u64 {
         match self {
             Self::Paper10F32 | Self::Paper10Leaf10 => size_of::<Paper10Node>() as u64,
-            Self::Q10F32 | Self::Q10Lattice => 4 * node_words(10) as u64,
-            Self::Q21F32 | Self::Q21Lattice => 4 * node_words(21) as u64,
             Self::W4F32 => size_of::<FullWideNode>() as u64,
             Self::W464F32 | Self::W464Lattice => size_of::<WideNode>() as u64,
             Self::W448Lattice => size_of::<PackedWideNode>() as u64,
@@ -81,29 +74,16 @@ impl Coding {
     /// The most bytes of a triangle; `None` if triangles are in full.
     pub const fn most_triangle_bytes(self) -> Option<u64> {
         match self {
-            Self::Paper10F32 | Self::Q10F32 | Self::Q21F32 | Self::W4F32 | Self::W464F32 => None,
+            Self::Paper10F32 | Self::W4F32 | Self::W464F32 => None,
             Self::Paper10Leaf10 => Some(size_of::<Paper10Triangle>() as u64),
+            Self::W464Lattice => Some(4 * LeafWidth::Wide.words() as u64),
             Self::W448Lattice => Some(MOST_SHARED_BYTES as u64),
-            Self::Q10Lattice | Self::Q21Lattice | Self::W464Lattice => {
-                Some(4 * LeafWidth::Wide.words() as u64)
-            }
         }
-    }
-
-    /// Whether plain nodes are rounded to a lattice before they are encoded.
-    pub const fn takes_rounded_nodes(self) -> bool {
-        matches!(
-            self,
-            Self::Q10F32 | Self::Q10Lattice | Self::Q21F32 | Self::Q21Lattice
-        )
     }
 
     /// Whether the size of a triangle depends on its leaf.
     pub const fn is_mixed(self) -> bool {
-        matches!(
-            self.encodes(),
-            Encodes::Mixed { .. } | Encodes::MixedWide { .. }
-        )
+        matches!(self.encodes(), Encodes::MixedWide { .. })
     }
 
     /// The WGSL texts that trace hierarchies of this coding, if there are any.
@@ -134,14 +114,10 @@ impl Coding {
 /// The kernels that encode hierarchies of one coding.
 #[derive(Clone, Copy, Debug)]
 pub enum Encodes {
-    /// One kernel encodes nodes; triangles stay in full.
-    Nodes(Kernel),
-    /// The same with floats whose products must not be fused: the kernel reads an `opaque_zero`.
+    /// One kernel encodes nodes; triangles stay in full. It reads an `opaque_zero`, as products of floats must not be fused.
     NodesInFloats(Kernel),
     /// One kernel encodes nodes and triangles, with an `opaque_zero` as [`Self::NodesInFloats`].
     AllInFloats(Kernel),
-    /// Triangles vary in size: one kernel encodes nodes and finds sizes, another links nodes to triangles.
-    Mixed { sizes: Kernel, links: Kernel },
     /// One kernel encodes wide nodes, whose places are known before; triangles stay in full.
     Wide(Kernel),
     /// The same without a root's box.
@@ -161,16 +137,6 @@ impl Coding {
         match self {
             Self::Paper10F32 => Encodes::NodesInFloats(Kernel::encode_paper10_f32),
             Self::Paper10Leaf10 => Encodes::AllInFloats(Kernel::encode_paper10_leaf10),
-            Self::Q10F32 => Encodes::Nodes(Kernel::encode_q10_f32),
-            Self::Q21F32 => Encodes::Nodes(Kernel::encode_q21_f32),
-            Self::Q10Lattice => Encodes::Mixed {
-                sizes: Kernel::encode_q10_sizes,
-                links: Kernel::encode_q10_links,
-            },
-            Self::Q21Lattice => Encodes::Mixed {
-                sizes: Kernel::encode_q21_sizes,
-                links: Kernel::encode_q21_links,
-            },
             Self::W4F32 => Encodes::WideInFull(Kernel::encode_w4),
             Self::W464F32 => Encodes::Wide(Kernel::encode_w4_64_f32),
             Self::W464Lattice => Encodes::MixedWide {
@@ -184,21 +150,6 @@ impl Coding {
                 shares_corners: true,
             },
         }
-    }
-}
-
-/// Names of the node codecs with GPU kernels, for messages.
-pub fn node_names() -> String {
-    let with = |nodes| BuildConfig {
-        nodes,
-        ..BuildConfig::default()
-    };
-    let all = NodeCodec::ALL.into_iter();
-    let known = all.filter(|nodes| Coding::of(&with(*nodes)).is_ok());
-    let names: Vec<&str> = known.map(NodeCodec::name).collect();
-    match names.split_last() {
-        Some((last, others)) => format!("{} and {last}", others.join(", ")),
-        None => String::new(),
     }
 }
 

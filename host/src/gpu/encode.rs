@@ -1,11 +1,10 @@
-//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three, with a scan in between; wide nodes at places that
-//! stage `wide` finds before.
+//! Stage `encode`: nodes and triangles in codecs, in one dispatch; wide nodes at places that stage `wide` finds before, and then, on a
+//! lattice, their triangles in another.
 
 use super::buffer::{Range, Slot};
 use super::bvh::{Built, Coded, full_triangles};
 use super::coding::Encodes;
 use super::program::{Groups, Recorder, Uniform, threads};
-use super::scan::Scan;
 use super::wide::{Topology, Wide};
 use super::{Gpu, Kernel};
 use slimbvh_core::encode::LeafCorner;
@@ -17,8 +16,7 @@ pub struct Encoder {
     nodes: Slot,
     triangles: Slot,
     corners: Slot,
-    sizes: Slot,
-    scan: Scan,
+    begins: Slot,
     wide: Wide,
 }
 
@@ -30,8 +28,7 @@ impl Encoder {
             nodes: Slot::storage("slimbvh plain nodes"),
             triangles: Slot::new("slimbvh plain leaf triangles", copied),
             corners: Slot::storage("slimbvh leaf corners"),
-            sizes: Slot::new("slimbvh triangle sizes", copied),
-            scan: Scan::new(),
+            begins: Slot::storage("slimbvh begins of triangle words"),
             wide: Wide::new(),
         }
     }
@@ -67,9 +64,6 @@ impl Encoder {
         let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
         let (nodes, root) = (&coded.nodes, &coded.root);
         match coded.coding.encodes() {
-            Encodes::Nodes(kernel) => {
-                recorder.dispatch(kernel, &[total], &[plain], &[nodes, root], each_node());
-            }
             Encodes::NodesInFloats(kernel) => {
                 let to = &[nodes, root];
                 recorder.dispatch(kernel, &[total, zero], &[plain], to, each_node());
@@ -78,24 +72,6 @@ impl Encoder {
                 let to = &[nodes, &coded.triangles, root];
                 let from = &[plain, leaves];
                 recorder.dispatch(kernel, &[total, zero], from, to, each_node());
-            }
-            Encodes::Mixed { sizes, links } => {
-                let sizes_kernel = sizes;
-                // The leaf's box determines each triangle's size; a prefix sum of the sizes gives its place.
-                let [corners, sizes] = &self.leaves(gpu, bvh);
-                // A reduced hierarchy fills fewer sizes than the scan sums.
-                recorder.clear(sizes);
-                recorder.dispatch(
-                    sizes_kernel,
-                    &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
-                    &[plain],
-                    &[nodes, corners, sizes, root],
-                    each_node(),
-                );
-                self.scan.record(gpu, recorder, sizes, &coded.word_total);
-                recorder.read(nodes);
-                record_triangles(recorder, (bvh, coded), [corners, sizes]);
-                recorder.update(links, &[total], &[plain, sizes], &[nodes], each_node());
             }
             Encodes::Wide(_) | Encodes::WideInFull(_) | Encodes::MixedWide { .. } => {}
         }
@@ -151,20 +127,20 @@ impl Encoder {
         }
     }
 
-    /// Ranges for each triangle's corner, and for its size or where its words begin.
+    /// Ranges for each triangle's corner, and for where its words begin.
     fn leaves(&mut self, gpu: &Gpu, bvh: &Built) -> [Range; 2] {
         const CORNER_BYTES: u64 = size_of::<LeafCorner>() as u64;
         let count = u64::from(bvh.triangle_count.max(1));
         [
             self.corners.range(gpu, CORNER_BYTES * count),
-            self.sizes.range(gpu, 4 * count),
+            self.begins.range(gpu, 4 * count),
         ]
     }
 
     pub fn bytes(&self) -> u64 {
-        let slots = [&self.nodes, &self.triangles, &self.corners, &self.sizes];
+        let slots = [&self.nodes, &self.triangles, &self.corners, &self.begins];
         let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
-        slots + self.scan.bytes() + self.wide.bytes()
+        slots + self.wide.bytes()
     }
 }
 

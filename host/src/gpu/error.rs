@@ -1,7 +1,7 @@
 //! What can go wrong on a GPU.
 
-use super::coding::node_names;
 use super::misfit::Misfit;
+use crate::tree::ON_LATTICE;
 use crate::{MeshError, RefitError, ViewError};
 use thiserror::Error;
 
@@ -80,14 +80,11 @@ pub enum GpuError {
         /// What the driver says.
         reason: String,
     },
-    /// The GPU has no kernels for nodes of so many bits.
-    #[error(
-        "nodes of {bits} bits are stored on the CPU only; the GPU has {}",
-        node_names()
-    )]
+    /// The nodes' codec is one of the laboratory's that the CPU alone has.
+    #[error("{nodes} nodes are for the CPU only; use {ON_LATTICE} nodes for a lattice on a GPU")]
     Codec {
-        /// How many.
-        bits: u32,
+        /// The codec's name.
+        nodes: &'static str,
     },
     /// Only the laboratory asks for this, so that it is not compiled in.
     #[error("{what} are traced on the CPU only, unless slimbvh is built with the feature `lab`")]

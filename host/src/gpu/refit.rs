@@ -3,7 +3,6 @@
 use super::buffer::Range;
 use super::build::pyramid_bytes;
 use super::bvh::Built;
-use super::coding::Coding;
 use super::program::{Groups, Recorder, Uniform, groups};
 use super::{Builder, Gpu, Kernel};
 use slimbvh_core::launch::LANES;
@@ -33,16 +32,8 @@ impl Builder {
             recorder.dispatch(kernel, &[total], &[&bvh.nodes], &[splits], each_node());
         }
         let from = &[&bvh.triangles, pyramid, splits];
-        let takes_rounded = bvh.coding().is_some_and(Coding::takes_rounded_nodes);
-        if takes_rounded {
-            let step = Uniform::Params(self.lattice_step());
-            let uniforms = &[total, Uniform::Stored(&bvh.exponent), step];
-            let kernel = Kernel::refit_rounded;
-            recorder.update(kernel, uniforms, from, &[&bvh.nodes], each_node());
-        } else {
-            let kernel = Kernel::refit_nodes;
-            recorder.update(kernel, &[total], from, &[&bvh.nodes], each_node());
-        }
+        let kernel = Kernel::refit_nodes;
+        recorder.update(kernel, &[total], from, &[&bvh.nodes], each_node());
     }
 
     /// Records the boxes of all levels of the pyramid, [`GROUP_LEVELS`] a dispatch.

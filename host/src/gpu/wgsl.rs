@@ -97,7 +97,7 @@ pub fn wgsl_compute(group: u32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{LatticeBits, WideStore};
+    use crate::WideStore;
 
     #[test]
     fn all_bindings_move_to_the_group() {
@@ -124,8 +124,8 @@ mod tests {
 
     #[test]
     fn codecs_without_a_text_are_refused() {
-        let q10 = NodeCodec::Lattice(LatticeBits::Q10);
-        assert!(wgsl_for((q10, MeshCodec::F32), 0).is_err());
+        let paper10 = NodeCodec::Paper10;
+        assert!(wgsl_for((paper10, MeshCodec::F32), 0).is_err());
         assert_eq!(wgsl_for((NodeCodec::F32, MeshCodec::F32), 5), Ok(wgsl(5)));
     }
 }

@@ -34,12 +34,12 @@
 //!                        edge (3), 0, second half edge (3), 0
 //! 10 scene           64  box to be framed: min (3), whether there is one, max (3), 0; number of faces that a lenient loader
 //!                        dropped, zeros (7)
-//! 11 hierarchy      128  codec of nodes (0 in full, 1 paper10, 2 lattice; of up to four children: 3 in full, 4 of 64 bytes, 5
+//! 11 hierarchy      128  codec of nodes (0 in full, 1 paper10, 2 the laboratory's lattice; of up to four children: 3 in full, 4 of 64 bytes, 5
 //!                        of 48), bits of a plane on the lattice, codec of triangles (0 in full, 1 in 10 bits, 2 lattice), number
 //!                        of triangles, that of the mesh, depth bound, scene
 //!                        exponent, exponent of the lattice's step, bounds: min (3), whether there are any, max (3), 0, root
 //!                        box: min (3), 0, max (3), 0, zeros (8)
-//! 12 nodes               in full 64, paper10 24, on the lattice 12 to 28; of up to four children 128, 64 or 48
+//! 12 nodes               in full 64, paper10 24, the laboratory's 12 to 28; of up to four children 128, 64 or 48
 //! 13 triangles           in full 40, in 10 bits 16, on the lattice 4: words, of which a triangle has 4, 7 or 10
 //! ```
 //!

@@ -1,5 +1,7 @@
 //! Codecs of nodes and triangles: names, tags in files, and valid pairs.
 
+#[cfg(feature = "lab")]
+use super::parent_frame::LatticeBits;
 use slimbvh_core::Node;
 use slimbvh_core::encode::frame::PLANE_BITS;
 use slimbvh_core::encode::{
@@ -17,28 +19,31 @@ pub enum NodeCodec {
     /// 24 bytes: 10-bit planes between those of the parent, decoded with floats. From the paper on compressed hierarchies
     /// and meshes.
     Paper10,
-    /// 12 to 28 bytes: integer distances to the parent's planes.
-    Lattice(LatticeBits),
     /// 48 to 128 bytes a node of up to four children, of which there are less than half as many as of two.
     Wide(WideStore),
+    /// 12 to 28 bytes: integer distances to the parent's planes. For the laboratory, on the CPU only; [`Self::Wide`] on the lattice
+    /// is smaller and faster.
+    #[cfg(feature = "lab")]
+    Lattice(LatticeBits),
 }
 
 impl NodeCodec {
-    /// All codecs.
-    pub const ALL: [Self; 12] = [
+    /// The codecs without those of the laboratory.
+    const SHIPPED: [Self; 5] = [
         Self::F32,
         Self::Paper10,
-        Self::Lattice(LatticeBits::Q4),
-        Self::Lattice(LatticeBits::Q6),
-        Self::Lattice(LatticeBits::Q8),
-        Self::Lattice(LatticeBits::Q10),
-        Self::Lattice(LatticeBits::Q12),
-        Self::Lattice(LatticeBits::Q16),
-        Self::Lattice(LatticeBits::Q21),
         Self::Wide(WideStore::Full),
         Self::Wide(WideStore::Exact),
         Self::Wide(WideStore::Packed),
     ];
+
+    /// All codecs.
+    pub fn all() -> impl Iterator<Item = Self> + Clone {
+        let all = Self::SHIPPED.into_iter();
+        #[cfg(feature = "lab")]
+        let all = all.chain(LatticeBits::ALL.map(Self::Lattice));
+        all
+    }
 
     /// The name in options and reports.
     #[must_use]
@@ -46,15 +51,16 @@ impl NodeCodec {
         match self {
             Self::F32 => "f32",
             Self::Paper10 => "paper10",
-            Self::Lattice(bits) => bits.name(),
             Self::Wide(store) => store.name(),
+            #[cfg(feature = "lab")]
+            Self::Lattice(bits) => bits.name(),
         }
     }
 
     /// The codec with this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|codec| codec.name() == name)
+        Self::all().find(|codec| codec.name() == name)
     }
 
     /// Bytes of a node.
@@ -63,8 +69,9 @@ impl NodeCodec {
         match self {
             Self::F32 => size_of::<Node>(),
             Self::Paper10 => size_of::<Paper10Node>(),
-            Self::Lattice(bits) => bits.words() * size_of::<u32>(),
             Self::Wide(store) => store.node_bytes(),
+            #[cfg(feature = "lab")]
+            Self::Lattice(bits) => bits.words() * size_of::<u32>(),
         }
     }
 
@@ -78,13 +85,20 @@ impl NodeCodec {
         match self {
             Self::F32 => [0, 0],
             Self::Paper10 => [1, 0],
-            Self::Lattice(bits) => [2, bits.count()],
             Self::Wide(WideStore::Full) => [3, 0],
             Self::Wide(WideStore::Exact) => [4, PLANE_BITS],
             Self::Wide(WideStore::Packed) => [5, PLANE_BITS],
+            #[cfg(feature = "lab")]
+            Self::Lattice(bits) => [LATTICE_TAG, bits.count()],
         }
     }
 }
+
+/// The codecs on a lattice that are there without the laboratory, for messages.
+pub(crate) const ON_LATTICE: &str = "w4-64 or w4-48";
+
+/// The tag of [`NodeCodec::Lattice`] in files.
+const LATTICE_TAG: u32 = 2;
 
 /// How nodes of up to four children are stored. A node on the lattice has a frame of its own: it is decoded from its own bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -117,86 +131,6 @@ impl WideStore {
     }
 }
 
-/// Bits of a plane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LatticeBits {
-    /// 4 bits, 12 bytes a node.
-    Q4,
-    /// 6 bits, 16 bytes a node.
-    Q6,
-    /// 8 bits, 16 bytes a node.
-    Q8,
-    /// 10 bits, 16 bytes a node.
-    Q10,
-    /// 12 bits, 20 bytes a node.
-    Q12,
-    /// 16 bits, 28 bytes a node.
-    Q16,
-    /// 21 bits, 28 bytes a node.
-    Q21,
-}
-
-/// Calls a function that is generic over the bits of a plane, the words of a node, and optionally a type.
-macro_rules! by_bits {
-    ($bits:expr, $function:ident $(::<$type:ty>)? ($($argument:expr),* $(,)?)) => {
-        match $bits {
-            $crate::tree::LatticeBits::Q4 => $function::<4, 3 $(, $type)?>($($argument),*),
-            $crate::tree::LatticeBits::Q6 => $function::<6, 4 $(, $type)?>($($argument),*),
-            $crate::tree::LatticeBits::Q8 => $function::<8, 4 $(, $type)?>($($argument),*),
-            $crate::tree::LatticeBits::Q10 => $function::<10, 4 $(, $type)?>($($argument),*),
-            $crate::tree::LatticeBits::Q12 => $function::<12, 5 $(, $type)?>($($argument),*),
-            $crate::tree::LatticeBits::Q16 => $function::<16, 7 $(, $type)?>($($argument),*),
-            $crate::tree::LatticeBits::Q21 => $function::<21, 7 $(, $type)?>($($argument),*),
-        }
-    };
-}
-pub(crate) use by_bits;
-
-impl LatticeBits {
-    /// All widths.
-    pub const ALL: [Self; 7] = [
-        Self::Q4,
-        Self::Q6,
-        Self::Q8,
-        Self::Q10,
-        Self::Q12,
-        Self::Q16,
-        Self::Q21,
-    ];
-
-    /// The number of bits.
-    #[must_use]
-    pub const fn count(self) -> u32 {
-        match self {
-            Self::Q4 => 4,
-            Self::Q6 => 6,
-            Self::Q8 => 8,
-            Self::Q10 => 10,
-            Self::Q12 => 12,
-            Self::Q16 => 16,
-            Self::Q21 => 21,
-        }
-    }
-
-    /// The name in options and reports.
-    const fn name(self) -> &'static str {
-        match self {
-            Self::Q4 => "q4",
-            Self::Q6 => "q6",
-            Self::Q8 => "q8",
-            Self::Q10 => "q10",
-            Self::Q12 => "q12",
-            Self::Q16 => "q16",
-            Self::Q21 => "q21",
-        }
-    }
-
-    /// Words of a node.
-    pub(crate) const fn words(self) -> usize {
-        slimbvh_core::encode::node_words(self.count())
-    }
-}
-
 /// How the triangles in leaves are stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MeshCodec {
@@ -207,7 +141,7 @@ pub enum MeshCodec {
     /// moves its vertices independently, so surfaces crack. Requires [`NodeCodec::Paper10`].
     Leaf10,
     /// 16, 28 or 40 bytes, the least that the leaf allows. Exact if the mesh's vertices lie on a lattice
-    /// ([`crate::Mesh::snap`]). Requires [`NodeCodec::Lattice`], or [`NodeCodec::Wide`] on the lattice.
+    /// ([`crate::Mesh::snap`]). Requires nodes on the lattice: [`WideStore::Exact`] or [`WideStore::Packed`].
     Lattice {
         /// The lattice's step is 2 to this power, in the mesh's unit.
         step_exponent: i32,
@@ -278,14 +212,13 @@ impl MeshCodec {
         match self {
             Self::F32 => NodeCodec::F32,
             Self::Leaf10 => NodeCodec::Paper10,
-            Self::Lattice { .. } => NodeCodec::Lattice(LatticeBits::Q10),
+            Self::Lattice { .. } => NodeCodec::Wide(WideStore::Packed),
         }
     }
 
     /// All nodes that can be combined with these triangles.
     pub fn nodes(self) -> impl Iterator<Item = NodeCodec> {
-        let all = NodeCodec::ALL.into_iter();
-        all.filter(move |nodes| check_codecs(*nodes, self).is_ok())
+        NodeCodec::all().filter(move |nodes| check_codecs(*nodes, self).is_ok())
     }
 
     /// The tag in files.
@@ -304,17 +237,39 @@ pub(crate) const fn tags((nodes, mesh): (NodeCodec, MeshCodec)) -> [u32; 3] {
     [nodes, bits, mesh.tag()]
 }
 
-/// The codecs with these [`tags`] and this lattice step. `None` for unknown tags and invalid pairs.
+/// The codecs with these [`tags`] and this lattice step.
+///
+/// # Errors
+/// For unknown tags and invalid pairs, and for nodes that only the laboratory has.
 pub(crate) fn tagged(
     [nodes, bits, mesh]: [u32; 3],
     step_exponent: i32,
-) -> Option<(NodeCodec, MeshCodec)> {
-    let mut all = NodeCodec::ALL.into_iter();
-    let nodes = all.find(|codec| codec.tags() == [nodes, bits])?;
+) -> Result<(NodeCodec, MeshCodec), TagError> {
+    let mut all = NodeCodec::all();
+    let nodes = match all.find(|codec| codec.tags() == [nodes, bits]) {
+        Some(nodes) => nodes,
+        None if nodes == LATTICE_TAG && !cfg!(feature = "lab") => {
+            return Err(TagError::Laboratory { bits });
+        }
+        None => return Err(TagError::Unknown),
+    };
     let mut all = MeshCodec::ALL.into_iter();
-    let mesh = all.find(|codec| codec.tag() == mesh)?;
-    check_codecs(nodes, mesh).ok()?;
-    Some((nodes, mesh.with_step(Some(step_exponent))))
+    let mesh = all.find(|codec| codec.tag() == mesh);
+    let mesh = mesh.ok_or(TagError::Unknown)?;
+    check_codecs(nodes, mesh).map_err(|_| TagError::Unknown)?;
+    Ok((nodes, mesh.with_step(Some(step_exponent))))
+}
+
+/// Why [`tagged`] returns no codecs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TagError {
+    /// No codecs have these tags, or none that go together.
+    Unknown,
+    /// The nodes' codec is there with the feature `lab` only.
+    Laboratory {
+        /// Bits of a plane.
+        bits: u32,
+    },
 }
 
 const _: () = assert!(
@@ -340,7 +295,7 @@ pub enum CodecError {
     /// Triangles are coded relative to leaf boxes of the paper10 codec.
     #[error("triangles of 10 bits in their leaf's box require paper10 nodes")]
     Leaf10WithoutPaper10,
-    /// Triangles are coded relative to leaf boxes of the lattice codec.
+    /// Triangles are coded relative to leaf boxes on the lattice.
     #[error("triangles on a lattice require nodes on a lattice")]
     LatticeWithout,
     /// Nodes of 128 bytes hold their children's boxes in full.
@@ -367,10 +322,11 @@ pub const fn check_codecs(nodes: NodeCodec, mesh: MeshCodec) -> Result<(), Codec
         }
         (_, MeshCodec::F32)
         | (NodeCodec::Paper10, MeshCodec::Leaf10)
-        | (
-            NodeCodec::Lattice(_) | NodeCodec::Wide(WideStore::Exact | WideStore::Packed),
-            MeshCodec::Lattice { .. },
-        ) => Ok(()),
+        | (NodeCodec::Wide(WideStore::Exact | WideStore::Packed), MeshCodec::Lattice { .. }) => {
+            Ok(())
+        }
+        #[cfg(feature = "lab")]
+        (NodeCodec::Lattice(_), MeshCodec::Lattice { .. }) => Ok(()),
         (_, MeshCodec::Leaf10) => Err(CodecError::Leaf10WithoutPaper10),
         (_, MeshCodec::Lattice { .. }) => Err(CodecError::LatticeWithout),
     }
@@ -381,48 +337,59 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bits_are_those_of_the_nodes() {
-        fn sizes<const BITS: u32, const WORDS: usize>() -> (u32, usize) {
-            assert_eq!(WORDS, slimbvh_core::encode::node_words(BITS));
-            (BITS, WORDS)
-        }
-        for bits in LatticeBits::ALL {
-            let (count, _) = by_bits!(bits, sizes());
-            assert_eq!(count, bits.count());
-        }
-    }
-
-    #[test]
     fn names_and_tags_are_those_of_one_codec() {
-        for nodes in NodeCodec::ALL {
+        for nodes in NodeCodec::all() {
             assert_eq!(NodeCodec::named(nodes.name()), Some(nodes));
             for mesh in MeshCodec::ALL {
                 assert_eq!(MeshCodec::named(mesh.name()), Some(mesh));
                 let (mesh, fits) = (mesh.with_step(Some(-7)), check_codecs(nodes, mesh).is_ok());
-                let expected = fits.then_some((nodes, mesh));
+                let expected = if fits {
+                    Ok((nodes, mesh))
+                } else {
+                    Err(TagError::Unknown)
+                };
                 assert_eq!(tagged(tags((nodes, mesh)), -7), expected);
                 assert_eq!(mesh.nodes().any(|it| it == nodes), fits);
                 assert!(mesh.nodes().any(|nodes| nodes == mesh.default_nodes()));
             }
         }
         assert_eq!(NodeCodec::named("printed"), None);
-        for unknown in [[6, 0, 0], [3, 8, 0], [0, 1, 0], [2, 5, 0], [0, 0, 3]] {
-            assert_eq!(tagged(unknown, 0), None);
+        for unknown in [[6, 0, 0], [3, 8, 0], [0, 1, 0], [0, 0, 3]] {
+            assert_eq!(tagged(unknown, 0), Err(TagError::Unknown));
+        }
+    }
+
+    #[test]
+    fn codecs_of_the_laboratory_are_named_where_they_are_not_there() {
+        let q10 = NodeCodec::named("q10");
+        assert_eq!(q10.is_some(), cfg!(feature = "lab"));
+        for (bits, mesh) in [
+            (10, MeshCodec::F32),
+            (4, MeshCodec::Lattice { step_exponent: 3 }),
+        ] {
+            let read = tagged([LATTICE_TAG, bits, mesh.tag()], 3);
+            match q10 {
+                Some(_) => assert_eq!(
+                    read.map(|(nodes, mesh)| (nodes.tags()[1], mesh)),
+                    Ok((bits, mesh))
+                ),
+                None => assert_eq!(read, Err(TagError::Laboratory { bits })),
+            }
         }
     }
 
     #[test]
     fn pairs_that_do_not_go_together_are_refused() {
         let lattice = MeshCodec::Lattice { step_exponent: -9 };
-        let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+        let fits_q10 =
+            |mesh| NodeCodec::named("q10").is_none_or(|q10| check_codecs(q10, mesh).is_ok());
+        assert!(fits_q10(MeshCodec::F32) && fits_q10(lattice));
+        assert!(!cfg!(feature = "lab") || !fits_q10(MeshCodec::Leaf10));
         for (nodes, mesh, fits) in [
             (NodeCodec::F32, MeshCodec::F32, true),
-            (q10, MeshCodec::F32, true),
             (NodeCodec::Paper10, MeshCodec::Leaf10, true),
-            (q10, lattice, true),
             (NodeCodec::F32, lattice, false),
             (NodeCodec::Paper10, lattice, false),
-            (q10, MeshCodec::Leaf10, false),
             (NodeCodec::F32, MeshCodec::Leaf10, false),
             (NodeCodec::Wide(WideStore::Full), MeshCodec::F32, true),
             (NodeCodec::Wide(WideStore::Full), lattice, false),

@@ -1,31 +1,12 @@
-//! A tree in the lattice codec: integer planes, and optionally triangles, on a lattice whose step is a power of two.
+//! What all trees on a lattice share: their triangles, and the root's box. The lattice's step is a power of two.
 
-use super::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
+use super::codec::MeshCodec;
 use super::error::TreeError;
-use super::lanes::Numbers;
-use super::sources::{LeafPlace, Opened, StoredNodes, StoredTriangles, is_in_scene, triangle_in};
-use super::stored::{List, ListReader, Lists, Stacks, StoredTree};
-use super::visitor::TreeVisitor;
-use slimbvh_core::encode::{
-    LatticeBounds, LatticeNodes, LatticeTriangles, LeafFrame, LeafWidth, RootWords, decode_node,
-    links_of,
-};
+use super::sources::is_in_scene;
+use super::stored::{List, ListReader};
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::trace::{LeafSlot, LeafTriangles, PacketStacks};
 use slimbvh_core::{Aabb, LeafTriangle, Vec3};
-
-/// Nodes of the codec, the root's box, and triangles.
-#[derive(Clone, Debug)]
-pub struct LatticeTree {
-    pub bits: LatticeBits,
-    pub root: LatticeBox,
-    /// The step is 2 to this power, at the scene's magnitude.
-    pub step_exponent: i32,
-    /// The nodes.
-    pub words: Vec<u32>,
-    pub triangles: LatticeMesh,
-}
 
 /// Triangles in leaves.
 #[derive(Clone, Debug)]
@@ -132,106 +113,6 @@ const LARGEST_STEP: i32 = 127;
 /// The largest number of steps for which floats hold all planes exactly, and extents between them have the right exponent.
 const MOST_STEPS: u32 = (1 << 24) - 1;
 
-impl LatticeTree {
-    /// The buffers of a tree to be replaced, if it uses this codec.
-    pub fn reuse(tree: StoredTree) -> Self {
-        match tree {
-            StoredTree::Lattice(tree) => tree,
-            _ => Self {
-                bits: LatticeBits::Q10,
-                root: LatticeBox {
-                    min: [0; 3],
-                    max: [0; 3],
-                },
-                step_exponent: 0,
-                words: Vec::new(),
-                triangles: LatticeMesh::Full(Vec::new()),
-            },
-        }
-    }
-
-    /// Calls a visitor with the sources.
-    #[inline(always)]
-    pub fn visit<V: TreeVisitor>(&self, visitor: V) -> V::Output {
-        by_bits!(self.bits, visit::<V>(self, visitor))
-    }
-
-    /// A tree with this root, its lists read by a reader.
-    pub fn read<R: ListReader>(
-        (bits, mesh): (LatticeBits, MeshCodec),
-        root: &RootWords,
-        triangle_count: usize,
-        reader: &mut R,
-    ) -> Result<Self, R::Error> {
-        Ok(Self {
-            bits,
-            root: root.lattice(),
-            step_exponent: root.step_exponent(),
-            words: reader.nodes(bits.words())?,
-            triangles: LatticeMesh::read(mesh, triangle_count, reader)?,
-        })
-    }
-}
-
-// Separate functions: one for all widths would be too large to optimise well.
-#[inline(never)]
-fn visit<const BITS: u32, const WORDS: usize, V: TreeVisitor>(
-    tree: &LatticeTree,
-    visitor: V,
-) -> V::Output {
-    let (root, step) = (tree.root, power_of_two(tree.step_exponent));
-    let nodes: &[[u32; WORDS]] = bytemuck::cast_slice(&tree.words);
-    match &tree.triangles {
-        LatticeMesh::Full(triangles) => {
-            let nodes = LatticeNodes::<BITS, WORDS, false> { nodes, root, step };
-            visitor.visit(&nodes, &LeafTriangles(triangles))
-        }
-        LatticeMesh::Lattice { words, .. } => {
-            let nodes = LatticeNodes::<BITS, WORDS, true> { nodes, root, step };
-            visitor.visit(&nodes, &LatticeTriangles { words, step })
-        }
-    }
-}
-
-impl Lists for LatticeTree {
-    fn codecs(&self, scene_exponent: i32) -> (NodeCodec, MeshCodec) {
-        let mesh = self.triangles.codec(self.step_exponent, scene_exponent);
-        (NodeCodec::Lattice(self.bits), mesh)
-    }
-
-    fn triangle_count(&self) -> usize {
-        self.triangles.count()
-    }
-
-    fn lists(&self) -> [List<'_>; 2] {
-        let nodes = List {
-            item_bytes: self.bits.words() * size_of::<u32>(),
-            ..List::of(&self.words)
-        };
-        [nodes, self.triangles.list()]
-    }
-
-    fn held_bytes(&self) -> usize {
-        self.words.capacity() * size_of::<u32>() + self.triangles.held_bytes()
-    }
-
-    fn root_words(&self) -> Option<RootWords> {
-        Some(RootWords::of_lattice(&self.root, self.step_exponent))
-    }
-
-    fn check_root(&self) -> Result<(), TreeError> {
-        check_root(&self.root, self.step_exponent)
-    }
-
-    fn full_triangles(&self) -> Option<&Vec<LeafTriangle>> {
-        self.triangles.as_full()
-    }
-
-    fn full_triangles_mut(&mut self) -> Option<&mut Vec<LeafTriangle>> {
-        self.triangles.as_full_mut()
-    }
-}
-
 /// Checks that boxes can be decoded below a root with this box, on a lattice whose step is 2 to this power.
 ///
 /// # Errors
@@ -255,67 +136,5 @@ pub fn aabb(bounds: &LatticeBox, step: f32) -> Aabb {
     Aabb {
         min: point(bounds.min),
         max: point(bounds.max),
-    }
-}
-
-impl<const BITS: u32, const WORDS: usize, const MIXED: bool> StoredNodes
-    for LatticeNodes<'_, BITS, WORDS, MIXED>
-{
-    type Box = LatticeBox;
-
-    #[inline(always)]
-    fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers> {
-        &mut stacks.lattice
-    }
-
-    fn count(&self) -> usize {
-        self.nodes.len()
-    }
-
-    fn root_box(&self) -> LatticeBox {
-        self.root
-    }
-
-    fn open(&self, node: u32, bounds: &LatticeBox) -> Opened<LatticeBox> {
-        let words = &self.nodes[node as usize];
-        let boxes = decode_node::<BITS, WORDS>(words, bounds);
-        let stride = if MIXED {
-            LeafWidth::of(&boxes[0]).words()
-        } else {
-            1
-        };
-        Opened::pair(links_of::<BITS, WORDS>(words).children(stride), boxes)
-    }
-
-    fn aabb(&self, bounds: &LatticeBox) -> Aabb {
-        aabb(bounds, self.step)
-    }
-}
-
-impl<const BITS: u32, const WORDS: usize> StoredTriangles<LatticeNodes<'_, BITS, WORDS, true>>
-    for LatticeTriangles<'_>
-{
-    fn place_count(&self) -> usize {
-        self.words.len()
-    }
-
-    fn places(&self, count: u32, bounds: &LatticeBox) -> u32 {
-        count * LeafWidth::of(bounds).words()
-    }
-
-    fn place(&self, at: LeafPlace, bounds: &LatticeBox) -> u32 {
-        at.leaf.first() + at.number * LeafWidth::of(bounds).words()
-    }
-
-    fn bytes(&self, slot: &LeafSlot<LeafFrame>) -> usize {
-        size_of::<u32>() * slot.bounds.width.words() as usize
-    }
-
-    fn triangle(&self, at: LeafPlace, bounds: &LatticeBox) -> LeafTriangle {
-        triangle_in(
-            self,
-            at,
-            LeafFrame::of(&LatticeBounds::new(bounds, self.step, [0, 1, 2]), self.step),
-        )
     }
 }

@@ -106,7 +106,7 @@ mod tests {
     fn a_ray_through_all_triangles_reads_their_bytes() {
         let mesh = layers(60);
         let mut sizes = Vec::new();
-        for nodes in NodeCodec::ALL {
+        for nodes in NodeCodec::all() {
             for mesh_codec in MeshCodec::ALL {
                 if check_codecs(nodes, mesh_codec).is_err() {
                     continue;
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn a_meter_changes_no_answer() {
         let mesh = layers(20);
-        for nodes in NodeCodec::ALL {
+        for nodes in NodeCodec::all() {
             if check_codecs(nodes, MeshCodec::F32).is_err() {
                 continue;
             }

@@ -1,6 +1,6 @@
 //! The stored tree: plain, or in a codec; its sources for the traversal, its validation, its cost and its lists for files.
 //!
-//! [`StoredTree`] is the one enum of ways to store a tree. Each variant has a file: [`plain`], [`lattice`], [`paper10`], [`wide`].
+//! [`StoredTree`] is the one enum of ways to store a tree. Each variant has a file: [`plain`], [`paper10`], [`wide`], and for the laboratory `parent_frame`.
 //! The variant returns its lists ([`stored::Lists`]) and sources ([`sources::StoredNodes`], [`sources::StoredTriangles`]);
 //! the rest of this module is generic over these traits.
 
@@ -14,6 +14,8 @@ pub(crate) mod lattice;
 mod meter;
 mod packets;
 pub(crate) mod paper10;
+#[cfg(feature = "lab")]
+pub(crate) mod parent_frame;
 pub(crate) mod plain;
 mod sources;
 mod stored;
@@ -22,14 +24,18 @@ mod visitor;
 pub(crate) mod wide;
 
 pub use bvh::Bvh;
-pub use codec::{CodecError, LatticeBits, MeshCodec, NodeCodec, WideStore, check_codecs};
-pub(crate) use codec::{by_bits, most_triangles};
+#[cfg(any(feature = "gpu", feature = "scenes"))]
+pub(crate) use codec::ON_LATTICE;
+pub(crate) use codec::most_triangles;
+pub use codec::{CodecError, MeshCodec, NodeCodec, WideStore, check_codecs};
 #[cfg(feature = "scenes")]
-pub(crate) use codec::{tagged, tags};
+pub(crate) use codec::{TagError, tagged, tags};
 pub use cost::sah_cost;
 pub use error::{RefitError, TreeError};
 pub use meter::Reads;
 pub(crate) use packets::{PacketQuery, Question};
+#[cfg(feature = "lab")]
+pub use parent_frame::LatticeBits;
 #[cfg(feature = "scenes")]
 pub(crate) use stored::List;
 #[cfg(any(feature = "gpu", feature = "scenes"))]

@@ -141,7 +141,7 @@ fn numbered(rays: &[Ray]) -> impl Iterator<Item = (usize, Ray, u32)> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{BuildConfig, Builder, Hit, LatticeBits, Mesh, NodeCodec, Ray};
+    use crate::{BuildConfig, Builder, Hit, Mesh, MeshCodec, Ray};
     use proptest::array::uniform3;
     use proptest::collection::vec;
     use proptest::prelude::*;
@@ -170,7 +170,7 @@ mod tests {
                 Ray::new(from, [0, 1, 2].map(|axis| to[axis] - from[axis]))
             };
             let rays: Vec<Ray> = offsets.iter().enumerate().map(ray).collect();
-            for nodes in [NodeCodec::F32, NodeCodec::Paper10, NodeCodec::Lattice(LatticeBits::Q10)] {
+            for nodes in MeshCodec::F32.nodes() {
                 let bvh = Builder::new(BuildConfig { nodes, ..BuildConfig::default() }).build(&mesh);
                 let bvh = bvh.map_err(|error| TestCaseError::fail(error.to_string()))?;
                 let (mut hits, mut found) = (Vec::new(), Vec::new());

@@ -3,14 +3,17 @@
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
 use super::lanes::Numbers;
-use super::lattice::LatticeTree;
 use super::paper10::Paper10Tree;
+#[cfg(feature = "lab")]
+use super::parent_frame::LatticeTree;
 use super::plain::PlainTree;
 use super::visitor::TreeVisitor;
 use super::wide::WideTree;
 use bytemuck::Pod;
 use glam::Vec4;
-use slimbvh_core::encode::{LatticeCursor, Paper10Cursor, RootWords};
+#[cfg(feature = "lab")]
+use slimbvh_core::encode::LatticeCursor;
+use slimbvh_core::encode::{Paper10Cursor, RootWords};
 use slimbvh_core::slab::CodedPlanes;
 use slimbvh_core::trace::{Children, PacketStacks, WideFork};
 use slimbvh_core::{LeafTriangle, NodeRef};
@@ -21,12 +24,13 @@ use std::cell::RefCell;
 pub enum StoredTree {
     /// In full.
     Plain(PlainTree),
-    /// Nodes, and optionally triangles, on a lattice.
-    Lattice(LatticeTree),
     /// Nodes, and optionally triangles, in 10 bits, as in the paper.
     Paper10(Paper10Tree),
     /// Nodes of up to four children.
     Wide(WideTree),
+    /// Nodes in their parents' frames, and optionally triangles, on a lattice.
+    #[cfg(feature = "lab")]
+    Lattice(LatticeTree),
 }
 
 impl From<PlainTree> for StoredTree {
@@ -47,9 +51,10 @@ impl StoredTree {
     pub fn visit<V: TreeVisitor>(&self, visitor: V) -> V::Output {
         match self {
             Self::Plain(tree) => tree.visit(visitor),
-            Self::Lattice(tree) => tree.visit(visitor),
             Self::Paper10(tree) => tree.visit(visitor),
             Self::Wide(tree) => tree.visit(visitor),
+            #[cfg(feature = "lab")]
+            Self::Lattice(tree) => tree.visit(visitor),
         }
     }
 
@@ -57,18 +62,20 @@ impl StoredTree {
     pub fn lists(&self) -> &dyn Lists {
         match self {
             Self::Plain(tree) => tree,
-            Self::Lattice(tree) => tree,
             Self::Paper10(tree) => tree,
             Self::Wide(tree) => tree,
+            #[cfg(feature = "lab")]
+            Self::Lattice(tree) => tree,
         }
     }
 
     fn lists_mut(&mut self) -> &mut dyn Lists {
         match self {
             Self::Plain(tree) => tree,
-            Self::Lattice(tree) => tree,
             Self::Paper10(tree) => tree,
             Self::Wide(tree) => tree,
+            #[cfg(feature = "lab")]
+            Self::Lattice(tree) => tree,
         }
     }
 
@@ -99,14 +106,15 @@ impl StoredTree {
     ) -> Result<Self, R::Error> {
         Ok(match nodes {
             NodeCodec::F32 => Self::Plain(PlainTree::read(reader)?),
-            NodeCodec::Lattice(bits) => {
-                let codecs = (bits, mesh);
-                Self::Lattice(LatticeTree::read(codecs, root, triangle_count, reader)?)
-            }
             NodeCodec::Paper10 => Self::Paper10(Paper10Tree::read(mesh, root, reader)?),
             NodeCodec::Wide(store) => {
                 let codecs = (store, mesh);
                 Self::Wide(WideTree::read(codecs, root, triangle_count, reader)?)
+            }
+            #[cfg(feature = "lab")]
+            NodeCodec::Lattice(bits) => {
+                let codecs = (bits, mesh);
+                Self::Lattice(LatticeTree::read(codecs, root, triangle_count, reader)?)
             }
         })
     }
@@ -116,6 +124,7 @@ impl StoredTree {
 pub struct Stacks {
     pub plain: PacketStacks<Children<NodeRef>, Numbers>,
     pub paper10: PacketStacks<Children<Paper10Cursor>, Numbers>,
+    #[cfg(feature = "lab")]
     pub lattice: PacketStacks<Children<LatticeCursor>, Numbers>,
     /// Of wide nodes in full.
     pub wide: PacketStacks<WideFork<Vec4>, Numbers>,
@@ -128,6 +137,7 @@ impl Stacks {
     pub const EMPTY: Self = Self {
         plain: PacketStacks::EMPTY,
         paper10: PacketStacks::EMPTY,
+        #[cfg(feature = "lab")]
         lattice: PacketStacks::EMPTY,
         wide: PacketStacks::EMPTY,
         coded_wide: PacketStacks::EMPTY,

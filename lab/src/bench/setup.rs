@@ -151,11 +151,7 @@ impl Setup {
 
     /// Whether the GPU has kernels for this tree and these codecs.
     pub fn has_kernels(&self) -> bool {
-        let has_nodes = match self.nodes {
-            NodeCodec::F32 | NodeCodec::Paper10 | NodeCodec::Wide(_) => true,
-            NodeCodec::Lattice(bits) => matches!(bits, LatticeBits::Q10 | LatticeBits::Q21),
-        };
-        has_nodes && self.tree == TreeKind::Radix
+        !matches!(self.nodes, NodeCodec::Lattice(_)) && self.tree == TreeKind::Radix
     }
 
     /// Whether the picture must equal the plain tree's, byte for byte.
@@ -197,15 +193,15 @@ impl Setup {
 }
 
 impl Triangles {
-    /// The codecs of nodes that this codec of triangles is measured with.
+    /// The codecs of nodes that this codec of triangles is measured with, its default first.
     pub fn nodes(self) -> &'static [NodeCodec] {
         match self {
             Self::Full => &[NodeCodec::F32],
             Self::Leaf10 => &[NodeCodec::Paper10],
             Self::Lattice(_) => &[
-                NodeCodec::Lattice(LatticeBits::Q10),
-                NodeCodec::Wide(WideStore::Exact),
                 NodeCodec::Wide(WideStore::Packed),
+                NodeCodec::Wide(WideStore::Exact),
+                NodeCodec::Lattice(LatticeBits::Q10),
             ],
         }
     }

@@ -68,7 +68,7 @@ impl Tracer for Cpu {
     }
 }
 
-/// All codecs with whole trees, and three of them with reduced trees if the case has an eye.
+/// All codecs with whole trees, and some of them with reduced trees if the case has an eye.
 pub fn trees(case: &Case, effort: Effort, on_gpu: bool) -> Vec<Tree> {
     let tree = |storage: Storage, is_reduced| Tree {
         codec: storage.name(),
@@ -76,9 +76,10 @@ pub fn trees(case: &Case, effort: Effort, on_gpu: bool) -> Vec<Tree> {
     };
     let all = Storage::all(effort, on_gpu);
     let whole = all.into_iter().map(|storage| tree(storage, false));
-    let reduced = [Storage::PLAIN, Storage::LATTICE, Storage::WIDE];
+    let on_cpu = (!on_gpu).then_some(Storage::LATTICE);
+    let reduced = [Storage::PLAIN, Storage::WIDE].into_iter().chain(on_cpu);
     let reduced = reduced.map(|storage| tree(storage, true));
-    let reduced = reduced.into_iter().filter(|_| case.eye.is_some());
+    let reduced = reduced.filter(|_| case.eye.is_some());
     whole.chain(reduced).collect()
 }
 

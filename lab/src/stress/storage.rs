@@ -81,26 +81,25 @@ impl Storage {
             triangles: Triangles::Leaf10,
             ..Self::nodes(NodeCodec::Paper10)
         };
-        let q10 = NodeCodec::Lattice(LatticeBits::Q10);
-        let coarse = Self::lattice(LatticeBits::Q10, COARSE);
-        let mut all = vec![Self::PLAIN, Self::nodes(q10), Self::LATTICE, coarse, leaf10];
+        let coarse = Triangles::Lattice { coarser: COARSE };
+        let mut all = vec![Self::PLAIN, leaf10];
         if !on_gpu {
-            all.push(Self::PLAIN.clustered());
+            let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+            all.extend([Self::nodes(q10), Self::LATTICE, Self::PLAIN.clustered()]);
         }
         all.push(Self::wide(WideStore::Exact, Triangles::Full));
         all.push(Self::WIDE);
+        all.push(Self::wide(WideStore::Packed, coarse));
         if effort == Effort::Full {
             all.push(Self::nodes(NodeCodec::Paper10));
-            let others = LatticeBits::ALL
-                .into_iter()
-                .filter(|&bits| bits != LatticeBits::Q10 && (!on_gpu || bits == LatticeBits::Q21));
-            all.extend(others.map(|bits| Self::nodes(NodeCodec::Lattice(bits))));
-            all.push(Self::lattice(LatticeBits::Q21, 0));
             all.push(Self::wide(WideStore::Full, Triangles::Full));
             all.push(Self::wide(WideStore::Exact, FINEST));
-            let coarse = Triangles::Lattice { coarser: COARSE };
-            all.push(Self::wide(WideStore::Packed, coarse));
             if !on_gpu {
+                let others = LatticeBits::ALL.into_iter();
+                let others = others.filter(|&bits| bits != LatticeBits::Q10);
+                all.extend(others.map(|bits| Self::nodes(NodeCodec::Lattice(bits))));
+                all.push(Self::lattice(LatticeBits::Q21, 0));
+                all.push(Self::lattice(LatticeBits::Q10, COARSE));
                 all.push(Self::LATTICE.clustered());
                 all.push(Self::WIDE.clustered());
             }

@@ -4,7 +4,7 @@
 use slimbvh_shaders::{
     bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*,
     morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*,
-    trace::coded::*, trace::overflow::*, trace::plain::*, trace::wide::*, view::*, wide::*,
+    trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*, view::*, wide::*,
 };
 
 macro_rules! kernels {

@@ -1,8 +1,8 @@
 //! Trees deeper than any that the builders make: a chain of nodes, each with one more triangle than the next, which the loader
 //! of saved trees accepts. Rays that begin in all boxes let a node wait on every level.
 
-use slimbvh::scene::slim::{Section, read, write};
-use slimbvh::{Bvh, CodeBits, Scene};
+use slimbvh::scene::slim::{Saved, Section, read, write};
+use slimbvh::{BuildConfig, Builder, Bvh, CodeBits, MeshCodec, NodeCodec, Scene};
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{ClosestOrAny, Distance, Rows, STACK_SIZE, Skip, Stack, traverse_with};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef, Ray};
@@ -20,6 +20,9 @@ const LAST: u32 = 6;
 const LEVELS: u32 = 120;
 const _: () = assert!((LEVELS as usize) < STACK_SIZE);
 
+/// Vertices lie on the lattice whose step is two to this power.
+const STEP_EXPONENT: i32 = -20;
+
 /// Half the edge of a cube around the origin that the box of every triangle contains.
 const INSIDE: f32 = 0.25;
 
@@ -34,6 +37,24 @@ pub enum Side {
 /// A tree in which each of [`LEVELS`] nodes has the next one as a child on this side, and a leaf of one triangle as the other.
 /// Every second triangle equals the one before.
 pub fn chain(side: Side) -> Bvh {
+    saved_chain(side).bvh
+}
+
+/// A chain whose nodes and triangles are in codecs.
+pub fn coded_chain(side: Side, nodes: NodeCodec, mesh: MeshCodec) -> Bvh {
+    let Saved { scene, mut bvh, .. } = saved_chain(side);
+    let config = BuildConfig {
+        nodes,
+        mesh: mesh.with_step(Some(STEP_EXPONENT)),
+        ..BuildConfig::default()
+    };
+    match Builder::new(config).refit(&scene.mesh, &mut bvh) {
+        Ok(_) => bvh,
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn saved_chain(side: Side) -> Saved {
     let count = LEVELS + LAST;
     let mut random = Random::new(4);
     let mut corners: Vec<Corners> = Vec::new();
@@ -47,10 +68,11 @@ pub fn chain(side: Side) -> Bvh {
         let last = corners.last().copied();
         corners.push(last.filter(|_| i % 2 == 1).unwrap_or(new));
     }
-    let scene = Scene {
+    let mut scene = Scene {
         mesh: mesh_of(&corners),
         ..Scene::default()
     };
+    scene.mesh.snap(STEP_EXPONENT);
     let bvh = build(&scene.mesh, CodeBits::Bits30);
     let mut triangles = bvh.leaf_triangles().to_vec();
     // The last primitives come first in the leaves, so that an earlier primitive at the same t is met later.
@@ -116,7 +138,7 @@ fn nodes(side: Side, triangles: &[LeafTriangle]) -> Vec<Node> {
 }
 
 /// A saved tree with other nodes and triangles, loaded.
-fn with_lists(scene: &Scene, bvh: &Bvh, nodes: &[Node], triangles: &[LeafTriangle]) -> Bvh {
+fn with_lists(scene: &Scene, bvh: &Bvh, nodes: &[Node], triangles: &[LeafTriangle]) -> Saved {
     let mut bytes = Vec::new();
     write(scene, bvh, None, &mut bytes).expect("it is sound");
     let record = |section: Section| 64 + 32 * (section as usize - 1);
@@ -145,7 +167,7 @@ fn with_lists(scene: &Scene, bvh: &Bvh, nodes: &[Node], triangles: &[LeafTriangl
     checksum.update(&bytes[20..]);
     bytes[16..20].copy_from_slice(&checksum.finalize().to_le_bytes());
     match read(&bytes) {
-        Ok(saved) => saved.bvh,
+        Ok(saved) => saved,
         Err(error) => panic!("{error}"),
     }
 }

@@ -42,7 +42,7 @@ pub fn run(session: &mut Session) -> Result<()> {
 fn one(session: &mut Session, subject: &Subject) -> Result<()> {
     let uploaded = GpuMesh::upload(&session.gpu, &subject.mesh)?;
     builds::measure(session, subject, &uploaded, (CodeBits::Bits30, "30 bits"))?;
-    // Plain and the shortest codec.
+    // Plain, and wide nodes on the lattice.
     traces::measure(session, subject, &uploaded, &STORED[..2])
 }
 

@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result};
 use slimbvh::gpu::{Bvh, Frame, Gpu, Query, wgpu};
-use slimbvh::{BuildConfig, LatticeBits, Mesh, MeshCodec, NodeCodec, Stages};
+use slimbvh::{BuildConfig, Mesh, MeshCodec, NodeCodec, Stages, WideStore};
 use slimbvh_bench::rays::{PICTURE, RayOrder, Surfaces, primary_rays};
 use slimbvh_bench::tracers::Question;
 use slimbvh_core::{Hit, Ray};
@@ -14,8 +14,8 @@ const QUICK_PICTURE: [u32; 2] = [256, 144];
 /// How trees are stored, by name. Triangles are in full.
 pub const STORED: [(&str, NodeCodec); 4] = [
     ("plain", NodeCodec::F32),
-    ("q10", NodeCodec::Lattice(LatticeBits::Q10)),
-    ("q21", NodeCodec::Lattice(LatticeBits::Q21)),
+    ("w4-64", NodeCodec::Wide(WideStore::Exact)),
+    ("w4", NodeCodec::Wide(WideStore::Full)),
     ("paper10", NodeCodec::Paper10),
 ];
 

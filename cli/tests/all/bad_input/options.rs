@@ -266,7 +266,7 @@ fn codecs_that_do_not_go_together() {
         ),
         (
             &["--mesh=lattice", "--nodes=f32"],
-            &["--mesh lattice", "--nodes q4, q6"],
+            &["--mesh lattice", "--nodes w4-64, w4-48"],
         ),
         (
             &["--mesh=lattice", "--nodes=w4"],
@@ -279,7 +279,7 @@ fn codecs_that_do_not_go_together() {
         (&["--nodes=w4-48"], &["--mesh f32", "w4-64"]),
         (
             &["--tolerance=1", "--nodes=paper10"],
-            &["--mesh lattice", "--nodes q4, q6"],
+            &["--mesh lattice", "--nodes w4-64, w4-48"],
         ),
         (
             &["--tolerance=1", "--mesh=f32"],

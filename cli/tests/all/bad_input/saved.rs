@@ -121,7 +121,7 @@ fn builds_that_cannot_be() {
         for (options, expected) in [
             (
                 &["--mesh", "lattice", "--nodes", "f32"][..],
-                "--nodes q4, q6",
+                "--nodes w4-64, w4-48",
             ),
             (&["--mesh", "f32", "--tolerance", "1"], "--mesh lattice"),
             (&["--camera", "fov=0"], "angle of view"),

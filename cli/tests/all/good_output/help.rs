@@ -102,7 +102,7 @@ fn help_has_every_option() {
         "--tree",
     ];
     assert_eq!(options_in(&build), expected, "{build}");
-    for word in ["slimbvh.slim", "q10", "0.5px", "Examples:"] {
+    for word in ["slimbvh.slim", "w4-48", "0.5px", "Examples:"] {
         assert!(build.contains(word), "{word} is not in {build}");
     }
     let top = folder.succeed(["--help"]);

@@ -133,7 +133,7 @@ fn builds_are_reported() {
     assert_eq!(report["triangle_codec"], "lattice");
     assert_eq!(
         number(&report, "node_bytes"),
-        16.0 * number(&report, "nodes")
+        48.0 * number(&report, "nodes")
     );
     // No other file is left behind.
     assert_eq!(folder.contents().len(), 1);

@@ -101,7 +101,7 @@ impl Builder {
     }
 
     /// The exponent of the lattice's step, and whether that is in the mesh's unit.
-    pub(in crate::gpu) const fn lattice_step(&self) -> [u32; 4] {
+    const fn lattice_step(&self) -> [u32; 4] {
         match self.config.mesh.step_exponent() {
             Some(step_exponent) => [step_exponent as u32, 1, 0, 0],
             None => [FINEST_STEP as u32, 0, 0, 0],

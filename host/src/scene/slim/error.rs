@@ -1,6 +1,7 @@
 //! Why a file cannot be read or written.
 
 use super::layout::{SECTION_COUNT, Section, VERSION};
+use crate::tree::ON_LATTICE;
 use crate::{MeshError, TreeError, ViewError};
 use std::io;
 use thiserror::Error;
@@ -133,6 +134,14 @@ pub enum FileError {
         section: Section,
         /// The record, counted from 0.
         item: usize,
+    },
+    /// The hierarchy's nodes are in a codec that is there with the feature `lab` only.
+    #[error(
+        "its nodes are in the codec q{bits}, which only the laboratory reads: build it again with other nodes, for example {ON_LATTICE}, or build slimbvh with the feature `lab`"
+    )]
+    LabCodec {
+        /// Bits of a plane.
+        bits: u32,
     },
     /// Names do not fill their section, or are not UTF-8.
     #[error("the name of part {part} is not UTF-8, or its length is wrong")]

@@ -12,7 +12,7 @@ use super::records::{
 };
 use super::write::scene_record;
 use crate::text::excerpt;
-use crate::tree::{Bvh, ListReader, StoredTree};
+use crate::tree::{Bvh, ListReader, StoredTree, TagError};
 use crate::{Aabb, Mesh, Part, Scene};
 use bytemuck::Pod;
 
@@ -270,7 +270,10 @@ fn hierarchy(file: &Sections) -> Result<Bvh, FileError> {
     let section = Section::Hierarchy;
     let record: HierarchyRecord = file.item(section)?;
     let fault = FileError::Record { section, item: 0 };
-    let codecs = record.codecs().ok_or(fault.clone())?;
+    let codecs = record.codecs().map_err(|error| match error {
+        TagError::Unknown => fault.clone(),
+        TagError::Laboratory { bits } => FileError::LabCodec { bits },
+    })?;
     let count = record.triangle_count as usize;
     let stored = StoredTree::read(codecs, &record.root(), count, &mut &*file)?;
     let bvh = record.bvh(stored);

@@ -1,6 +1,6 @@
 //! Records of parts, materials, cameras, lights, the scene and the hierarchy.
 
-use crate::tree::{Bvh, MeshCodec, NodeCodec, StoredTree, tagged, tags};
+use crate::tree::{Bvh, MeshCodec, NodeCodec, StoredTree, TagError, tagged, tags};
 use crate::{AreaShape, Camera, Light, Material, Projection};
 use bytemuck::{Pod, Zeroable};
 use slimbvh_core::encode::RootWords;
@@ -335,8 +335,11 @@ impl From<&Bvh> for HierarchyRecord {
 }
 
 impl HierarchyRecord {
-    /// The codecs of its lists; `None` for unknown tags.
-    pub fn codecs(&self) -> Option<(NodeCodec, MeshCodec)> {
+    /// The codecs of its lists.
+    ///
+    /// # Errors
+    /// For tags that mean none.
+    pub fn codecs(&self) -> Result<(NodeCodec, MeshCodec), TagError> {
         let tags = [self.nodes, self.bits, self.triangles];
         tagged(tags, self.step_exponent.wrapping_sub(self.scene_exponent))
     }

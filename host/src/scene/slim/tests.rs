@@ -1,45 +1,28 @@
 //! Every changed file is rejected, or its content is sound.
 
-use super::layout::{CHECKSUM, Header, checksum};
+use super::layout::{CHECKSUM, Header, Section, checksum};
 use super::*;
 use crate::generate::icosphere;
 use crate::{
-    AreaShape, BuildConfig, Builder, Camera, LatticeBits, Light, Material, MeshCodec, NodeCodec,
-    Part, Picture, Projection, RenderSettings, Renderer, WideStore,
+    AreaShape, BuildConfig, Builder, Camera, Light, Material, MeshCodec, NodeCodec, Part, Picture,
+    Projection, RenderSettings, Renderer,
 };
 use glam::Vec3;
 use slimbvh_core::Ray;
 
-/// Codecs of each kind, with nodes of 3, 4, 5 and 7 words.
+/// All pairs of codecs, but of the laboratory's only one for each size of nodes: 3, 4, 5 and 7 words.
 fn configs() -> Vec<BuildConfig> {
-    let lattice = [
-        LatticeBits::Q4,
-        LatticeBits::Q10,
-        LatticeBits::Q12,
-        LatticeBits::Q21,
-    ];
-    let on_lattice = MeshCodec::Lattice { step_exponent: -12 };
-    let mut codecs = vec![
-        (NodeCodec::F32, MeshCodec::F32),
-        (NodeCodec::Paper10, MeshCodec::F32),
-        (NodeCodec::Paper10, MeshCodec::Leaf10),
-    ];
-    for bits in lattice.map(NodeCodec::Lattice) {
-        codecs.extend([(bits, MeshCodec::F32), (bits, on_lattice)]);
+    let mut configs = Vec::new();
+    for mesh in MeshCodec::ALL.map(|mesh| mesh.with_step(Some(-12))) {
+        let nodes = mesh.nodes();
+        let nodes = nodes.filter(|nodes| !["q6", "q8", "q16"].contains(&nodes.name()));
+        configs.extend(nodes.map(|nodes| BuildConfig {
+            nodes,
+            mesh,
+            ..BuildConfig::default()
+        }));
     }
-    let wide = |store, mesh| (NodeCodec::Wide(store), mesh);
-    codecs.extend([
-        wide(WideStore::Full, MeshCodec::F32),
-        wide(WideStore::Exact, MeshCodec::F32),
-        wide(WideStore::Exact, on_lattice),
-        wide(WideStore::Packed, on_lattice),
-    ]);
-    let config = |(nodes, mesh)| BuildConfig {
-        nodes,
-        mesh,
-        ..BuildConfig::default()
-    };
-    codecs.into_iter().map(config).collect()
+    configs
 }
 
 /// A scene with every kind of content, around a ball on the lattice of step 2^-12.
@@ -170,12 +153,8 @@ fn use_it(saved: &mut Saved, is_thorough: bool) {
     let decoded = bvh.decoded();
     assert_eq!(decoded.validate(), Ok(()));
     if bvh.triangle_count() == bvh.mesh_triangle_count() {
-        let wide = NodeCodec::Wide(WideStore::Exact);
-        for nodes in [
-            NodeCodec::Paper10,
-            NodeCodec::Lattice(LatticeBits::Q10),
-            wide,
-        ] {
+        let names = ["paper10", "q10", "w4-64"];
+        for nodes in names.into_iter().filter_map(NodeCodec::named) {
             let config = BuildConfig {
                 nodes,
                 ..BuildConfig::default()
@@ -264,6 +243,30 @@ fn every_changed_byte_is_found() {
                 bytes[at] ^= mask;
                 assert!(read(&bytes).is_err(), "{config:?} {at} {mask}");
             }
+        }
+    }
+}
+
+/// Hierarchies in the laboratory's codecs are read with it, and refused by name without.
+#[test]
+fn codecs_of_the_laboratory_are_read_there_only() {
+    let mut bytes = saved(1, BuildConfig::default());
+    let record = 64 + 32 * (Section::Hierarchy as usize - 1);
+    let begin = bytes[record + 8..record + 12]
+        .try_into()
+        .map(u32::from_le_bytes);
+    let begin = begin.expect("it has four bytes") as usize;
+    for (word, tag) in [2u32, 10].iter().enumerate() {
+        bytes[begin + 4 * word..][..4].copy_from_slice(&tag.to_le_bytes());
+    }
+    repair(&mut bytes);
+    let error = read(&bytes).expect_err("nodes are in full");
+    if cfg!(feature = "lab") {
+        assert!(matches!(error, FileError::ItemBytes { .. }), "{error}");
+    } else {
+        assert_eq!(error, FileError::LabCodec { bits: 10 });
+        for word in ["q10", "w4-48", "`lab`"] {
+            assert!(error.to_string().contains(word), "{error}");
         }
     }
 }

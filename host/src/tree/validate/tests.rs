@@ -3,16 +3,17 @@
 use super::*;
 use crate::generate::icosphere;
 use crate::tree::StoredTree;
-use crate::tree::lattice::{LatticeMesh, LatticeTree};
+use crate::tree::lattice::LatticeMesh;
 use crate::tree::paper10::Paper10Mesh;
 use crate::tree::plain::PlainTree;
 use crate::tree::wide::WideList;
-use crate::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec, WideStore};
+use crate::{BuildConfig, Builder, MeshCodec, NodeCodec, WideStore};
 use glam::Vec3;
-use slimbvh_core::encode::{Links, links_of, with_links};
 use slimbvh_core::trace::{BruteForce, LeafTriangles, Skip, closest_hit};
 use slimbvh_core::{Hit, Node, Ray};
 
+#[cfg(feature = "lab")]
+mod parent_frame;
 mod wide;
 
 const STEP: i32 = -12;
@@ -44,13 +45,6 @@ fn lists(bvh: &mut Bvh) -> &mut PlainTree {
     match &mut bvh.stored {
         StoredTree::Plain(plain) => plain,
         _ => panic!("the tree is plain"),
-    }
-}
-
-fn on_lattice(bvh: &mut Bvh) -> &mut LatticeTree {
-    match &mut bvh.stored {
-        StoredTree::Lattice(tree) => tree,
-        _ => panic!("the tree is on a lattice"),
     }
 }
 
@@ -283,19 +277,13 @@ fn faults_of_boxes_are_found() {
     }
 }
 
-/// A tree in each codec.
+/// A tree in each pair of codecs but that in full.
 fn coded() -> Vec<Bvh> {
-    let mut all = vec![
-        built(NodeCodec::Paper10, MeshCodec::F32),
-        built(NodeCodec::Paper10, MeshCodec::Leaf10),
-    ];
-    let on_lattice = MeshCodec::Lattice {
-        step_exponent: STEP,
-    };
-    for bits in LatticeBits::ALL.map(NodeCodec::Lattice) {
-        all.extend([built(bits, MeshCodec::F32), built(bits, on_lattice)]);
+    let mut all = Vec::new();
+    for mesh in MeshCodec::ALL.map(|mesh| mesh.with_step(Some(STEP))) {
+        let nodes = mesh.nodes().filter(|nodes| *nodes != NodeCodec::F32);
+        all.extend(nodes.map(|nodes| built(nodes, mesh)));
     }
-    all.extend(wide());
     all
 }
 
@@ -370,85 +358,33 @@ fn words(bvh: &Bvh) -> (usize, usize) {
 }
 
 fn flip(bvh: &mut Bvh, is_node: bool, bit: usize) {
-    let words: &mut [u32] = match (is_node, &mut bvh.stored) {
-        (true, StoredTree::Paper10(tree)) => bytemuck::cast_slice_mut(&mut tree.nodes),
-        (true, StoredTree::Lattice(tree)) => &mut tree.words,
-        (false, StoredTree::Paper10(tree)) => match &mut tree.triangles {
-            Paper10Mesh::Leaf10(triangles) => bytemuck::cast_slice_mut(triangles),
-            Paper10Mesh::Full(_) => &mut [],
-        },
-        (false, StoredTree::Lattice(tree)) => match &mut tree.triangles {
-            LatticeMesh::Lattice { words, .. } => words,
-            LatticeMesh::Full(_) => &mut [],
-        },
-        (true, StoredTree::Wide(tree)) => match &mut tree.nodes {
-            WideList::Full(nodes) => bytemuck::cast_slice_mut(nodes),
-            WideList::Exact(nodes) => bytemuck::cast_slice_mut(nodes),
-            WideList::Packed(nodes) => bytemuck::cast_slice_mut(nodes),
-        },
-        (false, StoredTree::Wide(tree)) => match &mut tree.triangles {
-            LatticeMesh::Lattice { words, .. } => words,
-            LatticeMesh::Full(_) => &mut [],
-        },
-        (_, StoredTree::Plain(_)) => &mut [],
+    let [nodes, triangles]: [&mut [u32]; 2] = match &mut bvh.stored {
+        StoredTree::Plain(_) => [&mut [], &mut []],
+        StoredTree::Paper10(tree) => [
+            bytemuck::cast_slice_mut(&mut tree.nodes),
+            match &mut tree.triangles {
+                Paper10Mesh::Leaf10(triangles) => bytemuck::cast_slice_mut(triangles),
+                Paper10Mesh::Full(_) => &mut [],
+            },
+        ],
+        StoredTree::Wide(tree) => [
+            match &mut tree.nodes {
+                WideList::Full(nodes) => bytemuck::cast_slice_mut(nodes),
+                WideList::Exact(nodes) => bytemuck::cast_slice_mut(nodes),
+                WideList::Packed(nodes) => bytemuck::cast_slice_mut(nodes),
+            },
+            words_on_lattice(&mut tree.triangles),
+        ],
+        #[cfg(feature = "lab")]
+        StoredTree::Lattice(tree) => [&mut tree.words, words_on_lattice(&mut tree.triangles)],
     };
+    let words = if is_node { nodes } else { triangles };
     words[bit / 32] ^= 1 << (bit % 32);
 }
 
-#[test]
-fn faults_of_coded_trees_are_found() {
-    let codec = MeshCodec::Lattice {
-        step_exponent: STEP,
-    };
-    let sound = built(NodeCodec::Lattice(LatticeBits::Q10), codec);
-    let found = |spoil: &dyn Fn(&mut Bvh)| {
-        let mut bvh = sound.clone();
-        spoil(&mut bvh);
-        bvh.validate()
-    };
-    let root_of = |change: &dyn Fn(&mut slimbvh_core::lattice::LatticeBox, &mut i32)| {
-        found(&|bvh| {
-            let tree = on_lattice(bvh);
-            change(&mut tree.root, &mut tree.step_exponent);
-        })
-    };
-    assert_eq!(root_of(&|_, _| {}), Ok(()));
-    for x in [i32::MAX, i32::MIN, 1 << 24, 1 << 20] {
-        assert_eq!(root_of(&|root, _| root.max[1] = x), Err(TreeError::RootBox));
+fn words_on_lattice(triangles: &mut LatticeMesh) -> &mut [u32] {
+    match triangles {
+        LatticeMesh::Lattice { words, .. } => words,
+        LatticeMesh::Full(_) => &mut [],
     }
-    let inverted = root_of(&|root, _| std::mem::swap(&mut root.min, &mut root.max));
-    assert_eq!(inverted, Err(TreeError::RootBox));
-    assert!(root_of(&|root, _| root.max[2] -= 1).is_err());
-    for step in [i32::MIN, -127, 128, i32::MAX] {
-        let expected = Err(TreeError::Step {
-            step_exponent: step,
-        });
-        assert_eq!(root_of(&|_, exponent| *exponent = step), expected);
-    }
-    assert!(root_of(&|_, exponent| *exponent += 1).is_err());
-
-    // Each node's links, replaced by the root's.
-    let nodes = sound.node_count();
-    for node in 1..nodes {
-        let error = found(&|bvh| {
-            let (all, _) = on_lattice(bvh).words.as_chunks_mut::<4>();
-            let links: Links = links_of::<10, 4>(&all[0]);
-            let mut bare = all[node];
-            bare[0] = 0;
-            for word in &mut bare[1..] {
-                *word &= (1 << 22) - 1;
-            }
-            all[node] = with_links::<10, 4>(bare, links);
-        });
-        assert!(
-            matches!(error, Err(TreeError::ChildOutOfPlace { .. })),
-            "{error:?}"
-        );
-    }
-    let fewer = found(&|bvh| {
-        if let LatticeMesh::Lattice { count, .. } = &mut on_lattice(bvh).triangles {
-            *count -= 1;
-        }
-    });
-    assert!(matches!(fewer, Err(TreeError::LeafCount { .. })));
 }

@@ -80,9 +80,7 @@ impl Bench for Cores {
 }
 
 /// The times of a method, and its record on the GPU.
-#[derive(Default)]
 pub struct Timed {
-    /// Empty if the GPU does not have the codecs.
     pub rounds: Rounds<Round>,
     pub on_gpu: Option<GpuRecord>,
 }

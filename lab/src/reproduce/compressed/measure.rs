@@ -1,6 +1,6 @@
 //! Measurements of a scene.
 
-use super::bench::{self, GpuRecord, Timed};
+use super::bench::{self, GpuRecord, Timed, TimedOn};
 use super::cracks::{Cracks, aim};
 use super::frames::Round;
 use super::methods::{Method, Prepared};
@@ -53,7 +53,6 @@ pub struct MethodRecord {
     pub moved: Option<[f32; 2]>,
     /// Only for closed scenes.
     pub cracks: Option<Cracks>,
-    /// Empty if the GPU does not have the codecs.
     pub rounds: Rounds<Round>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub on_gpu: Option<GpuRecord>,
@@ -114,7 +113,7 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
     first.on_gpu = bench.plain(&reference, &settings)?;
     let seen = first.counts.seen.clone();
     let mut methods = vec![first];
-    for method in Method::all() {
+    for method in Method::all(TimedOn::of(chosen)) {
         let prepared = method.prepare(scene, &PIXELS);
         let mut own = Steps::new(Cpu, prepared.config, &prepared.scene, None)?;
         own.build_all()?;

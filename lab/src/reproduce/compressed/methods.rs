@@ -1,5 +1,6 @@
 //! The methods of storing trees that are measured.
 
+use super::bench::TimedOn;
 use crate::measure::step::Step;
 use crate::stress::snapped;
 use slimbvh::{BuildConfig, LatticeBits, MeshCodec, NodeCodec, RenderSettings, Scene, WideStore};
@@ -38,9 +39,9 @@ pub struct Prepared<'a> {
 }
 
 impl Method {
-    /// All methods that are compared with [`Self::Plain`]: the paper's, ours of two children and of four, and ours of two with other
-    /// bits.
-    pub fn all() -> Vec<Self> {
+    /// All methods that are compared with [`Self::Plain`]: the paper's, the laboratory's lattice codec, ours of four children, and the
+    /// lattice codec with other bits; on a GPU those that it has.
+    pub fn all(place: TimedOn) -> Vec<Self> {
         let mut all = vec![
             Self::Node,
             Self::NodeMesh,
@@ -57,6 +58,7 @@ impl Method {
         }
         let others = LatticeBits::ALL.map(Self::Lattice).into_iter();
         all.extend(others.filter(Self::is_other_width));
+        all.retain(|method| !place.is_gpu() || !method.is_for_cpu());
         all
     }
 
@@ -69,6 +71,11 @@ impl Method {
     /// Whether the method is measured only for the width of its nodes.
     pub fn is_other_width(&self) -> bool {
         matches!(self, Self::Lattice(bits) if *bits != LatticeBits::Q10)
+    }
+
+    /// Whether no GPU has the method's nodes.
+    const fn is_for_cpu(self) -> bool {
+        matches!(self, Self::Lattice(_) | Self::LatticeMesh(_))
     }
 
     /// The name in tables.

@@ -4,7 +4,6 @@ mod memory;
 mod times;
 
 use super::bench::TimedOn;
-use super::frames::FrameTimes;
 use super::measure::{MethodRecord, STRONG, SceneRecord};
 use super::methods::Method;
 use crate::measure::table::Table;
@@ -22,12 +21,12 @@ pub fn tables(records: &[SceneRecord], place: TimedOn) -> Vec<Table> {
     if place.is_gpu() {
         tables.push(memory::buffers(records));
     }
-    tables.extend([pictures(records), kinds(records), widths(records, place)]);
+    tables.extend([pictures(records), kinds(records)]);
+    if !place.is_gpu() {
+        tables.push(widths(records));
+    }
     tables
 }
-
-/// The cell of a time whose codec the GPU does not have.
-const CPU_ONLY: &str = "CPU only";
 
 /// A ratio as a signed change in percent.
 fn change(ratio: f64) -> String {
@@ -211,7 +210,7 @@ fn kinds(records: &[SceneRecord]) -> Table {
     }
 }
 
-fn widths(records: &[SceneRecord], place: TimedOn) -> Table {
+fn widths(records: &[SceneRecord]) -> Table {
     let mut rows = Vec::new();
     for record in records {
         let plain = record.plain().counts.all();
@@ -224,15 +223,7 @@ fn widths(records: &[SceneRecord], place: TimedOn) -> Table {
         for own in widths {
             let all = own.counts.all();
             let rounds = &own.rounds;
-            let or_not = |cell: String| match rounds.0.is_empty() {
-                true => CPU_ONLY.to_owned(),
-                false => cell,
-            };
-            let of_plain = |of: fn(&FrameTimes) -> f64| {
-                or_not(ratio(
-                    rounds.median(|round| of(&round.own) / of(&round.plain)),
-                ))
-            };
+            let rendering = rounds.median(|round| round.own.rendering / round.plain.rendering);
             rows.push(vec![
                 record.name.to_owned(),
                 own.name.clone(),
@@ -242,26 +233,19 @@ fn widths(records: &[SceneRecord], place: TimedOn) -> Table {
                 change(all.box_tests() / plain.box_tests()),
                 change(all.triangle_tests() / plain.triangle_tests()),
                 change(all.bytes_read() / plain.bytes_read()),
-                or_not(time(rounds.median(|round| round.own.encoding))),
-                of_plain(|frame| frame.rendering),
+                time(rounds.median(|round| round.own.encoding)),
+                ratio(rendering),
                 count(own.differences.changed),
             ]);
         }
     }
-    let mut notes = vec![
-        "Nodes on the lattice with N bits per plane, triangles in full precision: more bits take more bytes, fewer bits more tests. Pictures must \
-         not change."
-            .to_owned(),
-    ];
-    if place.is_gpu() {
-        notes.push(
-            "CPU only: the GPU has no kernels for this many bits; counts are the same on both."
-                .into(),
-        );
-    }
     Table {
         title: "Bits per plane".into(),
-        notes,
+        notes: vec![
+            "Nodes on the lattice with N bits per plane, triangles in full precision: more bits take more bytes, fewer bits more tests. Pictures must \
+             not change."
+                .to_owned(),
+        ],
         word_columns: 2,
         head: vec![
             "scene",

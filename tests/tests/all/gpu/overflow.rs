@@ -1,16 +1,20 @@
 //! Rays that need more of a stack than a lane has in workgroup memory are answered by the second pass: as the CPU answers them.
 
+use super::codecs::{configs, snapped};
 use super::pictures::check_as;
 use super::trace::Answers;
-use crate::deep_chains::walked;
+use crate::deep_chains::{Side, coded_chain, rays_around, walked};
 use crate::deepest_trees::ladder;
+use crate::wide::wide_codecs;
 use slimbvh::gpu::{self, Gpu};
-use slimbvh::{
-    BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, NodeCodec, RenderSettings, TreeKind, View,
-};
+use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh, RenderSettings, TreeKind, View};
 use slimbvh_core::launch::LANES;
-use slimbvh_core::trace::{LANE_ROWS, LaneStack, LaneWords};
-use slimbvh_core::{Ray, Vec3};
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{
+    ClosestOrAny, FullWideNodes, FullWideRow, LANE_ROWS, LaneListStack, LaneStack, LaneWords,
+    LeafTriangles, Skip, traverse_with,
+};
+use slimbvh_core::{LeafTriangle, Ray, Vec3};
 use slimbvh_tests::build_as;
 use slimbvh_tests::gpu::{done, gpu, is_software};
 use slimbvh_tests::random::Random;
@@ -51,21 +55,34 @@ fn check(gpu: &Gpu, bvh: &Bvh, rays: &[Ray]) {
     done(answers.compare(&Answers::of_cpu(bvh, rays), is_software(gpu)));
 }
 
+/// How many rays' searches for the closest hit need more rows than a lane has, in a tree of wide nodes in full.
+fn overflowing_wide(bvh: &Bvh, rays: &[Ray]) -> usize {
+    let [nodes, triangles] = bvh.stored();
+    let rows: Vec<FullWideRow> = bytemuck::pod_collect_to_vec(nodes);
+    let triangles: Vec<LeafTriangle> = bytemuck::pod_collect_to_vec(triangles);
+    let (nodes, triangles) = (FullWideNodes(&rows), LeafTriangles(&triangles));
+    let mut words: LaneWords = [0; LANE_ROWS * LANES];
+    let overflows = |ray: &&Ray| {
+        let ray = PreparedRay::new(ray, bvh.scene_exponent());
+        let mut search = ClosestOrAny::closest(ray.t_max);
+        let stack = &mut LaneListStack::new(&mut words, 7);
+        !traverse_with(stack, &nodes, &triangles, &ray, &Skip::NONE, &mut search)
+    };
+    rays.iter().filter(overflows).count()
+}
+
 #[test]
 fn rays_that_overflow_are_answered_in_every_codec() {
     let Some(gpu) = gpu() else { return };
-    let mesh = ladder(21, 1500);
+    let (mesh, step_exponent) = snapped(&ladder(21, 1500), 0);
     let rays = rays_at_the_corner(500, (1u32 << 21) as f32);
     let plain = BuildConfig::from(CodeBits::Bits63);
     // Some do, and some do not.
     let [closest, _] = overflowing(&build_as(&mesh, plain), &rays);
     assert!(closest > 10 && closest < rays.len(), "{closest}");
-    for nodes in [
-        NodeCodec::F32,
-        NodeCodec::Lattice(LatticeBits::Q10),
-        NodeCodec::Lattice(LatticeBits::Q21),
-    ] {
-        check(gpu, &build_as(&mesh, BuildConfig { nodes, ..plain }), &rays);
+    let coded = configs(CodeBits::Bits63, step_exponent);
+    for config in [plain].into_iter().chain(coded) {
+        check(gpu, &build_as(&mesh, config), &rays);
     }
 }
 
@@ -108,6 +125,23 @@ fn a_deep_tree_is_traced_by_rays_that_all_overflow() {
     let [closest, _] = overflowing(&bvh, &rays);
     assert_eq!(closest, rays.len());
     check(gpu, &bvh, &rays);
+}
+
+/// Nodes of four children wait on fewer levels than nodes of two: in the trees above their rays do not overflow.
+#[test]
+fn deep_wide_trees_are_traced_by_rays_that_overflow() {
+    let Some(gpu) = gpu() else { return };
+    let mut most = 0;
+    for side in [Side::Left, Side::Right] {
+        let wide = |(nodes, mesh)| coded_chain(side, nodes, mesh);
+        let [full, others @ ..] = wide_codecs(0).map(wide);
+        let rays = rays_around(&full, 300);
+        most = most.max(overflowing_wide(&full, &rays));
+        for bvh in [full].iter().chain(&others) {
+            check(gpu, bvh, &rays);
+        }
+    }
+    assert!(most > 50, "{most}");
 }
 
 #[test]

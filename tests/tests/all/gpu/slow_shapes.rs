@@ -267,15 +267,15 @@ fn only_named_kernels_may_have_private_arrays() {
         "trace_closest_overflow",
         "trace_paths_facing_overflow",
         "trace_counted",
-        "trace_counted_q10_f32",
-        "trace_paths_counted_q21_lattice",
+        "trace_counted_paper10_f32",
+        "trace_paths_counted_w4_48_lattice",
         "call_trace",
     ] {
         assert!(may_have_private_arrays(kernel), "{kernel}");
     }
     for kernel in [
         "trace_closest",
-        "trace_any_q10_f32",
+        "trace_any_w4_64_f32",
         "trace_paths",
         "sort_count_30",
         "call_trace_in_group",

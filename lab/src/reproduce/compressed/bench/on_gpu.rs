@@ -5,7 +5,7 @@ use crate::reproduce::compressed::frames::take_turns;
 use crate::reproduce::compressed::methods::Prepared;
 use crate::reproduce::steps::Steps;
 use anyhow::Result;
-use slimbvh::gpu::{Gpu, GpuError};
+use slimbvh::gpu::Gpu;
 use slimbvh::{Cpu, RenderSettings};
 use std::time::{Duration, Instant};
 
@@ -39,11 +39,7 @@ impl Bench for GpuBench<'_> {
         round_count: u32,
     ) -> Result<Timed> {
         let plain = &mut self.0;
-        let own = Steps::new(plain.backend, prepared.config, &prepared.scene, None);
-        let mut own = match own {
-            Err(error) if is_codec(&error) => return Ok(Timed::default()),
-            own => own?,
-        };
+        let mut own = Steps::new(plain.backend, prepared.config, &prepared.scene, None)?;
         raise_clock(plain, settings)?;
         Ok(Timed {
             rounds: take_turns((plain, &mut own), settings, round_count)?,
@@ -59,9 +55,4 @@ fn raise_clock(steps: &mut Steps<&Gpu>, settings: &RenderSettings) -> Result<()>
         steps.render_all(settings)?;
     }
     Ok(())
-}
-
-/// Whether the GPU has no kernels for this codec.
-fn is_codec(error: &anyhow::Error) -> bool {
-    matches!(error.downcast_ref(), Some(GpuError::Codec { .. }))
 }

@@ -1,8 +1,8 @@
 //! Nodes on the lattice.
 
-use super::leaf_words::Leaf;
-use super::tree::{Part, TASK, Tree, both};
-use crate::tree::{LatticeBits, by_bits};
+use super::super::leaf_words::Leaf;
+use super::super::tree::{Part, TASK, Tree, both};
+use crate::tree::parent_frame::{LatticeBits, by_bits};
 use slimbvh_core::encode::{
     BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, Links, RoundedNode, with_links,
 };

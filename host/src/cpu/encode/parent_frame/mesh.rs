@@ -1,8 +1,8 @@
 //! Triangles on the lattice, and nodes that link to them.
 
-use super::lattice::{OnLattice, encode_nodes, linked_to, root_box};
-use super::tree::{Part, Tree, both};
-use crate::tree::{LatticeBits, by_bits};
+use super::super::tree::{Part, Tree, both};
+use super::nodes::{OnLattice, encode_nodes, linked_to, root_box};
+use crate::tree::parent_frame::{LatticeBits, by_bits};
 use slimbvh_core::encode::{LeafWidth, decode_node};
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::scan::run_scan;
