@@ -88,7 +88,7 @@ fn check_bytes(gpu: &Gpu, mesh: &Mesh, config: BuildConfig) -> Result<(), String
 fn corners_that_are_not_shared_have_room() {
     let Some(gpu) = gpu() else { return };
     let step_exponent = -24;
-    let mut mesh = slimbvh::generate::soup(60, 5);
+    let mut mesh = soup(60, 5);
     mesh.snap(step_exponent);
     let config = BuildConfig {
         nodes: NodeCodec::Wide(WideStore::Packed),
