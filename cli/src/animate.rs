@@ -151,7 +151,10 @@ fn animate(
         animation.pose_at(time, scene);
     };
     let settings = arguments.picture.settings();
-    let storage = arguments.storage.for_all(&settings, times, pose, scene)?;
+    let processor = chosen.processor();
+    let storage = arguments
+        .storage
+        .for_all(&settings, times, pose, scene, processor)?;
     if motion.deform.is_none() {
         storage.snap(scene);
     }

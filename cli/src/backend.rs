@@ -2,6 +2,7 @@
 
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
+use slimbvh::Processor;
 
 /// Options that select the backend.
 #[derive(Debug, Args)]
@@ -69,6 +70,16 @@ impl Chosen {
             Self::Cpu => "cpu",
             #[cfg(feature = "gpu")]
             Self::Gpu(_) | Self::GpuIfItFits(_) => "gpu",
+        }
+    }
+
+    /// Where trees are built and traced.
+    #[must_use]
+    pub const fn processor(&self) -> Processor {
+        match self {
+            Self::Cpu => Processor::Cpu,
+            #[cfg(feature = "gpu")]
+            Self::Gpu(_) | Self::GpuIfItFits(_) => Processor::Gpu,
         }
     }
 }

@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use clap::Args;
 use serde::Serialize;
 use slimbvh::scene::slim::{self, WriteError};
-use slimbvh::{Builder, Bvh, RenderSettings, Stages};
+use slimbvh::{Builder, Bvh, Processor, RenderSettings, Stages};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -101,7 +101,9 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
         size: arguments.sight.size,
         ..RenderSettings::default()
     };
-    let storage = arguments.storage.apply(&mut scene, &settings)?;
+    let storage = arguments
+        .storage
+        .apply(&mut scene, &settings, Processor::Cpu)?;
 
     // Without `--camera`, save the scene's own cameras, and without `--light` its own lights: defaults depend on the size of
     // each picture.

@@ -144,7 +144,9 @@ fn render(
 ) -> Result<(Summary, String, Picture)> {
     let settings = arguments.picture.settings();
     arguments.picture.prepare(scene, &arguments.scene.name())?;
-    let storage = arguments.storage.apply(scene, &settings)?;
+    let storage = arguments
+        .storage
+        .apply(scene, &settings, chosen.processor())?;
     let codes = &arguments.picture.codes;
     let config = storage.config(codes.bits(), codes.tree());
     let mut planner = Planner::new(config, arguments.reduce.config());

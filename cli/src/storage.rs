@@ -7,8 +7,8 @@ use anyhow::{Result, bail};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use slimbvh::{
-    BuildConfig, CodeBits, Mesh, MeshCodec, NodeCodec, RenderSettings, Scene, Tolerance, TreeKind,
-    check_codecs,
+    BuildConfig, CodeBits, Mesh, MeshCodec, NodeCodec, Processor, RenderSettings, Scene, Tolerance,
+    TreeKind, check_codecs,
 };
 
 #[derive(Debug, Args)]
@@ -29,7 +29,7 @@ pub struct StorageArguments {
     tolerance: Option<Tolerance>,
 }
 
-/// The codec of nodes; `None` is the default for the codec of triangles.
+/// The codec of nodes; `None` is chosen by the backend and the codec of triangles.
 #[derive(Clone, Copy, Debug)]
 struct Nodes(Option<NodeCodec>);
 
@@ -38,7 +38,7 @@ const AUTO: &str = "auto";
 
 /// Parses the name of a codec of nodes.
 fn node_codecs() -> impl TypedValueParser<Value = Nodes> {
-    let auto = PossibleValue::new(AUTO).help("The default for the codec of triangles");
+    let auto = PossibleValue::new(AUTO).help("By the backend and the codec of triangles");
     let codecs = NodeCodec::all().map(|codec| {
         let help = format!("{} bytes", codec.node_bytes());
         PossibleValue::new(codec.name()).help(help)
@@ -106,8 +106,8 @@ impl StorageArguments {
         self.mesh.is_some_and(MeshCodec::moves_vertices)
     }
 
-    /// The chosen codecs; the step of a triangle lattice is not known yet.
-    fn kinds(&self) -> Result<(NodeCodec, MeshCodec)> {
+    /// The codec of nodes that is asked for, if one is, and that of triangles; the step of a triangle lattice is not known yet.
+    fn kinds(&self) -> Result<(Option<NodeCodec>, MeshCodec)> {
         let lattice = MeshCodec::ALL.into_iter();
         let mut lattice = lattice.filter(|codec| codec.step_exponent().is_some());
         let mesh = match (self.mesh, self.tolerance) {
@@ -118,19 +118,24 @@ impl StorageArguments {
             (None, Some(_)) => lattice.next().unwrap_or_default(),
             (None, None) => MeshCodec::default(),
         };
-        let nodes = self.nodes.0.unwrap_or(mesh.default_nodes());
-        if let Err(error) = check_codecs(nodes, mesh) {
+        let checked = self.nodes.0.map(|nodes| check_codecs(nodes, mesh));
+        if let Some(Err(error)) = checked {
             let names: Vec<&str> = mesh.nodes().map(NodeCodec::name).collect();
             let (mesh, names) = (mesh.name(), names.join(", "));
             bail!("{error}: --mesh {mesh} goes with --nodes {names}");
         }
-        Ok((nodes, mesh))
+        Ok((self.nodes.0, mesh))
     }
 
     /// Chooses the codecs. Moves the scene's vertices onto the lattice, if there is one.
-    pub fn apply(&self, scene: &mut Scene, settings: &RenderSettings) -> Result<Storage> {
+    pub fn apply(
+        &self,
+        scene: &mut Scene,
+        settings: &RenderSettings,
+        processor: Processor,
+    ) -> Result<Storage> {
         let step_exponent = self.step_exponent(scene, settings);
-        let storage = self.on_lattice(step_exponent)?;
+        let storage = self.on_lattice(step_exponent, processor)?;
         storage.snap(scene);
         Ok(storage)
     }
@@ -143,9 +148,10 @@ impl StorageArguments {
         times: impl Iterator<Item = f64>,
         mut pose: impl FnMut(f64, &mut Scene),
         scene: &mut Scene,
+        processor: Processor,
     ) -> Result<Storage> {
         if self.kinds()?.1.step_exponent().is_none() {
-            return self.on_lattice(None);
+            return self.on_lattice(None, processor);
         }
         let (mut finest, mut wanted) = (i32::MIN, Some(i32::MAX));
         for time in times {
@@ -154,7 +160,8 @@ impl StorageArguments {
             let here = self.step_exponent(scene, settings);
             wanted = here.zip(wanted).map(|(here, wanted)| wanted.min(here));
         }
-        self.on_lattice(Some(wanted.map_or(finest, |wanted| wanted.max(finest))))
+        let step_exponent = wanted.map_or(finest, |wanted| wanted.max(finest));
+        self.on_lattice(Some(step_exponent), processor)
     }
 
     /// The lattice's step for the scene as it is; `None` if the tolerance is finer than `f32` can represent.
@@ -166,10 +173,13 @@ impl StorageArguments {
     }
 
     /// The codecs with a lattice of this step; with `None` triangles stay in full precision.
-    fn on_lattice(&self, step_exponent: Option<i32>) -> Result<Storage> {
+    fn on_lattice(&self, step_exponent: Option<i32>, processor: Processor) -> Result<Storage> {
         let (nodes, mesh) = self.kinds()?;
         let mesh = mesh.with_step(step_exponent);
-        Ok(Storage { nodes, mesh })
+        Ok(Storage {
+            nodes: nodes.unwrap_or(mesh.nodes_for(processor)),
+            mesh,
+        })
     }
 }
 

@@ -46,8 +46,8 @@ pub use tolerance::Tolerance;
 #[cfg(feature = "lab")]
 pub use tree::LatticeBits;
 pub use tree::{
-    Bvh, CodecError, MeshCodec, NodeCodec, Reads, RefitError, TreeError, WideStore, check_codecs,
-    sah_cost,
+    Bvh, CodecError, MeshCodec, NodeCodec, Processor, Reads, RefitError, TreeError, WideStore,
+    check_codecs, sah_cost,
 };
 
 /// The examples of the repository's README.

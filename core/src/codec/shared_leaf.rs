@@ -162,9 +162,10 @@ const fn numbered(found: f32, next: u32) -> [u32; 2] {
 
 /// One thread per triangle. Reads it, its leaf's corner, the numbers of its corners and those of the next triangle in the list, and
 /// the lattice's step, a power of two; its vertices are on the lattice, in the leaf's box. Stores its part of the leaf's words,
-/// which begin at `first`.
+/// which begin at `first`. A thread that is `ALONE` with the leaf stores corners again that an earlier triangle stored: that costs less
+/// than to ask for each whether it must.
 #[inline(always)]
-pub fn store_shared_triangle(
+pub fn store_shared_triangle<const ALONE: bool>(
     triangle: &LeafTriangle,
     corner: &LeafCorner,
     [own, next]: [TriangleCorners; 2],
@@ -182,7 +183,7 @@ pub fn store_shared_triangle(
     store(words, indices.wrapping_add(number), triangle.primitive);
     let corners = indices.wrapping_add(count);
     let v = &triangle.vertices;
-    if own.is_first(0) {
+    if ALONE || own.is_first(0) {
         store_corner(
             [v[0], v[1], v[2]],
             corner,
@@ -192,7 +193,7 @@ pub fn store_shared_triangle(
             words,
         );
     }
-    if own.is_first(1) {
+    if ALONE || own.is_first(1) {
         store_corner(
             [v[3], v[4], v[5]],
             corner,
@@ -202,7 +203,7 @@ pub fn store_shared_triangle(
             words,
         );
     }
-    if own.is_first(2) {
+    if ALONE || own.is_first(2) {
         store_corner(
             [v[6], v[7], v[8]],
             corner,
@@ -345,7 +346,7 @@ mod tests {
         for i in at as usize..triangles.len() {
             let next = corners.get(i + 1).copied().unwrap_or(u32::MAX);
             let own = [TriangleCorners(corners[i]), TriangleCorners(next)];
-            store_shared_triangle(&triangles[i], &corner, own, STEP, first, &mut words);
+            store_shared_triangle::<false>(&triangles[i], &corner, own, STEP, first, &mut words);
         }
         Stored {
             triangles,

@@ -143,7 +143,7 @@ pub fn encode_shared_triangles(
         // The last one has none beside it.
         let next = (i + 1).min(corners.len() - 1);
         let own = [TriangleCorners(corners[i]), TriangleCorners(corners[next])];
-        store_shared_triangle(&triangles[i], &frames[i], own, step, begins[i], words);
+        store_shared_triangle::<false>(&triangles[i], &frames[i], own, step, begins[i], words);
     }
 }
 

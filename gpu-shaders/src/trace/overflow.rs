@@ -4,9 +4,12 @@
 //! than there are rays before the end; what is before it belongs to the caller.
 
 use crate::group::atomic_add;
-use glam::UVec3;
-use slimbvh_core::launch::{LANES, dispatch};
-use spirv_std_macros::spirv;
+#[cfg(feature = "plain")]
+use {
+    glam::UVec3,
+    slimbvh_core::launch::{LANES, dispatch},
+    spirv_std_macros::spirv,
+};
 
 /// Where the list of a buffer of this many words begins.
 #[inline(always)]

@@ -131,6 +131,15 @@ impl WideStore {
     }
 }
 
+/// Where trees are built and traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Processor {
+    /// The CPU.
+    Cpu,
+    /// A GPU.
+    Gpu,
+}
+
 /// How the triangles in leaves are stored.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MeshCodec {
@@ -206,13 +215,17 @@ impl MeshCodec {
         matches!(self, Self::Leaf10)
     }
 
-    /// The nodes used with these triangles by default.
+    /// The nodes to use with these triangles, where nothing else decides: of those on the front of time and bytes, nodes in full where
+    /// triangles are, as a picture's build and rays together take least with them; else the fewest bytes on a CPU, and on a GPU the nodes
+    /// that are encoded in half the time. The number of triangles, from thousands to millions, makes no difference (docs/measured.md,
+    /// "Choice of nodes").
     #[must_use]
-    pub const fn default_nodes(self) -> NodeCodec {
-        match self {
-            Self::F32 => NodeCodec::F32,
-            Self::Leaf10 => NodeCodec::Paper10,
-            Self::Lattice { .. } => NodeCodec::Wide(WideStore::Packed),
+    pub const fn nodes_for(self, processor: Processor) -> NodeCodec {
+        match (self, processor) {
+            (Self::F32, _) => NodeCodec::F32,
+            (Self::Leaf10, _) => NodeCodec::Paper10,
+            (Self::Lattice { .. }, Processor::Cpu) => NodeCodec::Wide(WideStore::Packed),
+            (Self::Lattice { .. }, Processor::Gpu) => NodeCodec::Wide(WideStore::Exact),
         }
     }
 
@@ -350,7 +363,10 @@ mod tests {
                 };
                 assert_eq!(tagged(tags((nodes, mesh)), -7), expected);
                 assert_eq!(mesh.nodes().any(|it| it == nodes), fits);
-                assert!(mesh.nodes().any(|nodes| nodes == mesh.default_nodes()));
+                for processor in [Processor::Cpu, Processor::Gpu] {
+                    let chosen = mesh.nodes_for(processor);
+                    assert!(mesh.nodes().any(|nodes| nodes == chosen));
+                }
             }
         }
         assert_eq!(NodeCodec::named("printed"), None);

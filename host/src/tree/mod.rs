@@ -27,7 +27,7 @@ pub use bvh::Bvh;
 #[cfg(any(feature = "gpu", feature = "scenes"))]
 pub(crate) use codec::ON_LATTICE;
 pub(crate) use codec::most_triangles;
-pub use codec::{CodecError, MeshCodec, NodeCodec, WideStore, check_codecs};
+pub use codec::{CodecError, MeshCodec, NodeCodec, Processor, WideStore, check_codecs};
 #[cfg(feature = "scenes")]
 pub(crate) use codec::{TagError, tagged, tags};
 pub use cost::sah_cost;

@@ -163,7 +163,7 @@ impl<'a> Alone<'a> {
                     if N::SHARES_CORNERS {
                         let next = corners.get(i + 1).copied().unwrap_or(u32::MAX);
                         let own = [corners[i], next].map(TriangleCorners);
-                        store_shared_triangle(
+                        store_shared_triangle::<false>(
                             &self.leaves[i],
                             &corner,
                             own,

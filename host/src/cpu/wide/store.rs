@@ -213,7 +213,7 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
                 for (i, triangle) in own.iter().enumerate() {
                     let next = corners.get(i + 1).copied().unwrap_or(0);
                     let corners = [corners[i], next].map(TriangleCorners);
-                    store_shared_triangle(triangle, &corner, corners, step, first, words);
+                    store_shared_triangle::<true>(triangle, &corner, corners, step, first, words);
                 }
             } else {
                 let first = first as usize;

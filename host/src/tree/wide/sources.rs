@@ -414,7 +414,7 @@ impl StoredTriangles<PackedWideNodes<'_>> for SharedTriangles<'_> {
         for (i, triangle) in triangles.iter().enumerate() {
             let next = corners.get(i + 1).copied().unwrap_or(0);
             let own = [corners[i], next].map(TriangleCorners);
-            store_shared_triangle(triangle, &corner, own, self.step, 0, &mut words);
+            store_shared_triangle::<true>(triangle, &corner, own, self.step, 0, &mut words);
         }
         let stored = &self.words[leaf.first() as usize..];
         stored.starts_with(&words)
