@@ -154,7 +154,7 @@ impl Built {
     /// Whether the stored triangles are in full.
     pub fn has_full_triangles(&self) -> bool {
         let coding = self.coding();
-        coding.is_none_or(|coding| coding.most_triangle_bytes().is_none())
+        coding.is_none_or(Coding::has_full_triangles)
     }
 
     /// Nodes and triangles as kernels of stage `trace` bind them: triangles in full by pairs.
@@ -228,12 +228,9 @@ impl Bvh {
         let coded = coding.map(|coding| {
             let bytes = coding.node_bytes() * most_coded_nodes(coding, triangle_count);
             let nodes = self.nodes.range(gpu, bytes);
-            let each = coding.most_triangle_bytes();
-            let triangles = match each {
-                Some(each) => {
-                    let bytes = each * u64::from(triangle_count.max(1));
-                    self.triangles.range(gpu, bytes)
-                }
+            let bytes = coding.most_triangle_bytes(triangle_count.max(1).into());
+            let triangles = match bytes {
+                Some(bytes) => self.triangles.range(gpu, bytes),
                 None => full_triangles(gpu, &mut self.triangles, triangle_bytes),
             };
             self.coded(gpu, coding, [nodes, triangles])
@@ -242,9 +239,10 @@ impl Bvh {
             Some(_) => encoder.plain_nodes(gpu, node_bytes),
             None => self.nodes.range(gpu, node_bytes),
         };
-        let triangles = match coding.and_then(Coding::most_triangle_bytes) {
-            Some(_) => encoder.plain_triangles(gpu, triangle_bytes),
-            None => full_triangles(gpu, &mut self.triangles, triangle_bytes),
+        let triangles = if coding.is_none_or(Coding::has_full_triangles) {
+            full_triangles(gpu, &mut self.triangles, triangle_bytes)
+        } else {
+            encoder.plain_triangles(gpu, triangle_bytes)
         };
         let built = Built {
             nodes: nodes.touching_nodes(size_of::<Node>() as u64),
@@ -344,7 +342,7 @@ impl Bvh {
                 return Err(Misfit::InCodec.of("the hierarchy"));
             }
             Some(coded) => {
-                let is_full = coded.coding.most_triangle_bytes().is_none();
+                let is_full = coded.coding.has_full_triangles();
                 let words = coded.triangles.binding();
                 ranges.extend([coded.nodes.binding(), if is_full { pairs } else { words }]);
                 if coded.coding.has_root() {

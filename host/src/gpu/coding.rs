@@ -71,14 +71,20 @@ impl Coding {
         }
     }
 
-    /// The most bytes of a triangle; `None` if triangles are in full.
-    pub const fn most_triangle_bytes(self) -> Option<u64> {
-        match self {
-            Self::Paper10F32 | Self::W4F32 | Self::W464F32 => None,
-            Self::Paper10Leaf10 => Some(size_of::<Paper10Triangle>() as u64),
-            Self::W464Lattice => Some(4 * LeafWidth::Wide.words() as u64),
-            Self::W448Lattice => Some(MOST_SHARED_BYTES as u64),
-        }
+    /// The most bytes of so many triangles, a multiple of 4; `None` if triangles are in full.
+    pub const fn most_triangle_bytes(self, count: u64) -> Option<u64> {
+        let each = match self {
+            Self::Paper10F32 | Self::W4F32 | Self::W464F32 => return None,
+            Self::Paper10Leaf10 => size_of::<Paper10Triangle>() as u64,
+            Self::W464Lattice => 4 * LeafWidth::Wide.words() as u64,
+            Self::W448Lattice => MOST_SHARED_BYTES as u64,
+        };
+        Some((count * each).next_multiple_of(4))
+    }
+
+    /// Whether triangles are in full.
+    pub const fn has_full_triangles(self) -> bool {
+        self.most_triangle_bytes(0).is_none()
     }
 
     /// Whether the size of a triangle depends on its leaf.

@@ -149,7 +149,8 @@ pub enum MeshCodec {
     /// 16 bytes: 10 bits a coordinate in the leaf's box, from the paper on compressed hierarchies and meshes. Each leaf
     /// moves its vertices independently, so surfaces crack. Requires [`NodeCodec::Paper10`].
     Leaf10,
-    /// 16, 28 or 40 bytes, the least that the leaf allows. Exact if the mesh's vertices lie on a lattice
+    /// 16, 28 or 40 bytes, the least that the leaf allows; below nodes of 48 bytes fewer as a rule, as corners that a leaf's triangles
+    /// share are stored once (at most 42). Exact if the mesh's vertices lie on a lattice
     /// ([`crate::Mesh::snap`]). Requires nodes on the lattice: [`WideStore::Exact`] or [`WideStore::Packed`].
     Lattice {
         /// The lattice's step is 2 to this power, in the mesh's unit.
@@ -184,7 +185,7 @@ impl MeshCodec {
             Self::F32 => "40 bytes a triangle",
             Self::Leaf10 => "16 bytes a triangle; requires paper10 nodes",
             Self::Lattice { .. } => {
-                "16, 28 or 40 bytes a triangle, the least that each leaf allows; requires nodes on the lattice"
+                "16, 28 or 40 bytes a triangle, the least that each leaf allows, or shared corners with w4-48; requires nodes on the lattice"
             }
         }
     }

@@ -6,6 +6,7 @@ use anyhow::{Result, ensure};
 use rayon::prelude::*;
 use serde::Serialize;
 use slimbvh::{Ray, RenderSettings, Scene};
+use slimbvh_core::encode::MOST_SHARED_BYTES;
 
 /// Sums over rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -81,14 +82,14 @@ impl Counts {
         }
     }
 
-    /// Checks that the tested triangles take 16 to 40 bytes each.
+    /// Checks that the tested triangles take 16 to [`MOST_SHARED_BYTES`] each: rays test all of a leaf.
     fn check(&self) -> Result<()> {
         let Tally {
             triangles,
             triangle_bytes,
             ..
         } = self.all();
-        let range = 16 * triangles..=40 * triangles;
+        let range = 16 * triangles..=u64::from(MOST_SHARED_BYTES) * triangles;
         ensure!(
             range.contains(&triangle_bytes),
             "{triangles} triangles cannot take {triangle_bytes} bytes"

@@ -35,8 +35,9 @@ impl Bvh {
         let triangle_bytes = if coding.is_some_and(Coding::is_mixed) {
             4 * u64::from(counts.words)
         } else {
-            let each = coding.and_then(Coding::most_triangle_bytes);
-            u64::from(counts.triangles) * each.unwrap_or(size_of::<LeafTriangle>() as u64)
+            let count = u64::from(counts.triangles);
+            let coded = coding.and_then(|coding| coding.most_triangle_bytes(count));
+            coded.unwrap_or(count * size_of::<LeafTriangle>() as u64)
         };
         Ok([u64::from(counts.nodes) * node_bytes, triangle_bytes])
     }

@@ -42,7 +42,7 @@ impl Bvh {
         let [nodes, triangles] = bvh.stored();
         let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
         // No binding can be empty.
-        let each = coding.and_then(Coding::most_triangle_bytes);
+        let each = coding.and_then(|coding| coding.most_triangle_bytes(1));
         let bytes = triangles.len() as u64;
         let triangle_range = match each {
             Some(room) => self.triangles.range(gpu, room.max(bytes)),

@@ -138,7 +138,7 @@ impl Report {
         ));
         head.push((
             "mesh",
-            "vertices are moved onto a lattice first, and triangles take 16, 28 or 40 bytes, depending on their leaf".into(),
+            "vertices are moved onto a lattice first, and triangles take 16, 28 or 40 bytes, depending on their leaf; below nodes of w4-48, corners that a leaf's triangles share are stored once".into(),
         ));
         head.push(("printed", self.printed()));
         if self.place.is_gpu() {

@@ -69,7 +69,8 @@ fn coarser_meshes_are_less_to_read() {
     let packed = |step| Method::WideMesh(WideStore::Packed, step);
     let stored = |method| of(method).triangle_bytes;
     let [finest, fine, coarse] = steps.map(|step| stored(packed(step)));
-    assert!(finest > fine && fine >= coarse, "{finest} {fine} {coarse}");
+    // All corners are narrow at both coarse steps, over leaves that are not quite the same.
+    assert!(finest > fine && finest > coarse, "{finest} {fine} {coarse}");
     for step in steps {
         assert!(
             4 * stored(packed(step)) < 3 * stored(exact(step)),
