@@ -22,8 +22,9 @@ use slimbvh_core::decide::{
 };
 use slimbvh_core::encode::{
     EncodedNode, EncodedPaper10, FINEST_STEP, LatticeCodec, LatticeCursor, LatticeNodes,
-    LatticeTriangles, LeafCorner, LeafWidth, Links, Paper10Box, Paper10Codec, Paper10Node,
-    Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords, RoundedNode, decode_node,
+    LatticeTriangles, LeafCorner, LeafWidth, Links, MixedWideRow, PackedWideNodes, PackedWideRow,
+    Paper10Box, Paper10Codec, Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Triangles,
+    RootWords, RoundedNode, SharedTriangles, WideMixedNodes, WideNodes, WideRow, decode_node,
     decode_paper10_node, encode_paper10_triangle, encode_triangle, links_of, node_bounds,
     scaled_step, with_links,
 };
@@ -51,9 +52,10 @@ use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, is_kept, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, Children, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords,
-    LeafTriangles, NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair,
-    TriangleRows, UpTo, any_hit, closest_hit, nearest_hits, trace_packet, traverse_with,
+    BruteForce, Children, ClosestHit, FullWideNodes, FullWideRow, Lane, LaneBoxStack, LaneBoxWords,
+    LaneStack, LaneWords, LeafTriangles, NodeRow, NodeRows, NodeSource, PacketStacks, PlainNodes,
+    PreparedRays, Skip, TrianglePair, TriangleRows, UpTo, any_hit, closest_hit, nearest_hits,
+    trace_packet, traverse_with,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -357,6 +359,40 @@ pub fn trace_together(
     for (i, lane) in plain.iter_mut().enumerate() {
         lane.collector.hit = prepared.restore(i, lane.collector.hit);
     }
+}
+
+/// Packets over wide nodes in all four stores. Those on the lattice are opened as the same type: one stack serves them.
+#[unsafe(no_mangle)]
+pub fn trace_wide_together(
+    rays: &[Ray; 8],
+    (full, exact): (&[FullWideRow], &[WideRow]),
+    (mixed, packed): (&[MixedWideRow], &[PackedWideRow]),
+    (triangles, words, root): (&[LeafTriangle], &[u32], &RootWords),
+    stacks: (
+        &mut PacketStacks<<FullWideNodes<'static> as NodeSource>::Node, Each<8>>,
+        &mut PacketStacks<<WideNodes<'static> as NodeSource>::Node, Each<8>>,
+        &mut PreparedRays<Each<8>, 8>,
+    ),
+    to: Out<[[Lane<Skip, ClosestHit>; 8]; 4]>,
+) {
+    let (whole, coded, prepared) = stacks;
+    prepared.prepare(rays, 3);
+    let step = 0.5;
+    let root = root.lattice();
+    let in_full = LeafTriangles(triangles);
+    let [first, second, third, fourth] = to;
+    trace_packet(whole, &FullWideNodes(full), &in_full, prepared, first);
+    let nodes = exact;
+    let nodes = WideNodes { nodes, root, step };
+    trace_packet(coded, &nodes, &in_full, prepared, second);
+    let nodes = mixed;
+    let nodes = WideMixedNodes { nodes, root, step };
+    let apart = LatticeTriangles { words, step };
+    trace_packet(coded, &nodes, &apart, prepared, third);
+    let nodes = packed;
+    let nodes = PackedWideNodes { nodes, root, step };
+    let shared = SharedTriangles { words, step };
+    trace_packet(coded, &nodes, &shared, prepared, fourth);
 }
 
 /// The walk with stacks in a workgroup's memory, over rows of 16 bytes and over coded nodes.
