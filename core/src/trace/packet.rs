@@ -266,14 +266,15 @@ where
         node: &WideFork<P>,
         enters: &mut FourEntries<W>,
     ) -> ChildList {
-        let ([a, b, c], [x, y, z]) = (node.first, node.second);
-        let boxes = [a, b, c, x, y, z].map(|planes| planes.planes().to_array());
-        let meet = |child: usize| {
-            let [a, b, c, x, y, z] = boxes.map(|planes| planes[child % WIDTH]);
-            self.meet([a, b, c], [x, y, z])
-        };
-        let met = [meet(0), meet(1), meet(2), meet(3)];
-        let there = a.planes().cmple(x.planes()).bitmask();
+        let [p, q, r] = node.first.map(FourPlanes::planes);
+        let [u, v, w] = node.second.map(FourPlanes::planes);
+        let met = [
+            self.meet([p.x, q.x, r.x], [u.x, v.x, w.x]),
+            self.meet([p.y, q.y, r.y], [u.y, v.y, w.y]),
+            self.meet([p.z, q.z, r.z], [u.z, v.z, w.z]),
+            self.meet([p.w, q.w, r.w], [u.w, v.w, w.w]),
+        ];
+        let there = p.cmple(u).bitmask();
         let who: [u32; WIDTH] = from_fn(|child| {
             if there >> child & 1 == 1 {
                 met[child].who
