@@ -8,6 +8,7 @@ mod loaders;
 mod node_codec;
 mod options;
 mod saved_file;
+mod shared_leaf;
 mod triangle_codec;
 mod wide_codec;
 

@@ -266,13 +266,15 @@ where
         node: &WideFork<P>,
         enters: &mut FourEntries<W>,
     ) -> ChildList {
-        let ([a, b, c], [x, y, z]) = (node.first, node.second);
-        let boxes = [a, b, c, x, y, z].map(|planes| planes.planes().to_array());
-        let met = [0, 1, 2, 3].map(|child| {
-            let [a, b, c, x, y, z] = boxes.map(|planes| planes[child]);
-            self.meet([a, b, c], [x, y, z])
-        });
-        let there = a.planes().cmple(x.planes()).bitmask();
+        let [p, q, r] = node.first.map(FourPlanes::planes);
+        let [u, v, w] = node.second.map(FourPlanes::planes);
+        let met = [
+            self.meet([p.x, q.x, r.x], [u.x, v.x, w.x]),
+            self.meet([p.y, q.y, r.y], [u.y, v.y, w.y]),
+            self.meet([p.z, q.z, r.z], [u.z, v.z, w.z]),
+            self.meet([p.w, q.w, r.w], [u.w, v.w, w.w]),
+        ];
+        let there = p.cmple(u).bitmask();
         let who: [u32; WIDTH] = from_fn(|child| {
             if there >> child & 1 == 1 {
                 met[child].who
@@ -302,14 +304,11 @@ where
         // The first ray that meets any of them decides about their order.
         let first = any.trailing_zeros() as usize % LANES;
         let mut keys = [NOT_MET; WIDTH];
-        for (child, key_of) in (0..).zip(&mut keys) {
-            let enter = enters.enter[child as usize].lane(first);
-            let own = key(enter, child, self.goes_farther_first);
-            *key_of = if who[child as usize] != 0 {
-                own
-            } else {
-                NOT_MET
-            };
+        for (child, ((key_of, enter), who)) in
+            (0..).zip(keys.iter_mut().zip(&enters.enter).zip(who))
+        {
+            let own = key(enter.lane(first), child, self.goes_farther_first);
+            *key_of = if who != 0 { own } else { NOT_MET };
         }
         let list = ChildList::sorted(keys);
         self.who = enters.who[list.first() as usize % WIDTH];

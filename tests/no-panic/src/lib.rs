@@ -21,11 +21,13 @@ use slimbvh_core::decide::{
     lane_counts, lane_joined, lane_measure, lane_total,
 };
 use slimbvh_core::encode::{
-    EncodedNode, EncodedPaper10, FINEST_STEP, LatticeCodec, LatticeCursor, LatticeNodes,
-    LatticeTriangles, LeafCorner, LeafWidth, Links, Paper10Box, Paper10Codec, Paper10Node,
-    Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords, RoundedNode, decode_node,
-    decode_paper10_node, encode_paper10_triangle, encode_triangle, links_of, node_bounds,
-    scaled_step, with_links,
+    EncodedNode, EncodedPaper10, FINEST_STEP, FullWideNode, LatticeCodec, LatticeCursor,
+    LatticeNodes, LatticeTriangles, LeafCorner, LeafWidth, Links, MixedWideNode, MixedWideRow,
+    PackedWideNode, PackedWideNodes, PackedWideRow, Paper10Box, Paper10Codec, Paper10Node,
+    Paper10Nodes, Paper10Triangle, Paper10Triangles, RootWords, RoundedChildren, RoundedNode,
+    SharedTriangles, TriangleCorners, WideMixedNodes, WideNode, WideNodes, WideRow, corner_count,
+    decode_node, decode_paper10_node, encode_paper10_triangle, encode_triangle, leaf_words,
+    links_of, node_bounds, number_corners, scaled_step, store_shared_triangle, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
 use slimbvh_core::lanes::Each;
@@ -51,9 +53,10 @@ use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, is_kept, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, Children, ClosestHit, Lane, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords,
-    LeafTriangles, NodeRow, NodeRows, PacketStacks, PlainNodes, PreparedRays, Skip, TrianglePair,
-    TriangleRows, UpTo, any_hit, closest_hit, nearest_hits, trace_packet, traverse_with,
+    BruteForce, Children, ClosestHit, FullWideNodes, FullWideRow, Lane, LaneBoxStack, LaneBoxWords,
+    LaneStack, LaneWords, LeafTriangles, NodeRow, NodeRows, NodeSource, PacketStacks, PlainNodes,
+    PreparedRays, Skip, TrianglePair, TriangleRows, UpTo, any_hit, closest_hit, nearest_hits,
+    trace_packet, traverse_with,
 };
 use slimbvh_core::{
     Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
@@ -255,6 +258,63 @@ pub fn encode_leaf(
     );
 }
 
+/// A leaf whose triangles share corners is stored, wherever it lies and however many triangles it is said to have.
+#[unsafe(no_mangle)]
+pub fn encode_shared_leaf(
+    (first, count, at): (u32, u32, u32),
+    triangles: &[LeafTriangle],
+    corner: &LeafCorner,
+    corners: &mut [u32],
+    words: &mut [u32],
+) -> u32 {
+    number_corners(first, count, triangles, corners);
+    for (i, triangle) in triangles.iter().enumerate() {
+        let own = [corners.get(i), corners.get(i + 1)];
+        let own = own.map(|word| TriangleCorners(word.copied().unwrap_or(0)));
+        store_shared_triangle(triangle, corner, own, 0.5, at, words);
+    }
+    corner_count(first, count, corners) ^ leaf_words(count, at, first, corner.words)
+}
+
+/// Wide nodes are encoded, and stored ones decoded: any words, any number of a child.
+#[unsafe(no_mangle)]
+pub fn encode_wide(
+    (from, counts): (&RoundedChildren, &[u32; 4]),
+    (full, exact, packed): (&FullWideNode, &WideNode, &PackedWideNode),
+    (child, first_child, first_word): (u32, u32, u32),
+    to: Out<(
+        WideNode,
+        PackedWideNode,
+        [LatticeBox; 2],
+        Aabb,
+        [NodeRef; 4],
+    )>,
+) -> u32 {
+    let (node, words) = WideNode::encode(from, *counts);
+    let (shared, shared_words) = PackedWideNode::encode(from, *counts);
+    let links = packed.links();
+    *to = (
+        node.placed(from.count, first_child, first_word),
+        shared.placed(from.count, first_child, first_word),
+        [exact.child_box(child, 3), packed.child_box(child, 3)],
+        full.child_box(child),
+        links.children(),
+    );
+    let flags = [
+        links.are_canonical(child),
+        full.is_absent(child),
+        exact.axes[0].is_absent(child, false),
+    ];
+    let words = [
+        words ^ shared_words,
+        exact.corner(child, 3).words ^ packed.corner(child, 3).words,
+        exact.first_word(child) ^ packed.first_word(child),
+        links.corner_count(child) ^ links.inner_count(),
+    ];
+    let all = words.into_iter().chain(flags.map(u32::from));
+    all.fold(0, |all, word| all ^ word)
+}
+
 #[unsafe(no_mangle)]
 pub fn encode_paper10(
     i: u32,
@@ -357,6 +417,40 @@ pub fn trace_together(
     for (i, lane) in plain.iter_mut().enumerate() {
         lane.collector.hit = prepared.restore(i, lane.collector.hit);
     }
+}
+
+/// Packets over wide nodes in all four stores. Those on the lattice are opened as the same type: one stack serves them.
+#[unsafe(no_mangle)]
+pub fn trace_wide_together(
+    rays: &[Ray; 8],
+    (full, exact): (&[FullWideRow], &[WideRow]),
+    (mixed, packed): (&[MixedWideRow], &[PackedWideRow]),
+    (triangles, words, root): (&[LeafTriangle], &[u32], &RootWords),
+    stacks: (
+        &mut PacketStacks<<FullWideNodes<'static> as NodeSource>::Node, Each<8>>,
+        &mut PacketStacks<<WideNodes<'static> as NodeSource>::Node, Each<8>>,
+        &mut PreparedRays<Each<8>, 8>,
+    ),
+    to: Out<[[Lane<Skip, ClosestHit>; 8]; 4]>,
+) {
+    let (whole, coded, prepared) = stacks;
+    prepared.prepare(rays, 3);
+    let step = 0.5;
+    let root = root.lattice();
+    let in_full = LeafTriangles(triangles);
+    let [first, second, third, fourth] = to;
+    trace_packet(whole, &FullWideNodes(full), &in_full, prepared, first);
+    let nodes = exact;
+    let nodes = WideNodes { nodes, root, step };
+    trace_packet(coded, &nodes, &in_full, prepared, second);
+    let nodes = mixed;
+    let nodes = WideMixedNodes { nodes, root, step };
+    let apart = LatticeTriangles { words, step };
+    trace_packet(coded, &nodes, &apart, prepared, third);
+    let nodes = packed;
+    let nodes = PackedWideNodes { nodes, root, step };
+    let shared = SharedTriangles { words, step };
+    trace_packet(coded, &nodes, &shared, prepared, fourth);
 }
 
 /// The walk with stacks in a workgroup's memory, over rows of 16 bytes and over coded nodes.

@@ -1,12 +1,15 @@
-//! For any triangle in any leaf, the lattice codec is exact, and the paper10 codec moves corners by at most half a cell.
+//! For any triangle in any leaf, the lattice codec is exact, also where triangles share corners, and the paper10 codec moves corners
+//! by at most half a cell.
 
 use super::input::{Extent, any, below_one, between, lattice_box};
+use super::shared_leaf::{Triangles, shared_leaf};
 use arbitrary::Arbitrary;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::encode::{
     LatticeBounds, LatticeTriangles, LeafCorner, LeafFrame, LeafWidth, Paper10Box,
     Paper10Triangles, encode_paper10_triangle, encode_triangle,
 };
+use slimbvh_core::float::power_of_two;
 use slimbvh_core::trace::{LeafSlot, TriangleSource};
 
 /// The orders of axes of rays.
@@ -19,6 +22,7 @@ struct Input {
     primitive: u32,
     step: u8,
     others: u8,
+    shared: Triangles,
 }
 
 /// See the module.
@@ -31,13 +35,18 @@ pub fn triangle_codec(data: &[u8]) {
     };
     on_lattice(&input);
     as_paper10(&input);
+    shared_leaf(&input.shared, lattice_box(input.bounds), step(&input));
+}
+
+/// The lattice's step.
+fn step(input: &Input) -> f32 {
+    power_of_two(i32::from(input.step % 33) - 24)
 }
 
 /// A triangle in the leaf's box is decoded to the bit, whatever bytes precede it.
 fn on_lattice(input: &Input) {
     let bounds = lattice_box(input.bounds);
-    let step_exponent = i32::from(input.step % 33) - 24;
-    let step = 2f32.powi(step_exponent);
+    let step = step(input);
     let vertices = input.corners.map(|corner| {
         [0, 1, 2].map(|axis| between(bounds.min[axis], bounds.max[axis], corner[axis]))
     });
