@@ -271,7 +271,8 @@ pub fn encode_shared_leaf(
     for (i, triangle) in triangles.iter().enumerate() {
         let own = [corners.get(i), corners.get(i + 1)];
         let own = own.map(|word| TriangleCorners(word.copied().unwrap_or(0)));
-        store_shared_triangle(triangle, corner, own, 0.5, at, words);
+        store_shared_triangle::<true>(triangle, corner, own, 0.5, at, words);
+        store_shared_triangle::<false>(triangle, corner, own, 0.5, at, words);
     }
     corner_count(first, count, corners) ^ leaf_words(count, at, first, corner.words)
 }

@@ -118,7 +118,13 @@ impl Leaf {
             let at = (self.before + number) as usize;
             let numbers = [corners[at], corners[at + 1]].map(TriangleCorners);
             let triangle = &self.triangles[at];
-            store_shared_triangle(
+            // One thread in order, or threads in any order.
+            let store = if backwards {
+                store_shared_triangle::<false>
+            } else {
+                store_shared_triangle::<true>
+            };
+            store(
                 triangle,
                 &corner,
                 numbers,
