@@ -7,8 +7,9 @@
 //! corners × 1, 2 or 3     corners, as wide as those of LeafWidth
 //! ```
 //!
-//! Corners lie in the order in which triangles have them for the first time. The first triangle has the corners 0, 1 and 2. Corners
-//! are one if their coordinates are the same, whatever the mesh's vertices are.
+//! Corners lie in the order in which triangles have them for the first time. The first triangle has the corners 0, 1 and 2. Corners of
+//! different triangles are one if their coordinates are the same, whatever the mesh's vertices are; two of one triangle are stored apart,
+//! and later ones then take the last.
 
 use super::lattice_leaf::{LeafCorner, middle_vertex, narrow_vertex, vertices, wide_vertex};
 use super::leaf_width::{LeafFrame, LeafWidth};

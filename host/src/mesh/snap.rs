@@ -5,8 +5,9 @@ use rayon::prelude::*;
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
-use slimbvh_core::float::scale_by_power_of_two;
+use slimbvh_core::float::{PowerOfTwo, scale_by_power_of_two};
 use slimbvh_core::lattice::to_lattice;
+use slimbvh_core::snap::snap;
 
 /// The largest coordinate in steps of the lattice. Floats represent all integers up to it, and differences have the right
 /// exponent.
@@ -41,18 +42,26 @@ impl Mesh {
         largest
     }
 
-    /// Checks that all corners lie on the lattice whose step is 2 to this power.
+    /// Checks that all corners lie on the lattice whose step is 2 to this power, as they are stored: too small a coordinate is 0
+    /// ([`snap`]).
     pub(crate) fn check_lattice(&self, step_exponent: i32) -> Result<(), MeshError> {
         let inverse = 2f64.powi(-step_exponent);
         let is_on = |vertex: &[f32; 3]| vertex.iter().all(|&x| is_on_lattice(x, inverse));
         if self.vertices.par_iter().all(is_on) {
             return Ok(());
         }
+        let bounds = self.bounds().unwrap_or(Aabb::EMPTY);
+        let scale = PowerOfTwo::new(scene_exponent(&bounds));
+        let is_stored_on = |vertex: [f32; 3]| {
+            let is_zero = |x: f32| snap(x, &scale) == 0.0;
+            let mut all = vertex.into_iter();
+            all.all(|x| is_zero(x) || is_on_lattice(x, inverse))
+        };
         // Unused vertices may have any value.
         for (face, corners) in self.indices.iter().enumerate() {
             for &corner in corners {
                 let vertex = self.vertices[corner as usize];
-                if !is_on(&vertex) {
+                if !is_stored_on(vertex) {
                     let [x, y, z] = vertex;
                     return Err(MeshError::OffLattice {
                         face,
@@ -113,6 +122,15 @@ mod tests {
             let expected = f64::from(x.abs()) <= most && snapped(x, step_exponent) == x;
             prop_assert_eq!(is_on_lattice(x, 2f64.powi(-step_exponent)), expected);
         }
+    }
+
+    /// A coordinate that is 0 in the tree is on every lattice. Negative control: the next larger one.
+    #[test]
+    fn what_is_stored_as_zero_is_on_the_lattice() {
+        let corners = |x| mesh(&[[x, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(corners(7.17e-43).check_lattice(-23), Ok(()));
+        assert_eq!(corners(-1e-40).check_lattice(0), Ok(()));
+        assert!(corners(4.0 * f32::MIN_POSITIVE).check_lattice(-23).is_err());
     }
 
     /// A magnitude of −2^31 steps does not exist as a signed integer and once passed the bound.
