@@ -3,9 +3,13 @@
 //! slimbvh's traversal passes every hit to a [`Collector`]. A new query is a new collector.
 #![cfg_attr(target_arch = "spirv", no_std)]
 
+use slimbvh_core::codec::{PackedWideNodes, PackedWideRow, RootWords, SharedTriangles};
+use slimbvh_core::float::power_of_two;
 use slimbvh_core::launch::thread_index;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{Collector, LeafTriangles, PlainNodes, Skip, traverse};
+use slimbvh_core::trace::{
+    Collector, LeafTriangles, NodeSource, PlainNodes, Skip, TriangleSource, traverse,
+};
 use slimbvh_core::{Hit, LeafTriangle, Node, Ray, Vec3};
 use spirv_std::glam::{UVec3, UVec4};
 use spirv_std::spirv;
@@ -57,6 +61,44 @@ pub fn thickness(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rays: &[Ray],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] found: &mut [Thickness],
 ) {
+    let (nodes, triangles) = (PlainNodes(nodes), LeafTriangles(triangles));
+    measure(id, exponent, (&nodes, &triangles), rays, found);
+}
+
+/// The same in a tree of nodes of 48 bytes (`w4-48`), whose root is one more binding.
+#[spirv(compute(threads(64)))]
+pub fn thickness_w4_48(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] nodes: &[PackedWideRow],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] words: &[u32],
+    #[spirv(uniform, descriptor_set = 0, binding = 3)] root: &[UVec4; 2],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] rays: &[Ray],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] found: &mut [Thickness],
+) {
+    let root = RootWords {
+        low: root[0].to_array(),
+        high: root[1].to_array(),
+    };
+    let step = power_of_two(root.step_exponent());
+    let nodes = PackedWideNodes {
+        nodes,
+        root: root.lattice(),
+        step,
+    };
+    let triangles = SharedTriangles { words, step };
+    measure(id, exponent, (&nodes, &triangles), rays, found);
+}
+
+/// The query, over any tree.
+#[inline(always)]
+fn measure<N: NodeSource, T: TriangleSource<N::Bounds>>(
+    id: UVec3,
+    exponent: &UVec4,
+    (nodes, triangles): (&N, &T),
+    rays: &[Ray],
+    found: &mut [Thickness],
+) {
     let i = thread_index(id.x, id.y) as usize;
     if i < rays.len() && i < found.len() {
         let ray = PreparedRay::new(&rays[i], exponent.x as i32);
@@ -66,13 +108,7 @@ pub fn thickness(
             last: Hit::MISS,
             t_max: ray.t_max,
         };
-        traverse(
-            &PlainNodes(nodes),
-            &LeafTriangles(triangles),
-            &ray,
-            &Skip::NONE,
-            &mut crossings,
-        );
+        traverse(nodes, triangles, &ray, &Skip::NONE, &mut crossings);
         // Restored hits have t in units of the direction's length. The difference of two misses is 0.
         let (first, last) = (ray.restore(crossings.first), ray.restore(crossings.last));
         let unit = Vec3::from_array(rays[i].direction).length();
