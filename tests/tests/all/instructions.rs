@@ -7,8 +7,7 @@
 
 use slimbvh::generate::{TorusKnot, terrain, torus_knot};
 use slimbvh::{
-    BuildConfig, Builder, Bvh, CodeBits, Hit, LatticeBits, Mesh, MeshCodec, NodeCodec, Ray,
-    TreeKind,
+    BuildConfig, Builder, Bvh, CodeBits, Hit, Mesh, MeshCodec, NodeCodec, Ray, TreeKind, WideStore,
 };
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -21,7 +20,7 @@ struct Job {
     run: fn(usize),
 }
 
-const JOBS: [Job; 9] = [
+const JOBS: [Job; 10] = [
     Job {
         name: "build, 30-bit codes",
         run: |rounds| build(rounds, CodeBits::Bits30.into()),
@@ -35,7 +34,7 @@ const JOBS: [Job; 9] = [
         run: |rounds| build(rounds, clustered()),
     },
     Job {
-        name: "build, q10, triangles on the lattice",
+        name: "build, w4-48, triangles on the lattice",
         run: |rounds| build(rounds, on_lattice()),
     },
     Job {
@@ -47,7 +46,7 @@ const JOBS: [Job; 9] = [
         run: |rounds| trace(rounds, BuildConfig::default(), any),
     },
     Job {
-        name: "closest hits, q10, triangles on the lattice",
+        name: "closest hits, w4-48, triangles on the lattice",
         run: |rounds| trace(rounds, on_lattice(), closest),
     },
     Job {
@@ -55,7 +54,11 @@ const JOBS: [Job; 9] = [
         run: |rounds| trace(rounds, BuildConfig::default(), closest_together),
     },
     Job {
-        name: "closest hits together, q10, triangles on the lattice",
+        name: "closest hits together, w4",
+        run: |rounds| trace(rounds, wide(), closest_together),
+    },
+    Job {
+        name: "closest hits together, w4-48, triangles on the lattice",
         run: |rounds| trace(rounds, on_lattice(), closest_together),
     },
 ];
@@ -91,9 +94,16 @@ fn clustered() -> BuildConfig {
     }
 }
 
+fn wide() -> BuildConfig {
+    BuildConfig {
+        nodes: NodeCodec::Wide(WideStore::Full),
+        ..BuildConfig::default()
+    }
+}
+
 fn on_lattice() -> BuildConfig {
     BuildConfig {
-        nodes: NodeCodec::Lattice(LatticeBits::Q10),
+        nodes: NodeCodec::Wide(WideStore::Packed),
         mesh: MeshCodec::Lattice { step_exponent: -12 },
         ..BuildConfig::default()
     }
