@@ -194,7 +194,11 @@ fn animate(
                     "{}; using the CPU instead",
                     output::sentence(&error)
                 ));
-                work.frames(Cpu, scene)
+                let build = arguments
+                    .storage
+                    .moved(config.build, slimbvh::Processor::Cpu);
+                let config = FrameConfig { build, ..config };
+                Work { config, ..work }.frames(Cpu, scene)
             }
             done => done,
         },

@@ -170,7 +170,8 @@ fn render(
                     "{}; using the CPU instead",
                     output::sentence(&error)
                 ));
-                job.render_on(Cpu, &mut picture)?
+                let config = arguments.storage.moved(config, slimbvh::Processor::Cpu);
+                Job { config, ..job }.render_on(Cpu, &mut picture)?
             }
             outcome => outcome?,
         },

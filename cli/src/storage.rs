@@ -172,6 +172,14 @@ impl StorageArguments {
         }
     }
 
+    /// The same build where another backend takes over.
+    #[cfg(feature = "gpu")]
+    #[must_use]
+    pub fn moved(&self, config: BuildConfig, processor: Processor) -> BuildConfig {
+        let nodes = self.nodes.0.unwrap_or(config.mesh.nodes_for(processor));
+        BuildConfig { nodes, ..config }
+    }
+
     /// The codecs with a lattice of this step; with `None` triangles stay in full precision.
     fn on_lattice(&self, step_exponent: Option<i32>, processor: Processor) -> Result<Storage> {
         let (nodes, mesh) = self.kinds()?;

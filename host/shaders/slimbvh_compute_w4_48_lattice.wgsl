@@ -784,8 +784,8 @@ fn slimbvh_trace_in_group() {
                         let _e1524 = phi_2877_;
                         let _e1528 = (bitcast<i32>(_e1524.member) != 0i);
                         if _e1528 {
-                            let _e1531 = (_e1503.member_2 / 2u);
-                            let _e1533 = (_e1503.member_1 + (_e1531 + _e1524.member_1));
+                            let _e1532 = (_e1503.member_1 + (_e1503.member_2 / 2u));
+                            let _e1533 = (_e1532 + _e1524.member_1);
                             if (_e1533 < _e121) {
                                 let _e1536 = slimbvh_triangles.member[_e1533];
                                 phi_2905_ = _e1536;
@@ -808,7 +808,7 @@ fn slimbvh_trace_in_group() {
                                 phi_2937_ = (_e1547 >> bitcast<u32>(((16u * (_e1539 & 1u)) & 31u)));
                             }
                             let _e1555 = phi_2937_;
-                            let _e1557 = (_e1503.member_1 + (_e1531 + _e1503.member_2));
+                            let _e1556 = (_e1532 + _e1503.member_2);
                             switch bitcast<i32>(_e1503.member.member_1) {
                                 case 0: {
                                     phi_2947_ = 1u;
@@ -827,219 +827,219 @@ fn slimbvh_trace_in_group() {
                                     break;
                                 }
                             }
-                            let _e1561 = phi_2947_;
-                            let _e1564 = (_e1557 + ((_e1555 & 31u) * _e1561));
-                            let _e1569 = (_e1557 + (((_e1555 >> bitcast<u32>(5u)) & 31u) * _e1561));
-                            let _e1574 = (_e1557 + (((_e1555 >> bitcast<u32>(10u)) & 31u) * _e1561));
+                            let _e1560 = phi_2947_;
+                            let _e1563 = (_e1556 + ((_e1555 & 31u) * _e1560));
+                            let _e1568 = (_e1556 + (((_e1555 >> bitcast<u32>(5u)) & 31u) * _e1560));
+                            let _e1573 = (_e1556 + (((_e1555 >> bitcast<u32>(10u)) & 31u) * _e1560));
                             switch bitcast<i32>(_e1503.member.member_1) {
                                 case 0: {
-                                    if (_e1564 < _e121) {
-                                        let _e1851 = slimbvh_triangles.member[_e1564];
-                                        phi_2989_ = _e1851;
+                                    if (_e1563 < _e121) {
+                                        let _e1850 = slimbvh_triangles.member[_e1563];
+                                        phi_2989_ = _e1850;
                                     } else {
                                         phi_2989_ = 0u;
                                     }
-                                    let _e1853 = phi_2989_;
-                                    let _e1856 = ((10u * _e227) & 31u);
-                                    let _e1867 = ((10u * _e231) & 31u);
-                                    let _e1878 = ((10u * _e223) & 31u);
-                                    if (_e1569 < _e121) {
-                                        let _e1890 = slimbvh_triangles.member[_e1569];
-                                        phi_3035_ = _e1890;
+                                    let _e1852 = phi_2989_;
+                                    let _e1855 = ((10u * _e227) & 31u);
+                                    let _e1866 = ((10u * _e231) & 31u);
+                                    let _e1877 = ((10u * _e223) & 31u);
+                                    if (_e1568 < _e121) {
+                                        let _e1889 = slimbvh_triangles.member[_e1568];
+                                        phi_3035_ = _e1889;
                                     } else {
                                         phi_3035_ = 0u;
                                     }
-                                    let _e1892 = phi_3035_;
-                                    if (_e1574 < _e121) {
-                                        let _e1920 = slimbvh_triangles.member[_e1574];
-                                        phi_3081_ = _e1920;
+                                    let _e1891 = phi_3035_;
+                                    if (_e1573 < _e121) {
+                                        let _e1919 = slimbvh_triangles.member[_e1573];
+                                        phi_3081_ = _e1919;
                                     } else {
                                         phi_3081_ = 0u;
                                     }
-                                    let _e1922 = phi_3081_;
-                                    phi_3548_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | ((_e1853 >> bitcast<u32>(_e1856)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | ((_e1853 >> bitcast<u32>(_e1867)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | ((_e1853 >> bitcast<u32>(_e1878)) & 1023u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | ((_e1892 >> bitcast<u32>(_e1856)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | ((_e1892 >> bitcast<u32>(_e1867)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | ((_e1892 >> bitcast<u32>(_e1878)) & 1023u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | ((_e1922 >> bitcast<u32>(_e1856)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | ((_e1922 >> bitcast<u32>(_e1867)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | ((_e1922 >> bitcast<u32>(_e1878)) & 1023u))) - 8388608f) * _e167))));
+                                    let _e1921 = phi_3081_;
+                                    phi_3548_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | ((_e1852 >> bitcast<u32>(_e1855)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | ((_e1852 >> bitcast<u32>(_e1866)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | ((_e1852 >> bitcast<u32>(_e1877)) & 1023u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | ((_e1891 >> bitcast<u32>(_e1855)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | ((_e1891 >> bitcast<u32>(_e1866)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | ((_e1891 >> bitcast<u32>(_e1877)) & 1023u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | ((_e1921 >> bitcast<u32>(_e1855)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | ((_e1921 >> bitcast<u32>(_e1866)) & 1023u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | ((_e1921 >> bitcast<u32>(_e1877)) & 1023u))) - 8388608f) * _e167))));
                                     break;
                                 }
                                 case 1: {
-                                    if (_e1564 < _e121) {
-                                        let _e1664 = slimbvh_triangles.member[_e1564];
-                                        phi_3128_ = _e1664;
+                                    if (_e1563 < _e121) {
+                                        let _e1663 = slimbvh_triangles.member[_e1563];
+                                        phi_3128_ = _e1663;
                                     } else {
                                         phi_3128_ = 0u;
                                     }
-                                    let _e1666 = phi_3128_;
-                                    let _e1667 = (_e1564 + 1u);
-                                    if (_e1667 < _e121) {
-                                        let _e1670 = slimbvh_triangles.member[_e1667];
-                                        phi_3141_ = _e1670;
+                                    let _e1665 = phi_3128_;
+                                    let _e1666 = (_e1563 + 1u);
+                                    if (_e1666 < _e121) {
+                                        let _e1669 = slimbvh_triangles.member[_e1666];
+                                        phi_3141_ = _e1669;
                                     } else {
                                         phi_3141_ = 0u;
                                     }
-                                    let _e1672 = phi_3141_;
-                                    let _e1674 = (_e227 == 1u);
-                                    if _e1674 {
-                                        phi_3151_ = ((_e1666 >> bitcast<u32>(21i)) | (_e1672 << bitcast<u32>(11i)));
+                                    let _e1671 = phi_3141_;
+                                    let _e1673 = (_e227 == 1u);
+                                    if _e1673 {
+                                        phi_3151_ = ((_e1665 >> bitcast<u32>(21i)) | (_e1671 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3151_ = (_e1672 >> bitcast<u32>(10i));
+                                        phi_3151_ = (_e1671 >> bitcast<u32>(10i));
                                     }
-                                    let _e1683 = phi_3151_;
-                                    let _e1692 = (_e231 == 1u);
-                                    if _e1692 {
-                                        phi_3172_ = ((_e1666 >> bitcast<u32>(21i)) | (_e1672 << bitcast<u32>(11i)));
+                                    let _e1682 = phi_3151_;
+                                    let _e1691 = (_e231 == 1u);
+                                    if _e1691 {
+                                        phi_3172_ = ((_e1665 >> bitcast<u32>(21i)) | (_e1671 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3172_ = (_e1672 >> bitcast<u32>(10i));
+                                        phi_3172_ = (_e1671 >> bitcast<u32>(10i));
                                     }
-                                    let _e1701 = phi_3172_;
-                                    let _e1710 = (_e223 == 1u);
-                                    if _e1710 {
-                                        phi_3193_ = ((_e1666 >> bitcast<u32>(21i)) | (_e1672 << bitcast<u32>(11i)));
+                                    let _e1700 = phi_3172_;
+                                    let _e1709 = (_e223 == 1u);
+                                    if _e1709 {
+                                        phi_3193_ = ((_e1665 >> bitcast<u32>(21i)) | (_e1671 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3193_ = (_e1672 >> bitcast<u32>(10i));
+                                        phi_3193_ = (_e1671 >> bitcast<u32>(10i));
                                     }
-                                    let _e1719 = phi_3193_;
-                                    if (_e1569 < _e121) {
-                                        let _e1730 = slimbvh_triangles.member[_e1569];
-                                        phi_3220_ = _e1730;
+                                    let _e1718 = phi_3193_;
+                                    if (_e1568 < _e121) {
+                                        let _e1729 = slimbvh_triangles.member[_e1568];
+                                        phi_3220_ = _e1729;
                                     } else {
                                         phi_3220_ = 0u;
                                     }
-                                    let _e1732 = phi_3220_;
-                                    let _e1733 = (_e1569 + 1u);
-                                    if (_e1733 < _e121) {
-                                        let _e1736 = slimbvh_triangles.member[_e1733];
-                                        phi_3233_ = _e1736;
+                                    let _e1731 = phi_3220_;
+                                    let _e1732 = (_e1568 + 1u);
+                                    if (_e1732 < _e121) {
+                                        let _e1735 = slimbvh_triangles.member[_e1732];
+                                        phi_3233_ = _e1735;
                                     } else {
                                         phi_3233_ = 0u;
                                     }
-                                    let _e1738 = phi_3233_;
-                                    if _e1674 {
-                                        phi_3243_ = ((_e1732 >> bitcast<u32>(21i)) | (_e1738 << bitcast<u32>(11i)));
+                                    let _e1737 = phi_3233_;
+                                    if _e1673 {
+                                        phi_3243_ = ((_e1731 >> bitcast<u32>(21i)) | (_e1737 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3243_ = (_e1738 >> bitcast<u32>(10i));
+                                        phi_3243_ = (_e1737 >> bitcast<u32>(10i));
                                     }
-                                    let _e1747 = phi_3243_;
-                                    if _e1692 {
-                                        phi_3264_ = ((_e1732 >> bitcast<u32>(21i)) | (_e1738 << bitcast<u32>(11i)));
+                                    let _e1746 = phi_3243_;
+                                    if _e1691 {
+                                        phi_3264_ = ((_e1731 >> bitcast<u32>(21i)) | (_e1737 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3264_ = (_e1738 >> bitcast<u32>(10i));
+                                        phi_3264_ = (_e1737 >> bitcast<u32>(10i));
                                     }
-                                    let _e1763 = phi_3264_;
-                                    if _e1710 {
-                                        phi_3285_ = ((_e1732 >> bitcast<u32>(21i)) | (_e1738 << bitcast<u32>(11i)));
+                                    let _e1762 = phi_3264_;
+                                    if _e1709 {
+                                        phi_3285_ = ((_e1731 >> bitcast<u32>(21i)) | (_e1737 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3285_ = (_e1738 >> bitcast<u32>(10i));
+                                        phi_3285_ = (_e1737 >> bitcast<u32>(10i));
                                     }
-                                    let _e1779 = phi_3285_;
-                                    if (_e1574 < _e121) {
-                                        let _e1790 = slimbvh_triangles.member[_e1574];
-                                        phi_3312_ = _e1790;
+                                    let _e1778 = phi_3285_;
+                                    if (_e1573 < _e121) {
+                                        let _e1789 = slimbvh_triangles.member[_e1573];
+                                        phi_3312_ = _e1789;
                                     } else {
                                         phi_3312_ = 0u;
                                     }
-                                    let _e1792 = phi_3312_;
-                                    let _e1793 = (_e1574 + 1u);
-                                    if (_e1793 < _e121) {
-                                        let _e1796 = slimbvh_triangles.member[_e1793];
-                                        phi_3325_ = _e1796;
+                                    let _e1791 = phi_3312_;
+                                    let _e1792 = (_e1573 + 1u);
+                                    if (_e1792 < _e121) {
+                                        let _e1795 = slimbvh_triangles.member[_e1792];
+                                        phi_3325_ = _e1795;
                                     } else {
                                         phi_3325_ = 0u;
                                     }
-                                    let _e1798 = phi_3325_;
-                                    if _e1674 {
-                                        phi_3335_ = ((_e1792 >> bitcast<u32>(21i)) | (_e1798 << bitcast<u32>(11i)));
+                                    let _e1797 = phi_3325_;
+                                    if _e1673 {
+                                        phi_3335_ = ((_e1791 >> bitcast<u32>(21i)) | (_e1797 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3335_ = (_e1798 >> bitcast<u32>(10i));
+                                        phi_3335_ = (_e1797 >> bitcast<u32>(10i));
                                     }
-                                    let _e1807 = phi_3335_;
-                                    if _e1692 {
-                                        phi_3356_ = ((_e1792 >> bitcast<u32>(21i)) | (_e1798 << bitcast<u32>(11i)));
+                                    let _e1806 = phi_3335_;
+                                    if _e1691 {
+                                        phi_3356_ = ((_e1791 >> bitcast<u32>(21i)) | (_e1797 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3356_ = (_e1798 >> bitcast<u32>(10i));
+                                        phi_3356_ = (_e1797 >> bitcast<u32>(10i));
                                     }
-                                    let _e1823 = phi_3356_;
-                                    if _e1710 {
-                                        phi_3377_ = ((_e1792 >> bitcast<u32>(21i)) | (_e1798 << bitcast<u32>(11i)));
+                                    let _e1822 = phi_3356_;
+                                    if _e1709 {
+                                        phi_3377_ = ((_e1791 >> bitcast<u32>(21i)) | (_e1797 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3377_ = (_e1798 >> bitcast<u32>(10i));
+                                        phi_3377_ = (_e1797 >> bitcast<u32>(10i));
                                     }
-                                    let _e1839 = phi_3377_;
-                                    phi_3548_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1683, _e1666, _e232) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1701, _e1666, _e235) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1719, _e1666, _e239) & 2097151u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1747, _e1732, _e232) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1763, _e1732, _e235) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1779, _e1732, _e239) & 2097151u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1807, _e1792, _e232) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1823, _e1792, _e235) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1839, _e1792, _e239) & 2097151u))) - 8388608f) * _e167))));
+                                    let _e1838 = phi_3377_;
+                                    phi_3548_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1682, _e1665, _e232) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1700, _e1665, _e235) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1718, _e1665, _e239) & 2097151u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1746, _e1731, _e232) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1762, _e1731, _e235) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1778, _e1731, _e239) & 2097151u))) - 8388608f) * _e167))), array<f32, 3>((_e1503.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1806, _e1791, _e232) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1822, _e1791, _e235) & 2097151u))) - 8388608f) * _e167)), (_e1503.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1838, _e1791, _e239) & 2097151u))) - 8388608f) * _e167))));
                                     break;
                                 }
                                 case 2: {
-                                    let _e1577 = (_e1564 + _e227);
-                                    if (_e1577 < _e121) {
-                                        let _e1580 = slimbvh_triangles.member[_e1577];
-                                        phi_3406_ = _e1580;
+                                    let _e1576 = (_e1563 + _e227);
+                                    if (_e1576 < _e121) {
+                                        let _e1579 = slimbvh_triangles.member[_e1576];
+                                        phi_3406_ = _e1579;
                                     } else {
                                         phi_3406_ = 0u;
                                     }
-                                    let _e1582 = phi_3406_;
-                                    let _e1583 = (_e1564 + _e231);
-                                    if (_e1583 < _e121) {
-                                        let _e1586 = slimbvh_triangles.member[_e1583];
-                                        phi_3419_ = _e1586;
+                                    let _e1581 = phi_3406_;
+                                    let _e1582 = (_e1563 + _e231);
+                                    if (_e1582 < _e121) {
+                                        let _e1585 = slimbvh_triangles.member[_e1582];
+                                        phi_3419_ = _e1585;
                                     } else {
                                         phi_3419_ = 0u;
                                     }
-                                    let _e1588 = phi_3419_;
-                                    let _e1589 = (_e1564 + _e223);
-                                    if (_e1589 < _e121) {
-                                        let _e1592 = slimbvh_triangles.member[_e1589];
-                                        phi_3432_ = _e1592;
+                                    let _e1587 = phi_3419_;
+                                    let _e1588 = (_e1563 + _e223);
+                                    if (_e1588 < _e121) {
+                                        let _e1591 = slimbvh_triangles.member[_e1588];
+                                        phi_3432_ = _e1591;
                                     } else {
                                         phi_3432_ = 0u;
                                     }
-                                    let _e1594 = phi_3432_;
-                                    let _e1605 = (_e1569 + _e227);
-                                    if (_e1605 < _e121) {
-                                        let _e1608 = slimbvh_triangles.member[_e1605];
-                                        phi_3458_ = _e1608;
+                                    let _e1593 = phi_3432_;
+                                    let _e1604 = (_e1568 + _e227);
+                                    if (_e1604 < _e121) {
+                                        let _e1607 = slimbvh_triangles.member[_e1604];
+                                        phi_3458_ = _e1607;
                                     } else {
                                         phi_3458_ = 0u;
                                     }
-                                    let _e1610 = phi_3458_;
-                                    let _e1611 = (_e1569 + _e231);
-                                    if (_e1611 < _e121) {
-                                        let _e1614 = slimbvh_triangles.member[_e1611];
-                                        phi_3471_ = _e1614;
+                                    let _e1609 = phi_3458_;
+                                    let _e1610 = (_e1568 + _e231);
+                                    if (_e1610 < _e121) {
+                                        let _e1613 = slimbvh_triangles.member[_e1610];
+                                        phi_3471_ = _e1613;
                                     } else {
                                         phi_3471_ = 0u;
                                     }
-                                    let _e1616 = phi_3471_;
-                                    let _e1617 = (_e1569 + _e223);
-                                    if (_e1617 < _e121) {
-                                        let _e1620 = slimbvh_triangles.member[_e1617];
-                                        phi_3484_ = _e1620;
+                                    let _e1615 = phi_3471_;
+                                    let _e1616 = (_e1568 + _e223);
+                                    if (_e1616 < _e121) {
+                                        let _e1619 = slimbvh_triangles.member[_e1616];
+                                        phi_3484_ = _e1619;
                                     } else {
                                         phi_3484_ = 0u;
                                     }
-                                    let _e1622 = phi_3484_;
-                                    let _e1633 = (_e1574 + _e227);
-                                    if (_e1633 < _e121) {
-                                        let _e1636 = slimbvh_triangles.member[_e1633];
-                                        phi_3510_ = _e1636;
+                                    let _e1621 = phi_3484_;
+                                    let _e1632 = (_e1573 + _e227);
+                                    if (_e1632 < _e121) {
+                                        let _e1635 = slimbvh_triangles.member[_e1632];
+                                        phi_3510_ = _e1635;
                                     } else {
                                         phi_3510_ = 0u;
                                     }
-                                    let _e1638 = phi_3510_;
-                                    let _e1639 = (_e1574 + _e231);
-                                    if (_e1639 < _e121) {
-                                        let _e1642 = slimbvh_triangles.member[_e1639];
-                                        phi_3523_ = _e1642;
+                                    let _e1637 = phi_3510_;
+                                    let _e1638 = (_e1573 + _e231);
+                                    if (_e1638 < _e121) {
+                                        let _e1641 = slimbvh_triangles.member[_e1638];
+                                        phi_3523_ = _e1641;
                                     } else {
                                         phi_3523_ = 0u;
                                     }
-                                    let _e1644 = phi_3523_;
-                                    let _e1645 = (_e1574 + _e223);
-                                    if (_e1645 < _e121) {
-                                        let _e1648 = slimbvh_triangles.member[_e1645];
-                                        phi_3536_ = _e1648;
+                                    let _e1643 = phi_3523_;
+                                    let _e1644 = (_e1573 + _e223);
+                                    if (_e1644 < _e121) {
+                                        let _e1647 = slimbvh_triangles.member[_e1644];
+                                        phi_3536_ = _e1647;
                                     } else {
                                         phi_3536_ = 0u;
                                     }
-                                    let _e1650 = phi_3536_;
-                                    phi_3548_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1582)) * _e167), (f32(bitcast<i32>(_e1588)) * _e167), (f32(bitcast<i32>(_e1594)) * _e167)), array<f32, 3>((f32(bitcast<i32>(_e1610)) * _e167), (f32(bitcast<i32>(_e1616)) * _e167), (f32(bitcast<i32>(_e1622)) * _e167)), array<f32, 3>((f32(bitcast<i32>(_e1638)) * _e167), (f32(bitcast<i32>(_e1644)) * _e167), (f32(bitcast<i32>(_e1650)) * _e167)));
+                                    let _e1649 = phi_3536_;
+                                    phi_3548_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1581)) * _e167), (f32(bitcast<i32>(_e1587)) * _e167), (f32(bitcast<i32>(_e1593)) * _e167)), array<f32, 3>((f32(bitcast<i32>(_e1609)) * _e167), (f32(bitcast<i32>(_e1615)) * _e167), (f32(bitcast<i32>(_e1621)) * _e167)), array<f32, 3>((f32(bitcast<i32>(_e1637)) * _e167), (f32(bitcast<i32>(_e1643)) * _e167), (f32(bitcast<i32>(_e1649)) * _e167)));
                                     break;
                                 }
                                 default: {
@@ -1047,401 +1047,401 @@ fn slimbvh_trace_in_group() {
                                     break;
                                 }
                             }
-                            let _e1950 = phi_3548_;
-                            let _e1967 = (_e1950[0][2] - _e615.member[2]);
-                            let _e1970 = (((_e1950[0][0] - _e615.member[0]) * _e670) - (_e1967 * _e638));
-                            let _e1973 = (((_e1950[0][1] - _e615.member[1]) * _e670) - (_e1967 * _e654));
-                            let _e1976 = (_e1950[1][2] - _e615.member[2]);
-                            let _e1979 = (((_e1950[1][0] - _e615.member[0]) * _e670) - (_e1976 * _e638));
-                            let _e1982 = (((_e1950[1][1] - _e615.member[1]) * _e670) - (_e1976 * _e654));
-                            let _e1985 = (_e1950[2][2] - _e615.member[2]);
-                            let _e1988 = (((_e1950[2][0] - _e615.member[0]) * _e670) - (_e1985 * _e638));
-                            let _e1991 = (((_e1950[2][1] - _e615.member[1]) * _e670) - (_e1985 * _e654));
-                            let _e1992 = (_e1988 * _e1982);
-                            let _e1993 = (_e1991 * _e1979);
-                            let _e1994 = (_e1970 * _e1991);
-                            let _e1995 = (_e1973 * _e1988);
-                            let _e1996 = (_e1979 * _e1973);
-                            let _e1997 = (_e1982 * _e1970);
-                            let _e2002 = (((_e1992 >= _e1993) && (_e1994 >= _e1995)) && (_e1996 >= _e1997));
-                            let _e2008 = (_e2002 || (((_e1992 <= _e1993) && (_e1994 <= _e1995)) && (_e1996 <= _e1997)));
-                            if _e2008 {
-                                let _e2010 = select(-1f, 1f, _e2002);
-                                let _e2012 = ((_e1992 - _e1993) * _e2010);
-                                let _e2014 = select(0f, _e2012, (_e2012 > 0f));
-                                let _e2016 = ((_e1994 - _e1995) * _e2010);
-                                let _e2018 = select(0f, _e2016, (_e2016 > 0f));
-                                let _e2020 = ((_e1996 - _e1997) * _e2010);
-                                let _e2022 = select(0f, _e2020, (_e2020 > 0f));
-                                let _e2024 = ((_e2014 + _e2018) + _e2022);
-                                let _e2039 = ((min(min(_e1950[0][0], _e1950[1][0]), _e1950[2][0]) - _e639) * _e642);
-                                let _e2040 = ((max(max(_e1950[0][0], _e1950[1][0]), _e1950[2][0]) - _e640) * _e642);
-                                let _e2041 = vec4<f32>(_e2039, f32(), _e2040, f32());
-                                let _e2044 = ((min(min(_e1950[0][1], _e1950[1][1]), _e1950[2][1]) - _e655) * _e658);
-                                let _e2045 = ((max(max(_e1950[0][1], _e1950[1][1]), _e1950[2][1]) - _e656) * _e658);
-                                let _e2046 = vec4<f32>(_e2044, f32(), _e2045, f32());
-                                let _e2049 = ((min(min(_e1950[0][2], _e1950[1][2]), _e1950[2][2]) - _e671) * _e674);
-                                let _e2050 = ((max(max(_e1950[0][2], _e1950[1][2]), _e1950[2][2]) - _e672) * _e674);
-                                let _e2051 = vec4<f32>(_e2049, f32(), _e2050, f32());
-                                let _e2052 = vec4<f32>(_e2040, f32(), _e2039, f32());
-                                let _e2054 = vec4<f32>(_e2045, f32(), _e2044, f32());
-                                let _e2056 = vec4<f32>(_e2050, f32(), _e2049, f32());
-                                let _e2065 = max(max(min(_e2041, _e2052).x, min(_e2046, _e2054).x), min(_e2051, _e2056).x);
-                                let _e2070 = min(min(max(_e2041, _e2052).x, max(_e2046, _e2054).x), max(_e2051, _e2056).x);
-                                let _e2075 = max(_e2065, _e682);
-                                let _e2097 = (((((_e2008 && (_e2024 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1970, _e1979), _e1988) <= 0f) && (max(max(_e1970, _e1979), _e1988) >= 0f))) && ((min(min(_e1973, _e1982), _e1991) <= 0f) && (max(max(_e1973, _e1982), _e1991) >= 0f))) && (_e2075 <= (_e2070 + (max(max(_e2051, _e2056).x, -(min(_e2051, _e2056).x)) * 0.0000019073523f)))) && (_e2075 <= _e1507.member.member_1));
-                                if _e2097 {
-                                    let _e2102 = (_e1950[1][0] - _e1950[0][0]);
-                                    let _e2103 = (_e1950[1][1] - _e1950[0][1]);
-                                    let _e2104 = (_e1950[1][2] - _e1950[0][2]);
-                                    let _e2105 = vec3<f32>(_e2102, _e2103, _e2104);
-                                    let _e2106 = (_e1950[2][0] - _e1950[1][0]);
-                                    let _e2107 = (_e1950[2][1] - _e1950[1][1]);
-                                    let _e2108 = (_e1950[2][2] - _e1950[1][2]);
-                                    let _e2109 = vec3<f32>(_e2106, _e2107, _e2108);
-                                    let _e2110 = (_e1950[0][0] - _e1950[2][0]);
-                                    let _e2111 = (_e1950[0][1] - _e1950[2][1]);
-                                    let _e2112 = (_e1950[0][2] - _e1950[2][2]);
-                                    let _e2113 = vec3<f32>(_e2110, _e2111, _e2112);
-                                    let _e2124 = max(max(bitcast<f32>((bitcast<u32>(_e2102) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2103) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2104) & 2147483647u)));
-                                    let _e2135 = max(max(bitcast<f32>((bitcast<u32>(_e2106) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2107) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u)));
-                                    let _e2148 = max(max(_e2124, _e2135), max(max(bitcast<f32>((bitcast<u32>(_e2110) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2111) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2112) & 2147483647u))));
-                                    if (_e2124 == _e2148) {
-                                        phi_3913_ = _e1982;
-                                        phi_3914_ = _e1979;
-                                        phi_3915_ = _e1973;
-                                        phi_3916_ = _e1970;
-                                        phi_3917_ = vec3<f32>(_e1950[0][0], _e1950[0][1], _e1950[0][2]);
-                                        phi_3918_ = _e2113;
-                                        phi_3919_ = _e2109;
-                                        phi_3920_ = _e2105;
+                            let _e1949 = phi_3548_;
+                            let _e1966 = (_e1949[0][2] - _e615.member[2]);
+                            let _e1969 = (((_e1949[0][0] - _e615.member[0]) * _e670) - (_e1966 * _e638));
+                            let _e1972 = (((_e1949[0][1] - _e615.member[1]) * _e670) - (_e1966 * _e654));
+                            let _e1975 = (_e1949[1][2] - _e615.member[2]);
+                            let _e1978 = (((_e1949[1][0] - _e615.member[0]) * _e670) - (_e1975 * _e638));
+                            let _e1981 = (((_e1949[1][1] - _e615.member[1]) * _e670) - (_e1975 * _e654));
+                            let _e1984 = (_e1949[2][2] - _e615.member[2]);
+                            let _e1987 = (((_e1949[2][0] - _e615.member[0]) * _e670) - (_e1984 * _e638));
+                            let _e1990 = (((_e1949[2][1] - _e615.member[1]) * _e670) - (_e1984 * _e654));
+                            let _e1991 = (_e1987 * _e1981);
+                            let _e1992 = (_e1990 * _e1978);
+                            let _e1993 = (_e1969 * _e1990);
+                            let _e1994 = (_e1972 * _e1987);
+                            let _e1995 = (_e1978 * _e1972);
+                            let _e1996 = (_e1981 * _e1969);
+                            let _e2001 = (((_e1991 >= _e1992) && (_e1993 >= _e1994)) && (_e1995 >= _e1996));
+                            let _e2007 = (_e2001 || (((_e1991 <= _e1992) && (_e1993 <= _e1994)) && (_e1995 <= _e1996)));
+                            if _e2007 {
+                                let _e2009 = select(-1f, 1f, _e2001);
+                                let _e2011 = ((_e1991 - _e1992) * _e2009);
+                                let _e2013 = select(0f, _e2011, (_e2011 > 0f));
+                                let _e2015 = ((_e1993 - _e1994) * _e2009);
+                                let _e2017 = select(0f, _e2015, (_e2015 > 0f));
+                                let _e2019 = ((_e1995 - _e1996) * _e2009);
+                                let _e2021 = select(0f, _e2019, (_e2019 > 0f));
+                                let _e2023 = ((_e2013 + _e2017) + _e2021);
+                                let _e2038 = ((min(min(_e1949[0][0], _e1949[1][0]), _e1949[2][0]) - _e639) * _e642);
+                                let _e2039 = ((max(max(_e1949[0][0], _e1949[1][0]), _e1949[2][0]) - _e640) * _e642);
+                                let _e2040 = vec4<f32>(_e2038, f32(), _e2039, f32());
+                                let _e2043 = ((min(min(_e1949[0][1], _e1949[1][1]), _e1949[2][1]) - _e655) * _e658);
+                                let _e2044 = ((max(max(_e1949[0][1], _e1949[1][1]), _e1949[2][1]) - _e656) * _e658);
+                                let _e2045 = vec4<f32>(_e2043, f32(), _e2044, f32());
+                                let _e2048 = ((min(min(_e1949[0][2], _e1949[1][2]), _e1949[2][2]) - _e671) * _e674);
+                                let _e2049 = ((max(max(_e1949[0][2], _e1949[1][2]), _e1949[2][2]) - _e672) * _e674);
+                                let _e2050 = vec4<f32>(_e2048, f32(), _e2049, f32());
+                                let _e2051 = vec4<f32>(_e2039, f32(), _e2038, f32());
+                                let _e2053 = vec4<f32>(_e2044, f32(), _e2043, f32());
+                                let _e2055 = vec4<f32>(_e2049, f32(), _e2048, f32());
+                                let _e2064 = max(max(min(_e2040, _e2051).x, min(_e2045, _e2053).x), min(_e2050, _e2055).x);
+                                let _e2069 = min(min(max(_e2040, _e2051).x, max(_e2045, _e2053).x), max(_e2050, _e2055).x);
+                                let _e2074 = max(_e2064, _e682);
+                                let _e2096 = (((((_e2007 && (_e2023 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1969, _e1978), _e1987) <= 0f) && (max(max(_e1969, _e1978), _e1987) >= 0f))) && ((min(min(_e1972, _e1981), _e1990) <= 0f) && (max(max(_e1972, _e1981), _e1990) >= 0f))) && (_e2074 <= (_e2069 + (max(max(_e2050, _e2055).x, -(min(_e2050, _e2055).x)) * 0.0000019073523f)))) && (_e2074 <= _e1507.member.member_1));
+                                if _e2096 {
+                                    let _e2101 = (_e1949[1][0] - _e1949[0][0]);
+                                    let _e2102 = (_e1949[1][1] - _e1949[0][1]);
+                                    let _e2103 = (_e1949[1][2] - _e1949[0][2]);
+                                    let _e2104 = vec3<f32>(_e2101, _e2102, _e2103);
+                                    let _e2105 = (_e1949[2][0] - _e1949[1][0]);
+                                    let _e2106 = (_e1949[2][1] - _e1949[1][1]);
+                                    let _e2107 = (_e1949[2][2] - _e1949[1][2]);
+                                    let _e2108 = vec3<f32>(_e2105, _e2106, _e2107);
+                                    let _e2109 = (_e1949[0][0] - _e1949[2][0]);
+                                    let _e2110 = (_e1949[0][1] - _e1949[2][1]);
+                                    let _e2111 = (_e1949[0][2] - _e1949[2][2]);
+                                    let _e2112 = vec3<f32>(_e2109, _e2110, _e2111);
+                                    let _e2123 = max(max(bitcast<f32>((bitcast<u32>(_e2101) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2102) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2103) & 2147483647u)));
+                                    let _e2134 = max(max(bitcast<f32>((bitcast<u32>(_e2105) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2106) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2107) & 2147483647u)));
+                                    let _e2147 = max(max(_e2123, _e2134), max(max(bitcast<f32>((bitcast<u32>(_e2109) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2110) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2111) & 2147483647u))));
+                                    if (_e2123 == _e2147) {
+                                        phi_3913_ = _e1981;
+                                        phi_3914_ = _e1978;
+                                        phi_3915_ = _e1972;
+                                        phi_3916_ = _e1969;
+                                        phi_3917_ = vec3<f32>(_e1949[0][0], _e1949[0][1], _e1949[0][2]);
+                                        phi_3918_ = _e2112;
+                                        phi_3919_ = _e2108;
+                                        phi_3920_ = _e2104;
                                     } else {
-                                        let _e2150 = (_e2135 == _e2148);
-                                        let _e2155 = vec3(_e2150);
-                                        phi_3913_ = select(_e1973, _e1991, _e2150);
-                                        phi_3914_ = select(_e1970, _e1988, _e2150);
-                                        phi_3915_ = select(_e1991, _e1982, _e2150);
-                                        phi_3916_ = select(_e1988, _e1979, _e2150);
-                                        phi_3917_ = select(vec3<f32>(_e1950[2][0], _e1950[2][1], _e1950[2][2]), vec3<f32>(_e1950[1][0], _e1950[1][1], _e1950[1][2]), _e2155);
-                                        phi_3918_ = select(_e2109, _e2105, _e2155);
-                                        phi_3919_ = select(_e2105, _e2113, _e2155);
-                                        phi_3920_ = select(_e2113, _e2109, _e2155);
+                                        let _e2149 = (_e2134 == _e2147);
+                                        let _e2154 = vec3(_e2149);
+                                        phi_3913_ = select(_e1972, _e1990, _e2149);
+                                        phi_3914_ = select(_e1969, _e1987, _e2149);
+                                        phi_3915_ = select(_e1990, _e1981, _e2149);
+                                        phi_3916_ = select(_e1987, _e1978, _e2149);
+                                        phi_3917_ = select(vec3<f32>(_e1949[2][0], _e1949[2][1], _e1949[2][2]), vec3<f32>(_e1949[1][0], _e1949[1][1], _e1949[1][2]), _e2154);
+                                        phi_3918_ = select(_e2108, _e2104, _e2154);
+                                        phi_3919_ = select(_e2104, _e2112, _e2154);
+                                        phi_3920_ = select(_e2112, _e2108, _e2154);
                                     }
-                                    let _e2161 = phi_3913_;
-                                    let _e2163 = phi_3914_;
-                                    let _e2165 = phi_3915_;
-                                    let _e2167 = phi_3916_;
-                                    let _e2169 = phi_3917_;
-                                    let _e2171 = phi_3918_;
-                                    let _e2173 = phi_3919_;
-                                    let _e2175 = phi_3920_;
-                                    let _e2182 = ((_e2173.y * _e2171.z) - (_e2171.y * _e2173.z));
-                                    let _e2187 = ((_e2173.z * _e2171.x) - (_e2171.z * _e2173.x));
-                                    let _e2190 = ((_e2173.x * _e2171.y) - (_e2171.x * _e2173.y));
-                                    let _e2193 = ((_e2014 >= _e2018) && (_e2014 >= _e2022));
-                                    let _e2194 = (_e2018 >= _e2022);
-                                    let _e2208 = (((_e2182 * (select(select(_e1950[2][0], _e1950[1][0], _e2194), _e1950[0][0], _e2193) - _e615.member[0])) + (_e2187 * (select(select(_e1950[2][1], _e1950[1][1], _e2194), _e1950[0][1], _e2193) - _e615.member[1]))) + (_e2190 * (select(select(_e1950[2][2], _e1950[1][2], _e2194), _e1950[0][2], _e2193) - _e615.member[2])));
-                                    let _e2213 = (((_e2182 * _e638) + (_e2187 * _e654)) + (_e2190 * _e670));
-                                    let _e2214 = (_e2163 - _e2167);
-                                    let _e2215 = (_e2161 - _e2165);
-                                    let _e2218 = ((_e2214 * _e2214) + (_e2215 * _e2215));
-                                    let _e2225 = (-(((_e2167 * _e2214) + (_e2165 * _e2215))) / select(0.000000000000000000000000000000000000011754944f, _e2218, (_e2218 > 0.000000000000000000000000000000000000011754944f)));
-                                    let _e2227 = select(1f, _e2225, (_e2225 < 1f));
-                                    let _e2229 = select(0f, _e2227, (_e2227 > 0f));
-                                    let _e2238 = ((_e2169.x + (_e2175.x * _e2229)) - _e615.member[0]);
-                                    let _e2241 = ((_e2169.y + (_e2175.y * _e2229)) - _e615.member[1]);
-                                    let _e2244 = ((_e2169.z + (_e2175.z * _e2229)) - _e615.member[2]);
-                                    let _e2309 = ((bitcast<f32>((bitcast<u32>(((((_e2182 * _e2238) + (_e2187 * _e2241)) + (_e2190 * _e2244)) - _e2208)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2238) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2241) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2244) & 2147483647u))), _e2148)) * max(max(bitcast<f32>((bitcast<u32>(_e2182) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2187) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2190) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2213) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2173.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2173.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2173.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2171.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2171.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2171.z) & 2147483647u)))))));
-                                    let _e2310 = (_e2208 / _e2213);
-                                    if (_e2097 && !(_e2309)) {
-                                        let _e2313 = (_e2244 / _e670);
-                                        let _e2321 = (((_e2182 * (_e2238 - (_e638 * _e2313))) + (_e2187 * (_e2241 - (_e654 * _e2313)))) / _e2213);
-                                        phi_4099_ = select(select(_e2313, (_e2313 + _e2321), (bitcast<f32>((bitcast<u32>(_e2321) & 2147483647u)) <= _e2148)), _e2310, _e2309);
+                                    let _e2160 = phi_3913_;
+                                    let _e2162 = phi_3914_;
+                                    let _e2164 = phi_3915_;
+                                    let _e2166 = phi_3916_;
+                                    let _e2168 = phi_3917_;
+                                    let _e2170 = phi_3918_;
+                                    let _e2172 = phi_3919_;
+                                    let _e2174 = phi_3920_;
+                                    let _e2181 = ((_e2172.y * _e2170.z) - (_e2170.y * _e2172.z));
+                                    let _e2186 = ((_e2172.z * _e2170.x) - (_e2170.z * _e2172.x));
+                                    let _e2189 = ((_e2172.x * _e2170.y) - (_e2170.x * _e2172.y));
+                                    let _e2192 = ((_e2013 >= _e2017) && (_e2013 >= _e2021));
+                                    let _e2193 = (_e2017 >= _e2021);
+                                    let _e2207 = (((_e2181 * (select(select(_e1949[2][0], _e1949[1][0], _e2193), _e1949[0][0], _e2192) - _e615.member[0])) + (_e2186 * (select(select(_e1949[2][1], _e1949[1][1], _e2193), _e1949[0][1], _e2192) - _e615.member[1]))) + (_e2189 * (select(select(_e1949[2][2], _e1949[1][2], _e2193), _e1949[0][2], _e2192) - _e615.member[2])));
+                                    let _e2212 = (((_e2181 * _e638) + (_e2186 * _e654)) + (_e2189 * _e670));
+                                    let _e2213 = (_e2162 - _e2166);
+                                    let _e2214 = (_e2160 - _e2164);
+                                    let _e2217 = ((_e2213 * _e2213) + (_e2214 * _e2214));
+                                    let _e2224 = (-(((_e2166 * _e2213) + (_e2164 * _e2214))) / select(0.000000000000000000000000000000000000011754944f, _e2217, (_e2217 > 0.000000000000000000000000000000000000011754944f)));
+                                    let _e2226 = select(1f, _e2224, (_e2224 < 1f));
+                                    let _e2228 = select(0f, _e2226, (_e2226 > 0f));
+                                    let _e2237 = ((_e2168.x + (_e2174.x * _e2228)) - _e615.member[0]);
+                                    let _e2240 = ((_e2168.y + (_e2174.y * _e2228)) - _e615.member[1]);
+                                    let _e2243 = ((_e2168.z + (_e2174.z * _e2228)) - _e615.member[2]);
+                                    let _e2308 = ((bitcast<f32>((bitcast<u32>(((((_e2181 * _e2237) + (_e2186 * _e2240)) + (_e2189 * _e2243)) - _e2207)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2237) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2240) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2243) & 2147483647u))), _e2147)) * max(max(bitcast<f32>((bitcast<u32>(_e2181) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2186) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2189) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2212) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2172.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2172.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2172.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2170.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2170.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2170.z) & 2147483647u)))))));
+                                    let _e2309 = (_e2207 / _e2212);
+                                    if (_e2096 && !(_e2308)) {
+                                        let _e2312 = (_e2243 / _e670);
+                                        let _e2320 = (((_e2181 * (_e2237 - (_e638 * _e2312))) + (_e2186 * (_e2240 - (_e654 * _e2312)))) / _e2212);
+                                        phi_4099_ = select(select(_e2312, (_e2312 + _e2320), (bitcast<f32>((bitcast<u32>(_e2320) & 2147483647u)) <= _e2147)), _e2309, _e2308);
                                     } else {
-                                        phi_4099_ = _e2310;
+                                        phi_4099_ = _e2309;
                                     }
-                                    let _e2330 = phi_4099_;
-                                    let _e2332 = select(_e2070, _e2330, (_e2330 < _e2070));
-                                    let _e2334 = select(_e2065, _e2332, (_e2332 > _e2065));
-                                    let _e2337 = select(_e2334, 0f, (bitcast<u32>(_e2334) == 2147483648u));
-                                    let _e2338 = (1f / _e2024);
-                                    phi_4125_ = SlimbvhTypeE(_e2337, (_e2018 * _e2338), (_e2022 * _e2338), ((_e2097 && (_e2337 >= _e682)) && (_e2337 <= _e1507.member.member_1)));
+                                    let _e2329 = phi_4099_;
+                                    let _e2331 = select(_e2069, _e2329, (_e2329 < _e2069));
+                                    let _e2333 = select(_e2064, _e2331, (_e2331 > _e2064));
+                                    let _e2336 = select(_e2333, 0f, (bitcast<u32>(_e2333) == 2147483648u));
+                                    let _e2337 = (1f / _e2023);
+                                    phi_4125_ = SlimbvhTypeE(_e2336, (_e2017 * _e2337), (_e2021 * _e2337), ((_e2096 && (_e2336 >= _e682)) && (_e2336 <= _e1507.member.member_1)));
                                     phi_4126_ = SlimbvhTypeE();
                                 } else {
                                     phi_4125_ = SlimbvhTypeE();
-                                    phi_4126_ = SlimbvhTypeE(0f, 0f, 0f, _e2097);
+                                    phi_4126_ = SlimbvhTypeE(0f, 0f, 0f, _e2096);
                                 }
-                                let _e2347 = phi_4125_;
-                                let _e2349 = phi_4126_;
-                                phi_4129_ = _e2347;
-                                phi_4130_ = _e2349;
-                                phi_4131_ = select(true, false, _e2097);
+                                let _e2346 = phi_4125_;
+                                let _e2348 = phi_4126_;
+                                phi_4129_ = _e2346;
+                                phi_4130_ = _e2348;
+                                phi_4131_ = select(true, false, _e2096);
                             } else {
                                 phi_4129_ = SlimbvhTypeE();
-                                phi_4130_ = SlimbvhTypeE(0f, 0f, 0f, _e2008);
+                                phi_4130_ = SlimbvhTypeE(0f, 0f, 0f, _e2007);
                                 phi_4131_ = true;
                             }
-                            let _e2352 = phi_4129_;
-                            let _e2354 = phi_4130_;
-                            let _e2356 = phi_4131_;
-                            if _e2356 {
-                                phi_4135_ = _e2354;
+                            let _e2351 = phi_4129_;
+                            let _e2353 = phi_4130_;
+                            let _e2355 = phi_4131_;
+                            if _e2355 {
+                                phi_4135_ = _e2353;
                             } else {
-                                phi_4135_ = _e2352;
+                                phi_4135_ = _e2351;
                             }
-                            let _e2358 = phi_4135_;
-                            if _e2358.member_3 {
-                                phi_4144_ = SlimbvhTypeF(_e2358.member, _e2358.member_1, _e2358.member_2, _e1538);
+                            let _e2357 = phi_4135_;
+                            if _e2357.member_3 {
+                                phi_4144_ = SlimbvhTypeF(_e2357.member, _e2357.member_1, _e2357.member_2, _e1538);
                             } else {
                                 phi_4144_ = _e114;
                             }
-                            let _e2365 = phi_4144_;
-                            if (_e2365.member_3 != 4294967295u) {
+                            let _e2364 = phi_4144_;
+                            if (_e2364.member_3 != 4294967295u) {
                                 if (_e1538 != 4294967295u) {
-                                    if (_e2365.member < _e1507.member.member.member) {
+                                    if (_e2364.member < _e1507.member.member.member) {
                                         phi_4172_ = true;
                                     } else {
-                                        if (_e2365.member == _e1507.member.member.member) {
-                                            phi_4171_ = (_e2365.member_3 < _e1507.member.member.member_3);
+                                        if (_e2364.member == _e1507.member.member.member) {
+                                            phi_4171_ = (_e2364.member_3 < _e1507.member.member.member_3);
                                         } else {
                                             phi_4171_ = false;
                                         }
-                                        let _e2380 = phi_4171_;
-                                        phi_4172_ = _e2380;
+                                        let _e2379 = phi_4171_;
+                                        phi_4172_ = _e2379;
                                     }
-                                    let _e2382 = phi_4172_;
-                                    if _e2382 {
-                                        phi_4179_ = SlimbvhTypeO(SlimbvhTypeH(_e2365, _e2365.member), _e1507.member_1);
+                                    let _e2381 = phi_4172_;
+                                    if _e2381 {
+                                        phi_4179_ = SlimbvhTypeO(SlimbvhTypeH(_e2364, _e2364.member), _e1507.member_1);
                                     } else {
                                         phi_4179_ = _e1507;
                                     }
-                                    let _e2388 = phi_4179_;
-                                    if _e2388.member_1 {
-                                        phi_4185_ = SlimbvhTypeO(SlimbvhTypeH(_e2388.member.member, bitcast<f32>(4286578687u)), _e2388.member_1);
+                                    let _e2387 = phi_4179_;
+                                    if _e2387.member_1 {
+                                        phi_4185_ = SlimbvhTypeO(SlimbvhTypeH(_e2387.member.member, bitcast<f32>(4286578687u)), _e2387.member_1);
                                     } else {
-                                        phi_4185_ = _e2388;
+                                        phi_4185_ = _e2387;
                                     }
-                                    let _e2397 = phi_4185_;
-                                    phi_4186_ = _e2397;
+                                    let _e2396 = phi_4185_;
+                                    phi_4186_ = _e2396;
                                 } else {
                                     phi_4186_ = _e1507;
                                 }
-                                let _e2399 = phi_4186_;
-                                phi_4187_ = _e2399;
+                                let _e2398 = phi_4186_;
+                                phi_4187_ = _e2398;
                             } else {
                                 phi_4187_ = _e1507;
                             }
-                            let _e2401 = phi_4187_;
-                            phi_2852_ = _e2401;
+                            let _e2400 = phi_4187_;
+                            phi_2852_ = _e2400;
                         } else {
                             phi_2852_ = SlimbvhTypeO();
                         }
-                        let _e2403 = phi_2852_;
+                        let _e2402 = phi_2852_;
                         continue;
                         continuing {
-                            phi_2851_ = _e2403;
+                            phi_2851_ = _e2402;
                             phi_2854_ = _e1522;
                             break if !(_e1528);
                         }
                     }
-                    let _e2406 = local_2;
-                    let _e2407 = (_e2406 - 1u);
-                    let _e2412 = slimbvh_stacks[(((_e2407 % 32u) * 64u) + _e686)];
-                    let _e2413 = (_e2412 & 511u);
-                    let _e2415 = (_e2413 >> bitcast<u32>(3u));
-                    let _e2418 = ((_e2415 == 0u) || (_e2407 == 4294967295u));
-                    if _e2418 {
+                    let _e2405 = local_2;
+                    let _e2406 = (_e2405 - 1u);
+                    let _e2411 = slimbvh_stacks[(((_e2406 % 32u) * 64u) + _e686)];
+                    let _e2412 = (_e2411 & 511u);
+                    let _e2414 = (_e2412 >> bitcast<u32>(3u));
+                    let _e2417 = ((_e2414 == 0u) || (_e2406 == 4294967295u));
+                    if _e2417 {
                     } else {
-                        slimbvh_stacks[(((_e2407 % 32u) * 64u) + _e686)] = (((_e2412 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2415);
+                        slimbvh_stacks[(((_e2406 % 32u) * 64u) + _e686)] = (((_e2411 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2414);
                     }
-                    let _e2425 = local_3;
-                    let _e2433 = (((_e2412 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2413 & 3u) & 3u));
-                    let _e2435 = (_e2433 >> bitcast<u32>(2i));
-                    if (_e2435 < _e118) {
-                        let _e2440 = slimbvh_nodes.member[_e2435][1u][3u];
-                        let _e2444 = slimbvh_nodes.member[_e2435][2u][3u];
-                        let _e2449 = (_e2444 >> bitcast<u32>(20u));
-                        let _e2450 = (_e2433 & 3u);
-                        if (((_e2449 >> bitcast<u32>((((3u * _e2450) & 31u) & 31u))) & 7u) == 7u) {
-                            let _e2462 = ((_e2449 | (_e2449 << bitcast<u32>(10i))) & 4128831u);
-                            phi_4278_ = (((_e2440 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2462 | (_e2462 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2450) & 31u) & 31u))) & 255u));
+                    let _e2424 = local_3;
+                    let _e2432 = (((_e2411 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2412 & 3u) & 3u));
+                    let _e2434 = (_e2432 >> bitcast<u32>(2i));
+                    if (_e2434 < _e118) {
+                        let _e2439 = slimbvh_nodes.member[_e2434][1u][3u];
+                        let _e2443 = slimbvh_nodes.member[_e2434][2u][3u];
+                        let _e2448 = (_e2443 >> bitcast<u32>(20u));
+                        let _e2449 = (_e2432 & 3u);
+                        if (((_e2448 >> bitcast<u32>((((3u * _e2449) & 31u) & 31u))) & 7u) == 7u) {
+                            let _e2461 = ((_e2448 | (_e2448 << bitcast<u32>(10i))) & 4128831u);
+                            phi_4278_ = (((_e2439 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2461 | (_e2461 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2449) & 31u) & 31u))) & 255u));
                         } else {
-                            phi_4278_ = (2147483648u | _e2433);
+                            phi_4278_ = (2147483648u | _e2432);
                         }
-                        let _e2480 = phi_4278_;
-                        phi_4279_ = _e2480;
+                        let _e2479 = phi_4278_;
+                        phi_4279_ = _e2479;
                     } else {
                         phi_4279_ = 4294967295u;
                     }
-                    let _e2482 = phi_4279_;
-                    let _e2484 = local_4;
-                    let _e2782 = local_7;
-                    phi_4288_ = _e2782;
-                    phi_4289_ = select(select(_e2425, _e2407, _e2418), 4294967295u, (_e682 > _e2484.member.member_1));
-                    phi_4290_ = _e2482;
+                    let _e2481 = phi_4279_;
+                    let _e2483 = local_4;
+                    let _e2781 = local_7;
+                    phi_4288_ = _e2781;
+                    phi_4289_ = select(select(_e2424, _e2406, _e2417), 4294967295u, (_e682 > _e2483.member.member_1));
+                    phi_4290_ = _e2481;
                 } else {
                     phi_4288_ = _e793;
-                    let _e2785 = local_8;
-                    phi_4289_ = _e2785;
-                    let _e2788 = local_9;
-                    phi_4290_ = _e2788;
+                    let _e2784 = local_8;
+                    phi_4289_ = _e2784;
+                    let _e2787 = local_9;
+                    phi_4290_ = _e2787;
                 }
-                let _e2490 = phi_4288_;
-                let _e2492 = phi_4289_;
-                let _e2494 = phi_4290_;
-                phi_1697_ = _e2490;
-                phi_1700_ = _e2492;
-                phi_1702_ = _e2494;
-                let _e2794 = local_10;
-                phi_1704_ = _e2794;
+                let _e2489 = phi_4288_;
+                let _e2491 = phi_4289_;
+                let _e2493 = phi_4290_;
+                phi_1697_ = _e2489;
+                phi_1700_ = _e2491;
+                phi_1702_ = _e2493;
+                let _e2793 = local_10;
+                phi_1704_ = _e2793;
             } else {
                 phi_1697_ = SlimbvhTypeO();
                 phi_1700_ = u32();
                 phi_1702_ = u32();
                 phi_1704_ = u32();
             }
-            let _e2496 = phi_1697_;
-            let _e2498 = phi_1700_;
-            let _e2500 = phi_1702_;
-            let _e2502 = phi_1704_;
+            let _e2495 = phi_1697_;
+            let _e2497 = phi_1700_;
+            let _e2499 = phi_1702_;
+            let _e2501 = phi_1704_;
             continue;
             continuing {
-                phi_1696_ = _e2496;
-                phi_1699_ = _e2498;
-                phi_1701_ = _e2500;
-                phi_1703_ = _e2502;
+                phi_1696_ = _e2495;
+                phi_1699_ = _e2497;
+                phi_1701_ = _e2499;
+                phi_1703_ = _e2501;
                 break if !(_e800);
             }
         }
-        let _e2505 = local_5;
-        let _e2506 = (_e2505 == 4294967295u);
-        let _e2508 = local_6;
-        if (_e2508.member.member.member_3 != 4294967295u) {
-            let _e2514 = -((_e185 + _e615.member_4));
-            let _e2515 = bitcast<u32>(_e2508.member.member.member);
-            let _e2519 = (bitcast<i32>((_e2515 >> bitcast<u32>(23i))) & 255i);
-            let _e2520 = (_e2519 + _e2514);
-            if (_e2519 == 255i) {
-                phi_4348_ = _e2508.member.member.member;
+        let _e2504 = local_5;
+        let _e2505 = (_e2504 == 4294967295u);
+        let _e2507 = local_6;
+        if (_e2507.member.member.member_3 != 4294967295u) {
+            let _e2513 = -((_e185 + _e615.member_4));
+            let _e2514 = bitcast<u32>(_e2507.member.member.member);
+            let _e2518 = (bitcast<i32>((_e2514 >> bitcast<u32>(23i))) & 255i);
+            let _e2519 = (_e2518 + _e2513);
+            if (_e2518 == 255i) {
+                phi_4348_ = _e2507.member.member.member;
             } else {
-                if (_e2519 > 0i) {
-                    if (_e2520 > 0i) {
-                        let _e2524 = (_e2520 < 255i);
-                        if _e2524 {
-                            phi_4327_ = bitcast<f32>((_e2515 + bitcast<u32>((_e2514 << bitcast<u32>(23i)))));
+                if (_e2518 > 0i) {
+                    if (_e2519 > 0i) {
+                        let _e2523 = (_e2519 < 255i);
+                        if _e2523 {
+                            phi_4327_ = bitcast<f32>((_e2514 + bitcast<u32>((_e2513 << bitcast<u32>(23i)))));
                         } else {
                             phi_4327_ = f32();
                         }
-                        let _e2531 = phi_4327_;
-                        phi_4329_ = _e2531;
-                        phi_4330_ = select(true, false, _e2524);
+                        let _e2530 = phi_4327_;
+                        phi_4329_ = _e2530;
+                        phi_4330_ = select(true, false, _e2523);
                     } else {
                         phi_4329_ = f32();
                         phi_4330_ = true;
                     }
-                    let _e2534 = phi_4329_;
-                    let _e2536 = phi_4330_;
-                    phi_4331_ = _e2534;
-                    phi_4332_ = _e2536;
+                    let _e2533 = phi_4329_;
+                    let _e2535 = phi_4330_;
+                    phi_4331_ = _e2533;
+                    phi_4332_ = _e2535;
                 } else {
                     phi_4331_ = f32();
                     phi_4332_ = true;
                 }
-                let _e2538 = phi_4331_;
-                let _e2540 = phi_4332_;
-                if _e2540 {
-                    let _e2541 = (_e2515 & 2147483648u);
-                    let _e2548 = ((_e2515 & 8388607u) | (select(0u, 1u, ((_e2515 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                    let _e2552 = (_e2548 == 0u);
-                    if _e2552 {
-                        phi_5030_ = bitcast<f32>(_e2541);
+                let _e2537 = phi_4331_;
+                let _e2539 = phi_4332_;
+                if _e2539 {
+                    let _e2540 = (_e2514 & 2147483648u);
+                    let _e2547 = ((_e2514 & 8388607u) | (select(0u, 1u, ((_e2514 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e2551 = (_e2547 == 0u);
+                    if _e2551 {
+                        phi_5030_ = bitcast<f32>(_e2540);
                     } else {
-                        let _e2557 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2548)), 32u, _e2552) - 8u);
-                        let _e2560 = (_e2548 << bitcast<u32>((_e2557 & 31u)));
-                        let _e2562 = ((_e2520 + select(0i, 1i, (_e2519 == 0i))) - bitcast<i32>(_e2557));
-                        if (_e2562 >= 255i) {
-                            phi_5020_ = bitcast<f32>((_e2541 | 2139095040u));
+                        let _e2556 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2547)), 32u, _e2551) - 8u);
+                        let _e2559 = (_e2547 << bitcast<u32>((_e2556 & 31u)));
+                        let _e2561 = ((_e2519 + select(0i, 1i, (_e2518 == 0i))) - bitcast<i32>(_e2556));
+                        if (_e2561 >= 255i) {
+                            phi_5020_ = bitcast<f32>((_e2540 | 2139095040u));
                             phi_5021_ = f32();
                             phi_5022_ = true;
                         } else {
-                            let _e2564 = (_e2562 > 0i);
-                            if _e2564 {
-                                phi_5014_ = bitcast<f32>(((_e2541 | (bitcast<u32>(_e2562) << bitcast<u32>(23i))) | (_e2560 & 8388607u)));
+                            let _e2563 = (_e2561 > 0i);
+                            if _e2563 {
+                                phi_5014_ = bitcast<f32>(((_e2540 | (bitcast<u32>(_e2561) << bitcast<u32>(23i))) | (_e2559 & 8388607u)));
                                 phi_5015_ = f32();
                             } else {
-                                if (_e2562 < -24i) {
+                                if (_e2561 < -24i) {
                                     phi_4980_ = 26u;
                                 } else {
-                                    phi_4980_ = bitcast<u32>((1i - _e2562));
+                                    phi_4980_ = bitcast<u32>((1i - _e2561));
                                 }
-                                let _e2569 = phi_4980_;
-                                let _e2570 = (_e2569 & 31u);
-                                let _e2572 = (_e2560 >> bitcast<u32>(_e2570));
-                                let _e2576 = (_e2560 & ((1u << bitcast<u32>(_e2570)) - 1u));
-                                let _e2580 = (1u << bitcast<u32>(((_e2569 - 1u) & 31u)));
-                                if (_e2576 > _e2580) {
+                                let _e2568 = phi_4980_;
+                                let _e2569 = (_e2568 & 31u);
+                                let _e2571 = (_e2559 >> bitcast<u32>(_e2569));
+                                let _e2575 = (_e2559 & ((1u << bitcast<u32>(_e2569)) - 1u));
+                                let _e2579 = (1u << bitcast<u32>(((_e2568 - 1u) & 31u)));
+                                if (_e2575 > _e2579) {
                                     phi_5001_ = true;
                                 } else {
-                                    if (_e2576 == _e2580) {
-                                        phi_4998_ = ((_e2572 & 1u) == 1u);
+                                    if (_e2575 == _e2579) {
+                                        phi_4998_ = ((_e2571 & 1u) == 1u);
                                     } else {
                                         phi_4998_ = false;
                                     }
-                                    let _e2586 = phi_4998_;
-                                    phi_5001_ = _e2586;
+                                    let _e2585 = phi_4998_;
+                                    phi_5001_ = _e2585;
                                 }
-                                let _e2588 = phi_5001_;
+                                let _e2587 = phi_5001_;
                                 phi_5014_ = f32();
-                                phi_5015_ = bitcast<f32>((_e2541 | (_e2572 + select(0u, 1u, _e2588))));
+                                phi_5015_ = bitcast<f32>((_e2540 | (_e2571 + select(0u, 1u, _e2587))));
                             }
-                            let _e2601 = phi_5014_;
-                            let _e2603 = phi_5015_;
-                            phi_5020_ = _e2601;
-                            phi_5021_ = _e2603;
-                            phi_5022_ = _e2564;
+                            let _e2600 = phi_5014_;
+                            let _e2602 = phi_5015_;
+                            phi_5020_ = _e2600;
+                            phi_5021_ = _e2602;
+                            phi_5022_ = _e2563;
                         }
-                        let _e2607 = phi_5020_;
-                        let _e2609 = phi_5021_;
-                        let _e2611 = phi_5022_;
-                        phi_5030_ = select(_e2609, _e2607, _e2611);
+                        let _e2606 = phi_5020_;
+                        let _e2608 = phi_5021_;
+                        let _e2610 = phi_5022_;
+                        phi_5030_ = select(_e2608, _e2606, _e2610);
                     }
-                    let _e2615 = phi_5030_;
-                    phi_4347_ = _e2615;
+                    let _e2614 = phi_5030_;
+                    phi_4347_ = _e2614;
                 } else {
-                    phi_4347_ = _e2538;
+                    phi_4347_ = _e2537;
                 }
-                let _e2617 = phi_4347_;
-                phi_4348_ = _e2617;
+                let _e2616 = phi_4347_;
+                phi_4348_ = _e2616;
             }
-            let _e2619 = phi_4348_;
-            let _e2620 = bitcast<u32>(_e2619);
-            if ((_e2620 & 2147483647u) >= 2139095040u) {
-                phi_4360_ = bitcast<f32>(((_e2620 & 2147483648u) | 2139095039u));
+            let _e2618 = phi_4348_;
+            let _e2619 = bitcast<u32>(_e2618);
+            if ((_e2619 & 2147483647u) >= 2139095040u) {
+                phi_4360_ = bitcast<f32>(((_e2619 & 2147483648u) | 2139095039u));
             } else {
-                phi_4360_ = _e2619;
+                phi_4360_ = _e2618;
             }
-            let _e2627 = phi_4360_;
-            phi_4365_ = SlimbvhTypeF(_e2627, _e2508.member.member.member_1, _e2508.member.member.member_2, _e2508.member.member.member_3);
+            let _e2626 = phi_4360_;
+            phi_4365_ = SlimbvhTypeF(_e2626, _e2507.member.member.member_1, _e2507.member.member.member_2, _e2507.member.member.member_3);
         } else {
             phi_4365_ = _e114;
         }
-        let _e2632 = phi_4365_;
-        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2632.member), bitcast<u32>(_e2632.member_1), bitcast<u32>(_e2632.member_2), _e2632.member_3);
-        phi_4378_ = _e2506;
-        phi_4379_ = _e2506;
-        phi_4380_ = select(true, false, _e2506);
+        let _e2631 = phi_4365_;
+        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2631.member), bitcast<u32>(_e2631.member_1), bitcast<u32>(_e2631.member_2), _e2631.member_3);
+        phi_4378_ = _e2505;
+        phi_4379_ = _e2505;
+        phi_4380_ = select(true, false, _e2505);
     } else {
         phi_4378_ = bool();
         phi_4379_ = false;
         phi_4380_ = true;
     }
-    let _e2643 = phi_4378_;
-    let _e2645 = phi_4379_;
-    let _e2647 = phi_4380_;
-    if _e2647 {
+    let _e2642 = phi_4378_;
+    let _e2644 = phi_4379_;
+    let _e2646 = phi_4380_;
+    if _e2646 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }
-    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2643, _e2645, _e2647)));
+    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2642, _e2644, _e2646)));
     return;
 }
 

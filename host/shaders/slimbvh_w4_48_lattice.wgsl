@@ -861,8 +861,8 @@ fn slimbvh_trace() {
                     let _e1511 = phi_3003_;
                     let _e1515 = (bitcast<i32>(_e1511.member) != 0i);
                     if _e1515 {
-                        let _e1518 = (_e1490.member_2 / 2u);
-                        let _e1520 = (_e1490.member_1 + (_e1518 + _e1511.member_1));
+                        let _e1519 = (_e1490.member_1 + (_e1490.member_2 / 2u));
+                        let _e1520 = (_e1519 + _e1511.member_1);
                         if (_e1520 < _e117) {
                             let _e1523 = slimbvh_triangles.member[_e1520];
                             phi_3031_ = _e1523;
@@ -885,7 +885,7 @@ fn slimbvh_trace() {
                             phi_3063_ = (_e1534 >> bitcast<u32>(((16u * (_e1526 & 1u)) & 31u)));
                         }
                         let _e1542 = phi_3063_;
-                        let _e1544 = (_e1490.member_1 + (_e1518 + _e1490.member_2));
+                        let _e1543 = (_e1519 + _e1490.member_2);
                         switch bitcast<i32>(_e1490.member.member_1) {
                             case 0: {
                                 phi_3073_ = 1u;
@@ -904,219 +904,219 @@ fn slimbvh_trace() {
                                 break;
                             }
                         }
-                        let _e1548 = phi_3073_;
-                        let _e1551 = (_e1544 + ((_e1542 & 31u) * _e1548));
-                        let _e1556 = (_e1544 + (((_e1542 >> bitcast<u32>(5u)) & 31u) * _e1548));
-                        let _e1561 = (_e1544 + (((_e1542 >> bitcast<u32>(10u)) & 31u) * _e1548));
+                        let _e1547 = phi_3073_;
+                        let _e1550 = (_e1543 + ((_e1542 & 31u) * _e1547));
+                        let _e1555 = (_e1543 + (((_e1542 >> bitcast<u32>(5u)) & 31u) * _e1547));
+                        let _e1560 = (_e1543 + (((_e1542 >> bitcast<u32>(10u)) & 31u) * _e1547));
                         switch bitcast<i32>(_e1490.member.member_1) {
                             case 0: {
-                                if (_e1551 < _e117) {
-                                    let _e1838 = slimbvh_triangles.member[_e1551];
-                                    phi_3115_ = _e1838;
+                                if (_e1550 < _e117) {
+                                    let _e1837 = slimbvh_triangles.member[_e1550];
+                                    phi_3115_ = _e1837;
                                 } else {
                                     phi_3115_ = 0u;
                                 }
-                                let _e1840 = phi_3115_;
-                                let _e1843 = ((10u * _e221) & 31u);
-                                let _e1854 = ((10u * _e225) & 31u);
-                                let _e1865 = ((10u * _e217) & 31u);
-                                if (_e1556 < _e117) {
-                                    let _e1877 = slimbvh_triangles.member[_e1556];
-                                    phi_3161_ = _e1877;
+                                let _e1839 = phi_3115_;
+                                let _e1842 = ((10u * _e221) & 31u);
+                                let _e1853 = ((10u * _e225) & 31u);
+                                let _e1864 = ((10u * _e217) & 31u);
+                                if (_e1555 < _e117) {
+                                    let _e1876 = slimbvh_triangles.member[_e1555];
+                                    phi_3161_ = _e1876;
                                 } else {
                                     phi_3161_ = 0u;
                                 }
-                                let _e1879 = phi_3161_;
-                                if (_e1561 < _e117) {
-                                    let _e1907 = slimbvh_triangles.member[_e1561];
-                                    phi_3207_ = _e1907;
+                                let _e1878 = phi_3161_;
+                                if (_e1560 < _e117) {
+                                    let _e1906 = slimbvh_triangles.member[_e1560];
+                                    phi_3207_ = _e1906;
                                 } else {
                                     phi_3207_ = 0u;
                                 }
-                                let _e1909 = phi_3207_;
-                                phi_3674_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | ((_e1840 >> bitcast<u32>(_e1843)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | ((_e1840 >> bitcast<u32>(_e1854)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | ((_e1840 >> bitcast<u32>(_e1865)) & 1023u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | ((_e1879 >> bitcast<u32>(_e1843)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | ((_e1879 >> bitcast<u32>(_e1854)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | ((_e1879 >> bitcast<u32>(_e1865)) & 1023u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | ((_e1909 >> bitcast<u32>(_e1843)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | ((_e1909 >> bitcast<u32>(_e1854)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | ((_e1909 >> bitcast<u32>(_e1865)) & 1023u))) - 8388608f) * _e161))));
+                                let _e1908 = phi_3207_;
+                                phi_3674_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | ((_e1839 >> bitcast<u32>(_e1842)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | ((_e1839 >> bitcast<u32>(_e1853)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | ((_e1839 >> bitcast<u32>(_e1864)) & 1023u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1842)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1853)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1864)) & 1023u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | ((_e1908 >> bitcast<u32>(_e1842)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | ((_e1908 >> bitcast<u32>(_e1853)) & 1023u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | ((_e1908 >> bitcast<u32>(_e1864)) & 1023u))) - 8388608f) * _e161))));
                                 break;
                             }
                             case 1: {
-                                if (_e1551 < _e117) {
-                                    let _e1651 = slimbvh_triangles.member[_e1551];
-                                    phi_3254_ = _e1651;
+                                if (_e1550 < _e117) {
+                                    let _e1650 = slimbvh_triangles.member[_e1550];
+                                    phi_3254_ = _e1650;
                                 } else {
                                     phi_3254_ = 0u;
                                 }
-                                let _e1653 = phi_3254_;
-                                let _e1654 = (_e1551 + 1u);
-                                if (_e1654 < _e117) {
-                                    let _e1657 = slimbvh_triangles.member[_e1654];
-                                    phi_3267_ = _e1657;
+                                let _e1652 = phi_3254_;
+                                let _e1653 = (_e1550 + 1u);
+                                if (_e1653 < _e117) {
+                                    let _e1656 = slimbvh_triangles.member[_e1653];
+                                    phi_3267_ = _e1656;
                                 } else {
                                     phi_3267_ = 0u;
                                 }
-                                let _e1659 = phi_3267_;
-                                let _e1661 = (_e221 == 1u);
-                                if _e1661 {
-                                    phi_3277_ = ((_e1653 >> bitcast<u32>(21i)) | (_e1659 << bitcast<u32>(11i)));
+                                let _e1658 = phi_3267_;
+                                let _e1660 = (_e221 == 1u);
+                                if _e1660 {
+                                    phi_3277_ = ((_e1652 >> bitcast<u32>(21i)) | (_e1658 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3277_ = (_e1659 >> bitcast<u32>(10i));
+                                    phi_3277_ = (_e1658 >> bitcast<u32>(10i));
                                 }
-                                let _e1670 = phi_3277_;
-                                let _e1679 = (_e225 == 1u);
-                                if _e1679 {
-                                    phi_3298_ = ((_e1653 >> bitcast<u32>(21i)) | (_e1659 << bitcast<u32>(11i)));
+                                let _e1669 = phi_3277_;
+                                let _e1678 = (_e225 == 1u);
+                                if _e1678 {
+                                    phi_3298_ = ((_e1652 >> bitcast<u32>(21i)) | (_e1658 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3298_ = (_e1659 >> bitcast<u32>(10i));
+                                    phi_3298_ = (_e1658 >> bitcast<u32>(10i));
                                 }
-                                let _e1688 = phi_3298_;
-                                let _e1697 = (_e217 == 1u);
-                                if _e1697 {
-                                    phi_3319_ = ((_e1653 >> bitcast<u32>(21i)) | (_e1659 << bitcast<u32>(11i)));
+                                let _e1687 = phi_3298_;
+                                let _e1696 = (_e217 == 1u);
+                                if _e1696 {
+                                    phi_3319_ = ((_e1652 >> bitcast<u32>(21i)) | (_e1658 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3319_ = (_e1659 >> bitcast<u32>(10i));
+                                    phi_3319_ = (_e1658 >> bitcast<u32>(10i));
                                 }
-                                let _e1706 = phi_3319_;
-                                if (_e1556 < _e117) {
-                                    let _e1717 = slimbvh_triangles.member[_e1556];
-                                    phi_3346_ = _e1717;
+                                let _e1705 = phi_3319_;
+                                if (_e1555 < _e117) {
+                                    let _e1716 = slimbvh_triangles.member[_e1555];
+                                    phi_3346_ = _e1716;
                                 } else {
                                     phi_3346_ = 0u;
                                 }
-                                let _e1719 = phi_3346_;
-                                let _e1720 = (_e1556 + 1u);
-                                if (_e1720 < _e117) {
-                                    let _e1723 = slimbvh_triangles.member[_e1720];
-                                    phi_3359_ = _e1723;
+                                let _e1718 = phi_3346_;
+                                let _e1719 = (_e1555 + 1u);
+                                if (_e1719 < _e117) {
+                                    let _e1722 = slimbvh_triangles.member[_e1719];
+                                    phi_3359_ = _e1722;
                                 } else {
                                     phi_3359_ = 0u;
                                 }
-                                let _e1725 = phi_3359_;
-                                if _e1661 {
-                                    phi_3369_ = ((_e1719 >> bitcast<u32>(21i)) | (_e1725 << bitcast<u32>(11i)));
+                                let _e1724 = phi_3359_;
+                                if _e1660 {
+                                    phi_3369_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3369_ = (_e1725 >> bitcast<u32>(10i));
+                                    phi_3369_ = (_e1724 >> bitcast<u32>(10i));
                                 }
-                                let _e1734 = phi_3369_;
-                                if _e1679 {
-                                    phi_3390_ = ((_e1719 >> bitcast<u32>(21i)) | (_e1725 << bitcast<u32>(11i)));
+                                let _e1733 = phi_3369_;
+                                if _e1678 {
+                                    phi_3390_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3390_ = (_e1725 >> bitcast<u32>(10i));
+                                    phi_3390_ = (_e1724 >> bitcast<u32>(10i));
                                 }
-                                let _e1750 = phi_3390_;
-                                if _e1697 {
-                                    phi_3411_ = ((_e1719 >> bitcast<u32>(21i)) | (_e1725 << bitcast<u32>(11i)));
+                                let _e1749 = phi_3390_;
+                                if _e1696 {
+                                    phi_3411_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3411_ = (_e1725 >> bitcast<u32>(10i));
+                                    phi_3411_ = (_e1724 >> bitcast<u32>(10i));
                                 }
-                                let _e1766 = phi_3411_;
-                                if (_e1561 < _e117) {
-                                    let _e1777 = slimbvh_triangles.member[_e1561];
-                                    phi_3438_ = _e1777;
+                                let _e1765 = phi_3411_;
+                                if (_e1560 < _e117) {
+                                    let _e1776 = slimbvh_triangles.member[_e1560];
+                                    phi_3438_ = _e1776;
                                 } else {
                                     phi_3438_ = 0u;
                                 }
-                                let _e1779 = phi_3438_;
-                                let _e1780 = (_e1561 + 1u);
-                                if (_e1780 < _e117) {
-                                    let _e1783 = slimbvh_triangles.member[_e1780];
-                                    phi_3451_ = _e1783;
+                                let _e1778 = phi_3438_;
+                                let _e1779 = (_e1560 + 1u);
+                                if (_e1779 < _e117) {
+                                    let _e1782 = slimbvh_triangles.member[_e1779];
+                                    phi_3451_ = _e1782;
                                 } else {
                                     phi_3451_ = 0u;
                                 }
-                                let _e1785 = phi_3451_;
-                                if _e1661 {
-                                    phi_3461_ = ((_e1779 >> bitcast<u32>(21i)) | (_e1785 << bitcast<u32>(11i)));
+                                let _e1784 = phi_3451_;
+                                if _e1660 {
+                                    phi_3461_ = ((_e1778 >> bitcast<u32>(21i)) | (_e1784 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3461_ = (_e1785 >> bitcast<u32>(10i));
+                                    phi_3461_ = (_e1784 >> bitcast<u32>(10i));
                                 }
-                                let _e1794 = phi_3461_;
-                                if _e1679 {
-                                    phi_3482_ = ((_e1779 >> bitcast<u32>(21i)) | (_e1785 << bitcast<u32>(11i)));
+                                let _e1793 = phi_3461_;
+                                if _e1678 {
+                                    phi_3482_ = ((_e1778 >> bitcast<u32>(21i)) | (_e1784 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3482_ = (_e1785 >> bitcast<u32>(10i));
+                                    phi_3482_ = (_e1784 >> bitcast<u32>(10i));
                                 }
-                                let _e1810 = phi_3482_;
-                                if _e1697 {
-                                    phi_3503_ = ((_e1779 >> bitcast<u32>(21i)) | (_e1785 << bitcast<u32>(11i)));
+                                let _e1809 = phi_3482_;
+                                if _e1696 {
+                                    phi_3503_ = ((_e1778 >> bitcast<u32>(21i)) | (_e1784 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3503_ = (_e1785 >> bitcast<u32>(10i));
+                                    phi_3503_ = (_e1784 >> bitcast<u32>(10i));
                                 }
-                                let _e1826 = phi_3503_;
-                                phi_3674_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1670, _e1653, _e226) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1688, _e1653, _e229) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1706, _e1653, _e233) & 2097151u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1734, _e1719, _e226) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1750, _e1719, _e229) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1766, _e1719, _e233) & 2097151u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1794, _e1779, _e226) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1810, _e1779, _e229) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1826, _e1779, _e233) & 2097151u))) - 8388608f) * _e161))));
+                                let _e1825 = phi_3503_;
+                                phi_3674_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1669, _e1652, _e226) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1687, _e1652, _e229) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1705, _e1652, _e233) & 2097151u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1733, _e1718, _e226) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1749, _e1718, _e229) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1765, _e1718, _e233) & 2097151u))) - 8388608f) * _e161))), array<f32, 3>((_e1490.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1793, _e1778, _e226) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1809, _e1778, _e229) & 2097151u))) - 8388608f) * _e161)), (_e1490.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1825, _e1778, _e233) & 2097151u))) - 8388608f) * _e161))));
                                 break;
                             }
                             case 2: {
-                                let _e1564 = (_e1551 + _e221);
-                                if (_e1564 < _e117) {
-                                    let _e1567 = slimbvh_triangles.member[_e1564];
-                                    phi_3532_ = _e1567;
+                                let _e1563 = (_e1550 + _e221);
+                                if (_e1563 < _e117) {
+                                    let _e1566 = slimbvh_triangles.member[_e1563];
+                                    phi_3532_ = _e1566;
                                 } else {
                                     phi_3532_ = 0u;
                                 }
-                                let _e1569 = phi_3532_;
-                                let _e1570 = (_e1551 + _e225);
-                                if (_e1570 < _e117) {
-                                    let _e1573 = slimbvh_triangles.member[_e1570];
-                                    phi_3545_ = _e1573;
+                                let _e1568 = phi_3532_;
+                                let _e1569 = (_e1550 + _e225);
+                                if (_e1569 < _e117) {
+                                    let _e1572 = slimbvh_triangles.member[_e1569];
+                                    phi_3545_ = _e1572;
                                 } else {
                                     phi_3545_ = 0u;
                                 }
-                                let _e1575 = phi_3545_;
-                                let _e1576 = (_e1551 + _e217);
-                                if (_e1576 < _e117) {
-                                    let _e1579 = slimbvh_triangles.member[_e1576];
-                                    phi_3558_ = _e1579;
+                                let _e1574 = phi_3545_;
+                                let _e1575 = (_e1550 + _e217);
+                                if (_e1575 < _e117) {
+                                    let _e1578 = slimbvh_triangles.member[_e1575];
+                                    phi_3558_ = _e1578;
                                 } else {
                                     phi_3558_ = 0u;
                                 }
-                                let _e1581 = phi_3558_;
-                                let _e1592 = (_e1556 + _e221);
-                                if (_e1592 < _e117) {
-                                    let _e1595 = slimbvh_triangles.member[_e1592];
-                                    phi_3584_ = _e1595;
+                                let _e1580 = phi_3558_;
+                                let _e1591 = (_e1555 + _e221);
+                                if (_e1591 < _e117) {
+                                    let _e1594 = slimbvh_triangles.member[_e1591];
+                                    phi_3584_ = _e1594;
                                 } else {
                                     phi_3584_ = 0u;
                                 }
-                                let _e1597 = phi_3584_;
-                                let _e1598 = (_e1556 + _e225);
-                                if (_e1598 < _e117) {
-                                    let _e1601 = slimbvh_triangles.member[_e1598];
-                                    phi_3597_ = _e1601;
+                                let _e1596 = phi_3584_;
+                                let _e1597 = (_e1555 + _e225);
+                                if (_e1597 < _e117) {
+                                    let _e1600 = slimbvh_triangles.member[_e1597];
+                                    phi_3597_ = _e1600;
                                 } else {
                                     phi_3597_ = 0u;
                                 }
-                                let _e1603 = phi_3597_;
-                                let _e1604 = (_e1556 + _e217);
-                                if (_e1604 < _e117) {
-                                    let _e1607 = slimbvh_triangles.member[_e1604];
-                                    phi_3610_ = _e1607;
+                                let _e1602 = phi_3597_;
+                                let _e1603 = (_e1555 + _e217);
+                                if (_e1603 < _e117) {
+                                    let _e1606 = slimbvh_triangles.member[_e1603];
+                                    phi_3610_ = _e1606;
                                 } else {
                                     phi_3610_ = 0u;
                                 }
-                                let _e1609 = phi_3610_;
-                                let _e1620 = (_e1561 + _e221);
-                                if (_e1620 < _e117) {
-                                    let _e1623 = slimbvh_triangles.member[_e1620];
-                                    phi_3636_ = _e1623;
+                                let _e1608 = phi_3610_;
+                                let _e1619 = (_e1560 + _e221);
+                                if (_e1619 < _e117) {
+                                    let _e1622 = slimbvh_triangles.member[_e1619];
+                                    phi_3636_ = _e1622;
                                 } else {
                                     phi_3636_ = 0u;
                                 }
-                                let _e1625 = phi_3636_;
-                                let _e1626 = (_e1561 + _e225);
-                                if (_e1626 < _e117) {
-                                    let _e1629 = slimbvh_triangles.member[_e1626];
-                                    phi_3649_ = _e1629;
+                                let _e1624 = phi_3636_;
+                                let _e1625 = (_e1560 + _e225);
+                                if (_e1625 < _e117) {
+                                    let _e1628 = slimbvh_triangles.member[_e1625];
+                                    phi_3649_ = _e1628;
                                 } else {
                                     phi_3649_ = 0u;
                                 }
-                                let _e1631 = phi_3649_;
-                                let _e1632 = (_e1561 + _e217);
-                                if (_e1632 < _e117) {
-                                    let _e1635 = slimbvh_triangles.member[_e1632];
-                                    phi_3662_ = _e1635;
+                                let _e1630 = phi_3649_;
+                                let _e1631 = (_e1560 + _e217);
+                                if (_e1631 < _e117) {
+                                    let _e1634 = slimbvh_triangles.member[_e1631];
+                                    phi_3662_ = _e1634;
                                 } else {
                                     phi_3662_ = 0u;
                                 }
-                                let _e1637 = phi_3662_;
-                                phi_3674_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1569)) * _e161), (f32(bitcast<i32>(_e1575)) * _e161), (f32(bitcast<i32>(_e1581)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1597)) * _e161), (f32(bitcast<i32>(_e1603)) * _e161), (f32(bitcast<i32>(_e1609)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1625)) * _e161), (f32(bitcast<i32>(_e1631)) * _e161), (f32(bitcast<i32>(_e1637)) * _e161)));
+                                let _e1636 = phi_3662_;
+                                phi_3674_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1568)) * _e161), (f32(bitcast<i32>(_e1574)) * _e161), (f32(bitcast<i32>(_e1580)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1596)) * _e161), (f32(bitcast<i32>(_e1602)) * _e161), (f32(bitcast<i32>(_e1608)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1624)) * _e161), (f32(bitcast<i32>(_e1630)) * _e161), (f32(bitcast<i32>(_e1636)) * _e161)));
                                 break;
                             }
                             default: {
@@ -1124,384 +1124,384 @@ fn slimbvh_trace() {
                                 break;
                             }
                         }
-                        let _e1937 = phi_3674_;
-                        let _e1954 = (_e1937[0][2] - _e609.member[2]);
-                        let _e1957 = (((_e1937[0][0] - _e609.member[0]) * _e664) - (_e1954 * _e632));
-                        let _e1960 = (((_e1937[0][1] - _e609.member[1]) * _e664) - (_e1954 * _e648));
-                        let _e1963 = (_e1937[1][2] - _e609.member[2]);
-                        let _e1966 = (((_e1937[1][0] - _e609.member[0]) * _e664) - (_e1963 * _e632));
-                        let _e1969 = (((_e1937[1][1] - _e609.member[1]) * _e664) - (_e1963 * _e648));
-                        let _e1972 = (_e1937[2][2] - _e609.member[2]);
-                        let _e1975 = (((_e1937[2][0] - _e609.member[0]) * _e664) - (_e1972 * _e632));
-                        let _e1978 = (((_e1937[2][1] - _e609.member[1]) * _e664) - (_e1972 * _e648));
-                        let _e1979 = (_e1975 * _e1969);
-                        let _e1980 = (_e1978 * _e1966);
-                        let _e1981 = (_e1957 * _e1978);
-                        let _e1982 = (_e1960 * _e1975);
-                        let _e1983 = (_e1966 * _e1960);
-                        let _e1984 = (_e1969 * _e1957);
-                        let _e1989 = (((_e1979 >= _e1980) && (_e1981 >= _e1982)) && (_e1983 >= _e1984));
-                        let _e1995 = (_e1989 || (((_e1979 <= _e1980) && (_e1981 <= _e1982)) && (_e1983 <= _e1984)));
-                        if _e1995 {
-                            let _e1997 = select(-1f, 1f, _e1989);
-                            let _e1999 = ((_e1979 - _e1980) * _e1997);
-                            let _e2001 = select(0f, _e1999, (_e1999 > 0f));
-                            let _e2003 = ((_e1981 - _e1982) * _e1997);
-                            let _e2005 = select(0f, _e2003, (_e2003 > 0f));
-                            let _e2007 = ((_e1983 - _e1984) * _e1997);
-                            let _e2009 = select(0f, _e2007, (_e2007 > 0f));
-                            let _e2011 = ((_e2001 + _e2005) + _e2009);
-                            let _e2026 = ((min(min(_e1937[0][0], _e1937[1][0]), _e1937[2][0]) - _e633) * _e636);
-                            let _e2027 = ((max(max(_e1937[0][0], _e1937[1][0]), _e1937[2][0]) - _e634) * _e636);
-                            let _e2028 = vec4<f32>(_e2026, f32(), _e2027, f32());
-                            let _e2031 = ((min(min(_e1937[0][1], _e1937[1][1]), _e1937[2][1]) - _e649) * _e652);
-                            let _e2032 = ((max(max(_e1937[0][1], _e1937[1][1]), _e1937[2][1]) - _e650) * _e652);
-                            let _e2033 = vec4<f32>(_e2031, f32(), _e2032, f32());
-                            let _e2036 = ((min(min(_e1937[0][2], _e1937[1][2]), _e1937[2][2]) - _e665) * _e668);
-                            let _e2037 = ((max(max(_e1937[0][2], _e1937[1][2]), _e1937[2][2]) - _e666) * _e668);
-                            let _e2038 = vec4<f32>(_e2036, f32(), _e2037, f32());
-                            let _e2039 = vec4<f32>(_e2027, f32(), _e2026, f32());
-                            let _e2041 = vec4<f32>(_e2032, f32(), _e2031, f32());
-                            let _e2043 = vec4<f32>(_e2037, f32(), _e2036, f32());
-                            let _e2052 = max(max(min(_e2028, _e2039).x, min(_e2033, _e2041).x), min(_e2038, _e2043).x);
-                            let _e2057 = min(min(max(_e2028, _e2039).x, max(_e2033, _e2041).x), max(_e2038, _e2043).x);
-                            let _e2062 = max(_e2052, _e676);
-                            let _e2084 = (((((_e1995 && (_e2011 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1957, _e1966), _e1975) <= 0f) && (max(max(_e1957, _e1966), _e1975) >= 0f))) && ((min(min(_e1960, _e1969), _e1978) <= 0f) && (max(max(_e1960, _e1969), _e1978) >= 0f))) && (_e2062 <= (_e2057 + (max(max(_e2038, _e2043).x, -(min(_e2038, _e2043).x)) * 0.0000019073523f)))) && (_e2062 <= _e1494.member.member_1));
-                            if _e2084 {
-                                let _e2089 = (_e1937[1][0] - _e1937[0][0]);
-                                let _e2090 = (_e1937[1][1] - _e1937[0][1]);
-                                let _e2091 = (_e1937[1][2] - _e1937[0][2]);
-                                let _e2092 = vec3<f32>(_e2089, _e2090, _e2091);
-                                let _e2093 = (_e1937[2][0] - _e1937[1][0]);
-                                let _e2094 = (_e1937[2][1] - _e1937[1][1]);
-                                let _e2095 = (_e1937[2][2] - _e1937[1][2]);
-                                let _e2096 = vec3<f32>(_e2093, _e2094, _e2095);
-                                let _e2097 = (_e1937[0][0] - _e1937[2][0]);
-                                let _e2098 = (_e1937[0][1] - _e1937[2][1]);
-                                let _e2099 = (_e1937[0][2] - _e1937[2][2]);
-                                let _e2100 = vec3<f32>(_e2097, _e2098, _e2099);
-                                let _e2111 = max(max(bitcast<f32>((bitcast<u32>(_e2089) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2090) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2091) & 2147483647u)));
-                                let _e2122 = max(max(bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2094) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2095) & 2147483647u)));
-                                let _e2135 = max(max(_e2111, _e2122), max(max(bitcast<f32>((bitcast<u32>(_e2097) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2098) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2099) & 2147483647u))));
-                                if (_e2111 == _e2135) {
-                                    phi_4039_ = _e1969;
-                                    phi_4040_ = _e1966;
-                                    phi_4041_ = _e1960;
-                                    phi_4042_ = _e1957;
-                                    phi_4043_ = vec3<f32>(_e1937[0][0], _e1937[0][1], _e1937[0][2]);
-                                    phi_4044_ = _e2100;
-                                    phi_4045_ = _e2096;
-                                    phi_4046_ = _e2092;
+                        let _e1936 = phi_3674_;
+                        let _e1953 = (_e1936[0][2] - _e609.member[2]);
+                        let _e1956 = (((_e1936[0][0] - _e609.member[0]) * _e664) - (_e1953 * _e632));
+                        let _e1959 = (((_e1936[0][1] - _e609.member[1]) * _e664) - (_e1953 * _e648));
+                        let _e1962 = (_e1936[1][2] - _e609.member[2]);
+                        let _e1965 = (((_e1936[1][0] - _e609.member[0]) * _e664) - (_e1962 * _e632));
+                        let _e1968 = (((_e1936[1][1] - _e609.member[1]) * _e664) - (_e1962 * _e648));
+                        let _e1971 = (_e1936[2][2] - _e609.member[2]);
+                        let _e1974 = (((_e1936[2][0] - _e609.member[0]) * _e664) - (_e1971 * _e632));
+                        let _e1977 = (((_e1936[2][1] - _e609.member[1]) * _e664) - (_e1971 * _e648));
+                        let _e1978 = (_e1974 * _e1968);
+                        let _e1979 = (_e1977 * _e1965);
+                        let _e1980 = (_e1956 * _e1977);
+                        let _e1981 = (_e1959 * _e1974);
+                        let _e1982 = (_e1965 * _e1959);
+                        let _e1983 = (_e1968 * _e1956);
+                        let _e1988 = (((_e1978 >= _e1979) && (_e1980 >= _e1981)) && (_e1982 >= _e1983));
+                        let _e1994 = (_e1988 || (((_e1978 <= _e1979) && (_e1980 <= _e1981)) && (_e1982 <= _e1983)));
+                        if _e1994 {
+                            let _e1996 = select(-1f, 1f, _e1988);
+                            let _e1998 = ((_e1978 - _e1979) * _e1996);
+                            let _e2000 = select(0f, _e1998, (_e1998 > 0f));
+                            let _e2002 = ((_e1980 - _e1981) * _e1996);
+                            let _e2004 = select(0f, _e2002, (_e2002 > 0f));
+                            let _e2006 = ((_e1982 - _e1983) * _e1996);
+                            let _e2008 = select(0f, _e2006, (_e2006 > 0f));
+                            let _e2010 = ((_e2000 + _e2004) + _e2008);
+                            let _e2025 = ((min(min(_e1936[0][0], _e1936[1][0]), _e1936[2][0]) - _e633) * _e636);
+                            let _e2026 = ((max(max(_e1936[0][0], _e1936[1][0]), _e1936[2][0]) - _e634) * _e636);
+                            let _e2027 = vec4<f32>(_e2025, f32(), _e2026, f32());
+                            let _e2030 = ((min(min(_e1936[0][1], _e1936[1][1]), _e1936[2][1]) - _e649) * _e652);
+                            let _e2031 = ((max(max(_e1936[0][1], _e1936[1][1]), _e1936[2][1]) - _e650) * _e652);
+                            let _e2032 = vec4<f32>(_e2030, f32(), _e2031, f32());
+                            let _e2035 = ((min(min(_e1936[0][2], _e1936[1][2]), _e1936[2][2]) - _e665) * _e668);
+                            let _e2036 = ((max(max(_e1936[0][2], _e1936[1][2]), _e1936[2][2]) - _e666) * _e668);
+                            let _e2037 = vec4<f32>(_e2035, f32(), _e2036, f32());
+                            let _e2038 = vec4<f32>(_e2026, f32(), _e2025, f32());
+                            let _e2040 = vec4<f32>(_e2031, f32(), _e2030, f32());
+                            let _e2042 = vec4<f32>(_e2036, f32(), _e2035, f32());
+                            let _e2051 = max(max(min(_e2027, _e2038).x, min(_e2032, _e2040).x), min(_e2037, _e2042).x);
+                            let _e2056 = min(min(max(_e2027, _e2038).x, max(_e2032, _e2040).x), max(_e2037, _e2042).x);
+                            let _e2061 = max(_e2051, _e676);
+                            let _e2083 = (((((_e1994 && (_e2010 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1956, _e1965), _e1974) <= 0f) && (max(max(_e1956, _e1965), _e1974) >= 0f))) && ((min(min(_e1959, _e1968), _e1977) <= 0f) && (max(max(_e1959, _e1968), _e1977) >= 0f))) && (_e2061 <= (_e2056 + (max(max(_e2037, _e2042).x, -(min(_e2037, _e2042).x)) * 0.0000019073523f)))) && (_e2061 <= _e1494.member.member_1));
+                            if _e2083 {
+                                let _e2088 = (_e1936[1][0] - _e1936[0][0]);
+                                let _e2089 = (_e1936[1][1] - _e1936[0][1]);
+                                let _e2090 = (_e1936[1][2] - _e1936[0][2]);
+                                let _e2091 = vec3<f32>(_e2088, _e2089, _e2090);
+                                let _e2092 = (_e1936[2][0] - _e1936[1][0]);
+                                let _e2093 = (_e1936[2][1] - _e1936[1][1]);
+                                let _e2094 = (_e1936[2][2] - _e1936[1][2]);
+                                let _e2095 = vec3<f32>(_e2092, _e2093, _e2094);
+                                let _e2096 = (_e1936[0][0] - _e1936[2][0]);
+                                let _e2097 = (_e1936[0][1] - _e1936[2][1]);
+                                let _e2098 = (_e1936[0][2] - _e1936[2][2]);
+                                let _e2099 = vec3<f32>(_e2096, _e2097, _e2098);
+                                let _e2110 = max(max(bitcast<f32>((bitcast<u32>(_e2088) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2089) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2090) & 2147483647u)));
+                                let _e2121 = max(max(bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2094) & 2147483647u)));
+                                let _e2134 = max(max(_e2110, _e2121), max(max(bitcast<f32>((bitcast<u32>(_e2096) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2097) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2098) & 2147483647u))));
+                                if (_e2110 == _e2134) {
+                                    phi_4039_ = _e1968;
+                                    phi_4040_ = _e1965;
+                                    phi_4041_ = _e1959;
+                                    phi_4042_ = _e1956;
+                                    phi_4043_ = vec3<f32>(_e1936[0][0], _e1936[0][1], _e1936[0][2]);
+                                    phi_4044_ = _e2099;
+                                    phi_4045_ = _e2095;
+                                    phi_4046_ = _e2091;
                                 } else {
-                                    let _e2137 = (_e2122 == _e2135);
-                                    let _e2142 = vec3(_e2137);
-                                    phi_4039_ = select(_e1960, _e1978, _e2137);
-                                    phi_4040_ = select(_e1957, _e1975, _e2137);
-                                    phi_4041_ = select(_e1978, _e1969, _e2137);
-                                    phi_4042_ = select(_e1975, _e1966, _e2137);
-                                    phi_4043_ = select(vec3<f32>(_e1937[2][0], _e1937[2][1], _e1937[2][2]), vec3<f32>(_e1937[1][0], _e1937[1][1], _e1937[1][2]), _e2142);
-                                    phi_4044_ = select(_e2096, _e2092, _e2142);
-                                    phi_4045_ = select(_e2092, _e2100, _e2142);
-                                    phi_4046_ = select(_e2100, _e2096, _e2142);
+                                    let _e2136 = (_e2121 == _e2134);
+                                    let _e2141 = vec3(_e2136);
+                                    phi_4039_ = select(_e1959, _e1977, _e2136);
+                                    phi_4040_ = select(_e1956, _e1974, _e2136);
+                                    phi_4041_ = select(_e1977, _e1968, _e2136);
+                                    phi_4042_ = select(_e1974, _e1965, _e2136);
+                                    phi_4043_ = select(vec3<f32>(_e1936[2][0], _e1936[2][1], _e1936[2][2]), vec3<f32>(_e1936[1][0], _e1936[1][1], _e1936[1][2]), _e2141);
+                                    phi_4044_ = select(_e2095, _e2091, _e2141);
+                                    phi_4045_ = select(_e2091, _e2099, _e2141);
+                                    phi_4046_ = select(_e2099, _e2095, _e2141);
                                 }
-                                let _e2148 = phi_4039_;
-                                let _e2150 = phi_4040_;
-                                let _e2152 = phi_4041_;
-                                let _e2154 = phi_4042_;
-                                let _e2156 = phi_4043_;
-                                let _e2158 = phi_4044_;
-                                let _e2160 = phi_4045_;
-                                let _e2162 = phi_4046_;
-                                let _e2169 = ((_e2160.y * _e2158.z) - (_e2158.y * _e2160.z));
-                                let _e2174 = ((_e2160.z * _e2158.x) - (_e2158.z * _e2160.x));
-                                let _e2177 = ((_e2160.x * _e2158.y) - (_e2158.x * _e2160.y));
-                                let _e2180 = ((_e2001 >= _e2005) && (_e2001 >= _e2009));
-                                let _e2181 = (_e2005 >= _e2009);
-                                let _e2195 = (((_e2169 * (select(select(_e1937[2][0], _e1937[1][0], _e2181), _e1937[0][0], _e2180) - _e609.member[0])) + (_e2174 * (select(select(_e1937[2][1], _e1937[1][1], _e2181), _e1937[0][1], _e2180) - _e609.member[1]))) + (_e2177 * (select(select(_e1937[2][2], _e1937[1][2], _e2181), _e1937[0][2], _e2180) - _e609.member[2])));
-                                let _e2200 = (((_e2169 * _e632) + (_e2174 * _e648)) + (_e2177 * _e664));
-                                let _e2201 = (_e2150 - _e2154);
-                                let _e2202 = (_e2148 - _e2152);
-                                let _e2205 = ((_e2201 * _e2201) + (_e2202 * _e2202));
-                                let _e2212 = (-(((_e2154 * _e2201) + (_e2152 * _e2202))) / select(0.000000000000000000000000000000000000011754944f, _e2205, (_e2205 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e2214 = select(1f, _e2212, (_e2212 < 1f));
-                                let _e2216 = select(0f, _e2214, (_e2214 > 0f));
-                                let _e2225 = ((_e2156.x + (_e2162.x * _e2216)) - _e609.member[0]);
-                                let _e2228 = ((_e2156.y + (_e2162.y * _e2216)) - _e609.member[1]);
-                                let _e2231 = ((_e2156.z + (_e2162.z * _e2216)) - _e609.member[2]);
-                                let _e2296 = ((bitcast<f32>((bitcast<u32>(((((_e2169 * _e2225) + (_e2174 * _e2228)) + (_e2177 * _e2231)) - _e2195)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2225) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2228) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2231) & 2147483647u))), _e2135)) * max(max(bitcast<f32>((bitcast<u32>(_e2169) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2174) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2177) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2200) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2160.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2160.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2160.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2158.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2158.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2158.z) & 2147483647u)))))));
-                                let _e2297 = (_e2195 / _e2200);
-                                if (_e2084 && !(_e2296)) {
-                                    let _e2300 = (_e2231 / _e664);
-                                    let _e2308 = (((_e2169 * (_e2225 - (_e632 * _e2300))) + (_e2174 * (_e2228 - (_e648 * _e2300)))) / _e2200);
-                                    phi_4225_ = select(select(_e2300, (_e2300 + _e2308), (bitcast<f32>((bitcast<u32>(_e2308) & 2147483647u)) <= _e2135)), _e2297, _e2296);
+                                let _e2147 = phi_4039_;
+                                let _e2149 = phi_4040_;
+                                let _e2151 = phi_4041_;
+                                let _e2153 = phi_4042_;
+                                let _e2155 = phi_4043_;
+                                let _e2157 = phi_4044_;
+                                let _e2159 = phi_4045_;
+                                let _e2161 = phi_4046_;
+                                let _e2168 = ((_e2159.y * _e2157.z) - (_e2157.y * _e2159.z));
+                                let _e2173 = ((_e2159.z * _e2157.x) - (_e2157.z * _e2159.x));
+                                let _e2176 = ((_e2159.x * _e2157.y) - (_e2157.x * _e2159.y));
+                                let _e2179 = ((_e2000 >= _e2004) && (_e2000 >= _e2008));
+                                let _e2180 = (_e2004 >= _e2008);
+                                let _e2194 = (((_e2168 * (select(select(_e1936[2][0], _e1936[1][0], _e2180), _e1936[0][0], _e2179) - _e609.member[0])) + (_e2173 * (select(select(_e1936[2][1], _e1936[1][1], _e2180), _e1936[0][1], _e2179) - _e609.member[1]))) + (_e2176 * (select(select(_e1936[2][2], _e1936[1][2], _e2180), _e1936[0][2], _e2179) - _e609.member[2])));
+                                let _e2199 = (((_e2168 * _e632) + (_e2173 * _e648)) + (_e2176 * _e664));
+                                let _e2200 = (_e2149 - _e2153);
+                                let _e2201 = (_e2147 - _e2151);
+                                let _e2204 = ((_e2200 * _e2200) + (_e2201 * _e2201));
+                                let _e2211 = (-(((_e2153 * _e2200) + (_e2151 * _e2201))) / select(0.000000000000000000000000000000000000011754944f, _e2204, (_e2204 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e2213 = select(1f, _e2211, (_e2211 < 1f));
+                                let _e2215 = select(0f, _e2213, (_e2213 > 0f));
+                                let _e2224 = ((_e2155.x + (_e2161.x * _e2215)) - _e609.member[0]);
+                                let _e2227 = ((_e2155.y + (_e2161.y * _e2215)) - _e609.member[1]);
+                                let _e2230 = ((_e2155.z + (_e2161.z * _e2215)) - _e609.member[2]);
+                                let _e2295 = ((bitcast<f32>((bitcast<u32>(((((_e2168 * _e2224) + (_e2173 * _e2227)) + (_e2176 * _e2230)) - _e2194)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2224) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2227) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2230) & 2147483647u))), _e2134)) * max(max(bitcast<f32>((bitcast<u32>(_e2168) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2173) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2176) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2199) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2159.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2159.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2159.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2157.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2157.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2157.z) & 2147483647u)))))));
+                                let _e2296 = (_e2194 / _e2199);
+                                if (_e2083 && !(_e2295)) {
+                                    let _e2299 = (_e2230 / _e664);
+                                    let _e2307 = (((_e2168 * (_e2224 - (_e632 * _e2299))) + (_e2173 * (_e2227 - (_e648 * _e2299)))) / _e2199);
+                                    phi_4225_ = select(select(_e2299, (_e2299 + _e2307), (bitcast<f32>((bitcast<u32>(_e2307) & 2147483647u)) <= _e2134)), _e2296, _e2295);
                                 } else {
-                                    phi_4225_ = _e2297;
+                                    phi_4225_ = _e2296;
                                 }
-                                let _e2317 = phi_4225_;
-                                let _e2319 = select(_e2057, _e2317, (_e2317 < _e2057));
-                                let _e2321 = select(_e2052, _e2319, (_e2319 > _e2052));
-                                let _e2324 = select(_e2321, 0f, (bitcast<u32>(_e2321) == 2147483648u));
-                                let _e2325 = (1f / _e2011);
-                                phi_4251_ = SlimbvhTypeE(_e2324, (_e2005 * _e2325), (_e2009 * _e2325), ((_e2084 && (_e2324 >= _e676)) && (_e2324 <= _e1494.member.member_1)));
+                                let _e2316 = phi_4225_;
+                                let _e2318 = select(_e2056, _e2316, (_e2316 < _e2056));
+                                let _e2320 = select(_e2051, _e2318, (_e2318 > _e2051));
+                                let _e2323 = select(_e2320, 0f, (bitcast<u32>(_e2320) == 2147483648u));
+                                let _e2324 = (1f / _e2010);
+                                phi_4251_ = SlimbvhTypeE(_e2323, (_e2004 * _e2324), (_e2008 * _e2324), ((_e2083 && (_e2323 >= _e676)) && (_e2323 <= _e1494.member.member_1)));
                                 phi_4252_ = SlimbvhTypeE();
                             } else {
                                 phi_4251_ = SlimbvhTypeE();
-                                phi_4252_ = SlimbvhTypeE(0f, 0f, 0f, _e2084);
+                                phi_4252_ = SlimbvhTypeE(0f, 0f, 0f, _e2083);
                             }
-                            let _e2334 = phi_4251_;
-                            let _e2336 = phi_4252_;
-                            phi_4255_ = _e2334;
-                            phi_4256_ = _e2336;
-                            phi_4257_ = select(true, false, _e2084);
+                            let _e2333 = phi_4251_;
+                            let _e2335 = phi_4252_;
+                            phi_4255_ = _e2333;
+                            phi_4256_ = _e2335;
+                            phi_4257_ = select(true, false, _e2083);
                         } else {
                             phi_4255_ = SlimbvhTypeE();
-                            phi_4256_ = SlimbvhTypeE(0f, 0f, 0f, _e1995);
+                            phi_4256_ = SlimbvhTypeE(0f, 0f, 0f, _e1994);
                             phi_4257_ = true;
                         }
-                        let _e2339 = phi_4255_;
-                        let _e2341 = phi_4256_;
-                        let _e2343 = phi_4257_;
-                        if _e2343 {
-                            phi_4261_ = _e2341;
+                        let _e2338 = phi_4255_;
+                        let _e2340 = phi_4256_;
+                        let _e2342 = phi_4257_;
+                        if _e2342 {
+                            phi_4261_ = _e2340;
                         } else {
-                            phi_4261_ = _e2339;
+                            phi_4261_ = _e2338;
                         }
-                        let _e2345 = phi_4261_;
-                        if _e2345.member_3 {
-                            phi_4270_ = SlimbvhTypeF(_e2345.member, _e2345.member_1, _e2345.member_2, _e1525);
+                        let _e2344 = phi_4261_;
+                        if _e2344.member_3 {
+                            phi_4270_ = SlimbvhTypeF(_e2344.member, _e2344.member_1, _e2344.member_2, _e1525);
                         } else {
                             phi_4270_ = _e110;
                         }
-                        let _e2352 = phi_4270_;
-                        if (_e2352.member_3 != 4294967295u) {
+                        let _e2351 = phi_4270_;
+                        if (_e2351.member_3 != 4294967295u) {
                             if (_e1525 != 4294967295u) {
-                                if (_e2352.member < _e1494.member.member.member) {
+                                if (_e2351.member < _e1494.member.member.member) {
                                     phi_4298_ = true;
                                 } else {
-                                    if (_e2352.member == _e1494.member.member.member) {
-                                        phi_4297_ = (_e2352.member_3 < _e1494.member.member.member_3);
+                                    if (_e2351.member == _e1494.member.member.member) {
+                                        phi_4297_ = (_e2351.member_3 < _e1494.member.member.member_3);
                                     } else {
                                         phi_4297_ = false;
                                     }
-                                    let _e2367 = phi_4297_;
-                                    phi_4298_ = _e2367;
+                                    let _e2366 = phi_4297_;
+                                    phi_4298_ = _e2366;
                                 }
-                                let _e2369 = phi_4298_;
-                                if _e2369 {
-                                    phi_4305_ = SlimbvhTypeO(SlimbvhTypeH(_e2352, _e2352.member), _e1494.member_1);
+                                let _e2368 = phi_4298_;
+                                if _e2368 {
+                                    phi_4305_ = SlimbvhTypeO(SlimbvhTypeH(_e2351, _e2351.member), _e1494.member_1);
                                 } else {
                                     phi_4305_ = _e1494;
                                 }
-                                let _e2375 = phi_4305_;
-                                if _e2375.member_1 {
-                                    phi_4311_ = SlimbvhTypeO(SlimbvhTypeH(_e2375.member.member, bitcast<f32>(4286578687u)), _e2375.member_1);
+                                let _e2374 = phi_4305_;
+                                if _e2374.member_1 {
+                                    phi_4311_ = SlimbvhTypeO(SlimbvhTypeH(_e2374.member.member, bitcast<f32>(4286578687u)), _e2374.member_1);
                                 } else {
-                                    phi_4311_ = _e2375;
+                                    phi_4311_ = _e2374;
                                 }
-                                let _e2384 = phi_4311_;
-                                phi_4312_ = _e2384;
+                                let _e2383 = phi_4311_;
+                                phi_4312_ = _e2383;
                             } else {
                                 phi_4312_ = _e1494;
                             }
-                            let _e2386 = phi_4312_;
-                            phi_4313_ = _e2386;
+                            let _e2385 = phi_4312_;
+                            phi_4313_ = _e2385;
                         } else {
                             phi_4313_ = _e1494;
                         }
-                        let _e2388 = phi_4313_;
-                        phi_2978_ = _e2388;
+                        let _e2387 = phi_4313_;
+                        phi_2978_ = _e2387;
                     } else {
                         phi_2978_ = SlimbvhTypeO();
                     }
-                    let _e2390 = phi_2978_;
+                    let _e2389 = phi_2978_;
                     continue;
                     continuing {
-                        phi_2977_ = _e2390;
+                        phi_2977_ = _e2389;
                         phi_2980_ = _e1509;
                         break if !(_e1515);
                     }
                 }
-                let _e2393 = local_3;
-                let _e2394 = (_e2393 - 1u);
-                let _e2397 = local[(_e2394 % 128u)];
-                let _e2398 = (_e2397 & 511u);
-                let _e2400 = (_e2398 >> bitcast<u32>(3u));
-                let _e2403 = ((_e2400 == 0u) || (_e2394 == 4294967295u));
-                if _e2403 {
+                let _e2392 = local_3;
+                let _e2393 = (_e2392 - 1u);
+                let _e2396 = local[(_e2393 % 128u)];
+                let _e2397 = (_e2396 & 511u);
+                let _e2399 = (_e2397 >> bitcast<u32>(3u));
+                let _e2402 = ((_e2399 == 0u) || (_e2393 == 4294967295u));
+                if _e2402 {
                 } else {
-                    local[(_e2394 % 128u)] = (((_e2397 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2400);
+                    local[(_e2393 % 128u)] = (((_e2396 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2399);
                 }
-                let _e2410 = local_4;
-                let _e2418 = (((_e2397 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2398 & 3u) & 3u));
-                let _e2420 = (_e2418 >> bitcast<u32>(2i));
-                if (_e2420 < _e114) {
-                    let _e2425 = slimbvh_nodes.member[_e2420][1u][3u];
-                    let _e2429 = slimbvh_nodes.member[_e2420][2u][3u];
-                    let _e2434 = (_e2429 >> bitcast<u32>(20u));
-                    let _e2435 = (_e2418 & 3u);
-                    if (((_e2434 >> bitcast<u32>((((3u * _e2435) & 31u) & 31u))) & 7u) == 7u) {
-                        let _e2447 = ((_e2434 | (_e2434 << bitcast<u32>(10i))) & 4128831u);
-                        phi_4402_ = (((_e2425 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2447 | (_e2447 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2435) & 31u) & 31u))) & 255u));
+                let _e2409 = local_4;
+                let _e2417 = (((_e2396 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2397 & 3u) & 3u));
+                let _e2419 = (_e2417 >> bitcast<u32>(2i));
+                if (_e2419 < _e114) {
+                    let _e2424 = slimbvh_nodes.member[_e2419][1u][3u];
+                    let _e2428 = slimbvh_nodes.member[_e2419][2u][3u];
+                    let _e2433 = (_e2428 >> bitcast<u32>(20u));
+                    let _e2434 = (_e2417 & 3u);
+                    if (((_e2433 >> bitcast<u32>((((3u * _e2434) & 31u) & 31u))) & 7u) == 7u) {
+                        let _e2446 = ((_e2433 | (_e2433 << bitcast<u32>(10i))) & 4128831u);
+                        phi_4402_ = (((_e2424 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2446 | (_e2446 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2434) & 31u) & 31u))) & 255u));
                     } else {
-                        phi_4402_ = (2147483648u | _e2418);
+                        phi_4402_ = (2147483648u | _e2417);
                     }
-                    let _e2465 = phi_4402_;
-                    phi_4403_ = _e2465;
+                    let _e2464 = phi_4402_;
+                    phi_4403_ = _e2464;
                 } else {
                     phi_4403_ = 4294967295u;
                 }
-                let _e2467 = phi_4403_;
-                let _e2469 = local_5;
-                let _e2754 = local_7;
-                phi_4412_ = _e2754;
-                phi_4413_ = select(select(_e2410, _e2394, _e2403), 4294967295u, (_e676 > _e2469.member.member_1));
-                phi_4414_ = _e2467;
+                let _e2466 = phi_4403_;
+                let _e2468 = local_5;
+                let _e2753 = local_7;
+                phi_4412_ = _e2753;
+                phi_4413_ = select(select(_e2409, _e2393, _e2402), 4294967295u, (_e676 > _e2468.member.member_1));
+                phi_4414_ = _e2466;
             } else {
                 phi_4412_ = _e784;
-                let _e2757 = local_8;
-                phi_4413_ = _e2757;
-                let _e2760 = local_9;
-                phi_4414_ = _e2760;
+                let _e2756 = local_8;
+                phi_4413_ = _e2756;
+                let _e2759 = local_9;
+                phi_4414_ = _e2759;
             }
-            let _e2475 = phi_4412_;
-            let _e2477 = phi_4413_;
-            let _e2479 = phi_4414_;
-            phi_1826_ = _e2475;
-            phi_1829_ = _e2477;
-            phi_1831_ = _e2479;
-            let _e2766 = local_10;
-            phi_1833_ = _e2766;
+            let _e2474 = phi_4412_;
+            let _e2476 = phi_4413_;
+            let _e2478 = phi_4414_;
+            phi_1826_ = _e2474;
+            phi_1829_ = _e2476;
+            phi_1831_ = _e2478;
+            let _e2765 = local_10;
+            phi_1833_ = _e2765;
         } else {
             phi_1826_ = SlimbvhTypeO();
             phi_1829_ = u32();
             phi_1831_ = u32();
             phi_1833_ = u32();
         }
-        let _e2481 = phi_1826_;
-        let _e2483 = phi_1829_;
-        let _e2485 = phi_1831_;
-        let _e2487 = phi_1833_;
+        let _e2480 = phi_1826_;
+        let _e2482 = phi_1829_;
+        let _e2484 = phi_1831_;
+        let _e2486 = phi_1833_;
         continue;
         continuing {
-            phi_1825_ = _e2481;
-            phi_1828_ = _e2483;
-            phi_1830_ = _e2485;
-            phi_1832_ = _e2487;
+            phi_1825_ = _e2480;
+            phi_1828_ = _e2482;
+            phi_1830_ = _e2484;
+            phi_1832_ = _e2486;
             break if !(_e791);
         }
     }
-    let _e2490 = local_6;
-    if (_e2490.member.member.member_3 != 4294967295u) {
-        let _e2496 = -((_e179 + _e609.member_4));
-        let _e2497 = bitcast<u32>(_e2490.member.member.member);
-        let _e2501 = (bitcast<i32>((_e2497 >> bitcast<u32>(23i))) & 255i);
-        let _e2502 = (_e2501 + _e2496);
-        if (_e2501 == 255i) {
-            phi_4471_ = _e2490.member.member.member;
+    let _e2489 = local_6;
+    if (_e2489.member.member.member_3 != 4294967295u) {
+        let _e2495 = -((_e179 + _e609.member_4));
+        let _e2496 = bitcast<u32>(_e2489.member.member.member);
+        let _e2500 = (bitcast<i32>((_e2496 >> bitcast<u32>(23i))) & 255i);
+        let _e2501 = (_e2500 + _e2495);
+        if (_e2500 == 255i) {
+            phi_4471_ = _e2489.member.member.member;
         } else {
-            if (_e2501 > 0i) {
-                if (_e2502 > 0i) {
-                    let _e2506 = (_e2502 < 255i);
-                    if _e2506 {
-                        phi_4450_ = bitcast<f32>((_e2497 + bitcast<u32>((_e2496 << bitcast<u32>(23i)))));
+            if (_e2500 > 0i) {
+                if (_e2501 > 0i) {
+                    let _e2505 = (_e2501 < 255i);
+                    if _e2505 {
+                        phi_4450_ = bitcast<f32>((_e2496 + bitcast<u32>((_e2495 << bitcast<u32>(23i)))));
                     } else {
                         phi_4450_ = f32();
                     }
-                    let _e2513 = phi_4450_;
-                    phi_4452_ = _e2513;
-                    phi_4453_ = select(true, false, _e2506);
+                    let _e2512 = phi_4450_;
+                    phi_4452_ = _e2512;
+                    phi_4453_ = select(true, false, _e2505);
                 } else {
                     phi_4452_ = f32();
                     phi_4453_ = true;
                 }
-                let _e2516 = phi_4452_;
-                let _e2518 = phi_4453_;
-                phi_4454_ = _e2516;
-                phi_4455_ = _e2518;
+                let _e2515 = phi_4452_;
+                let _e2517 = phi_4453_;
+                phi_4454_ = _e2515;
+                phi_4455_ = _e2517;
             } else {
                 phi_4454_ = f32();
                 phi_4455_ = true;
             }
-            let _e2520 = phi_4454_;
-            let _e2522 = phi_4455_;
-            if _e2522 {
-                let _e2523 = (_e2497 & 2147483648u);
-                let _e2530 = ((_e2497 & 8388607u) | (select(0u, 1u, ((_e2497 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e2534 = (_e2530 == 0u);
-                if _e2534 {
-                    phi_5131_ = bitcast<f32>(_e2523);
+            let _e2519 = phi_4454_;
+            let _e2521 = phi_4455_;
+            if _e2521 {
+                let _e2522 = (_e2496 & 2147483648u);
+                let _e2529 = ((_e2496 & 8388607u) | (select(0u, 1u, ((_e2496 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e2533 = (_e2529 == 0u);
+                if _e2533 {
+                    phi_5131_ = bitcast<f32>(_e2522);
                 } else {
-                    let _e2539 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2530)), 32u, _e2534) - 8u);
-                    let _e2542 = (_e2530 << bitcast<u32>((_e2539 & 31u)));
-                    let _e2544 = ((_e2502 + select(0i, 1i, (_e2501 == 0i))) - bitcast<i32>(_e2539));
-                    if (_e2544 >= 255i) {
-                        phi_5121_ = bitcast<f32>((_e2523 | 2139095040u));
+                    let _e2538 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2529)), 32u, _e2533) - 8u);
+                    let _e2541 = (_e2529 << bitcast<u32>((_e2538 & 31u)));
+                    let _e2543 = ((_e2501 + select(0i, 1i, (_e2500 == 0i))) - bitcast<i32>(_e2538));
+                    if (_e2543 >= 255i) {
+                        phi_5121_ = bitcast<f32>((_e2522 | 2139095040u));
                         phi_5122_ = f32();
                         phi_5123_ = true;
                     } else {
-                        let _e2546 = (_e2544 > 0i);
-                        if _e2546 {
-                            phi_5115_ = bitcast<f32>(((_e2523 | (bitcast<u32>(_e2544) << bitcast<u32>(23i))) | (_e2542 & 8388607u)));
+                        let _e2545 = (_e2543 > 0i);
+                        if _e2545 {
+                            phi_5115_ = bitcast<f32>(((_e2522 | (bitcast<u32>(_e2543) << bitcast<u32>(23i))) | (_e2541 & 8388607u)));
                             phi_5116_ = f32();
                         } else {
-                            if (_e2544 < -24i) {
+                            if (_e2543 < -24i) {
                                 phi_5081_ = 26u;
                             } else {
-                                phi_5081_ = bitcast<u32>((1i - _e2544));
+                                phi_5081_ = bitcast<u32>((1i - _e2543));
                             }
-                            let _e2551 = phi_5081_;
-                            let _e2552 = (_e2551 & 31u);
-                            let _e2554 = (_e2542 >> bitcast<u32>(_e2552));
-                            let _e2558 = (_e2542 & ((1u << bitcast<u32>(_e2552)) - 1u));
-                            let _e2562 = (1u << bitcast<u32>(((_e2551 - 1u) & 31u)));
-                            if (_e2558 > _e2562) {
+                            let _e2550 = phi_5081_;
+                            let _e2551 = (_e2550 & 31u);
+                            let _e2553 = (_e2541 >> bitcast<u32>(_e2551));
+                            let _e2557 = (_e2541 & ((1u << bitcast<u32>(_e2551)) - 1u));
+                            let _e2561 = (1u << bitcast<u32>(((_e2550 - 1u) & 31u)));
+                            if (_e2557 > _e2561) {
                                 phi_5102_ = true;
                             } else {
-                                if (_e2558 == _e2562) {
-                                    phi_5099_ = ((_e2554 & 1u) == 1u);
+                                if (_e2557 == _e2561) {
+                                    phi_5099_ = ((_e2553 & 1u) == 1u);
                                 } else {
                                     phi_5099_ = false;
                                 }
-                                let _e2568 = phi_5099_;
-                                phi_5102_ = _e2568;
+                                let _e2567 = phi_5099_;
+                                phi_5102_ = _e2567;
                             }
-                            let _e2570 = phi_5102_;
+                            let _e2569 = phi_5102_;
                             phi_5115_ = f32();
-                            phi_5116_ = bitcast<f32>((_e2523 | (_e2554 + select(0u, 1u, _e2570))));
+                            phi_5116_ = bitcast<f32>((_e2522 | (_e2553 + select(0u, 1u, _e2569))));
                         }
-                        let _e2583 = phi_5115_;
-                        let _e2585 = phi_5116_;
-                        phi_5121_ = _e2583;
-                        phi_5122_ = _e2585;
-                        phi_5123_ = _e2546;
+                        let _e2582 = phi_5115_;
+                        let _e2584 = phi_5116_;
+                        phi_5121_ = _e2582;
+                        phi_5122_ = _e2584;
+                        phi_5123_ = _e2545;
                     }
-                    let _e2589 = phi_5121_;
-                    let _e2591 = phi_5122_;
-                    let _e2593 = phi_5123_;
-                    phi_5131_ = select(_e2591, _e2589, _e2593);
+                    let _e2588 = phi_5121_;
+                    let _e2590 = phi_5122_;
+                    let _e2592 = phi_5123_;
+                    phi_5131_ = select(_e2590, _e2588, _e2592);
                 }
-                let _e2597 = phi_5131_;
-                phi_4470_ = _e2597;
+                let _e2596 = phi_5131_;
+                phi_4470_ = _e2596;
             } else {
-                phi_4470_ = _e2520;
+                phi_4470_ = _e2519;
             }
-            let _e2599 = phi_4470_;
-            phi_4471_ = _e2599;
+            let _e2598 = phi_4470_;
+            phi_4471_ = _e2598;
         }
-        let _e2601 = phi_4471_;
-        let _e2602 = bitcast<u32>(_e2601);
-        if ((_e2602 & 2147483647u) >= 2139095040u) {
-            phi_4483_ = bitcast<f32>(((_e2602 & 2147483648u) | 2139095039u));
+        let _e2600 = phi_4471_;
+        let _e2601 = bitcast<u32>(_e2600);
+        if ((_e2601 & 2147483647u) >= 2139095040u) {
+            phi_4483_ = bitcast<f32>(((_e2601 & 2147483648u) | 2139095039u));
         } else {
-            phi_4483_ = _e2601;
+            phi_4483_ = _e2600;
         }
-        let _e2609 = phi_4483_;
-        phi_4488_ = SlimbvhTypeF(_e2609, _e2490.member.member.member_1, _e2490.member.member.member_2, _e2490.member.member.member_3);
+        let _e2608 = phi_4483_;
+        phi_4488_ = SlimbvhTypeF(_e2608, _e2489.member.member.member_1, _e2489.member.member.member_2, _e2489.member.member.member_3);
     } else {
         phi_4488_ = _e110;
     }
-    let _e2614 = phi_4488_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2614.member), bitcast<u32>(_e2614.member_1), bitcast<u32>(_e2614.member_2), _e2614.member_3);
+    let _e2613 = phi_4488_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2613.member), bitcast<u32>(_e2613.member_1), bitcast<u32>(_e2613.member_2), _e2613.member_3);
     return;
 }
 

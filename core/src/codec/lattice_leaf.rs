@@ -1,4 +1,4 @@
-//! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
+//! A triangle on the lattice, by itself: its vertices, counted from the leaf's decoded box, exactly.
 
 use super::leaf_width::{LeafFrame, LeafWidth};
 use crate::geometry::float::{exponent, whole_number};
@@ -13,13 +13,13 @@ use glam::Vec4;
 pub const FINEST_STEP: i32 = -24;
 
 /// The lattice of a mesh, whose step is two to `step_exponent` in the mesh's unit, in the scene's magnitude. Where all vertices
-/// are the origin, any step will do.
+/// are the origin, any step will do: one whose inverse a float holds, times 1024 as well.
 #[inline]
 #[must_use]
 pub const fn scaled_step(step_exponent: i32, scene_exponent: i32) -> i32 {
     let step = step_exponent.wrapping_add(scene_exponent);
-    if step < -126 {
-        -126
+    if step < -117 {
+        -117
     } else if step > 127 {
         127
     } else {

@@ -1,4 +1,4 @@
-//! The box that the traversal carries down a lattice tree, and how many words a triangle takes in a leaf with that box.
+//! How many words a vertex takes in a leaf with some box, and the box that the traversal carries down a tree of the parent-frame codec.
 
 use crate::geometry::float::max;
 use crate::geometry::lattice::LatticeBox;
@@ -57,7 +57,8 @@ impl LeafFrame {
     }
 }
 
-/// How many bits a coordinate takes, by the extent of the leaf's box. All triangles of a leaf have the same.
+/// How many bits a coordinate takes, by the extent of the leaf's box: in nodes of 48 bytes, of the widest leaf's of the node. All
+/// triangles of a leaf have the same. A triangle by itself takes:
 ///
 /// ```text
 /// narrow   16 bytes   3 vertices × 1 word:   z (10 bits) y (10) x (10), from the box's min; index

@@ -17,7 +17,7 @@
 //! Bits 0–4 of each word are left to the axis ([`super::WideAxis`]).
 
 use super::leaf_width::LeafWidth;
-use super::shared_leaf::leaf_words;
+use super::shared_leaf::summed_words;
 use super::wide_axis::SHIFT_BITS;
 use crate::build::node::NodeRef;
 use crate::build::wide::WIDTH;
@@ -194,7 +194,7 @@ impl PackedLinks {
         let more = (spread | spread << 4) & 0x0f0f_0f0f;
         // Bytes do not overflow: at most 6 triangles and 18 corners of at most 4 words. What is halved of a byte's odd number is
         // in the byte below, where it is masked.
-        leaf_words(
+        summed_words(
             triangles,
             triangles >> 1 & 0x0303_0303,
             more + LEAST_CORNERS * is_leaf,
@@ -273,6 +273,7 @@ const fn before(bytes: u32, child: u32) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::shared_leaf::leaf_words;
     use super::*;
     use proptest::array::uniform4;
     use proptest::prelude::*;
@@ -326,7 +327,7 @@ mod tests {
                     prop_assert_eq!(read.child(number), NodeRef::leaf(word, child.count()));
                     prop_assert_eq!(read.width(), width);
                     prop_assert_eq!(read.corner_count(number), corners);
-                    word += leaf_words(child.count(), child.count() / 2, corners, width.vertex_words());
+                    word += leaf_words(child.count(), corners, width.vertex_words());
                 } else {
                     prop_assert_eq!(read.child(number), NodeRef::inner(inner));
                     inner += 1;

@@ -19,16 +19,35 @@ use crate::trace::{LeafSlot, TriangleSource};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
 
-/// The words of a leaf with so many triangles, half as many, rounded down, and so many corners of so many words.
+/// The words of a leaf with so many triangles and so many corners of so many words.
 #[inline(always)]
 #[must_use]
-pub const fn leaf_words(triangles: u32, half: u32, corners: u32, vertex_words: u32) -> u32 {
+pub const fn leaf_words(triangles: u32, corners: u32, vertex_words: u32) -> u32 {
+    summed_words(triangles, triangles / 2, corners, vertex_words)
+}
+
+/// The same, where half the number of triangles, rounded down, is known. For several leaves at once, a byte each, too.
+#[inline(always)]
+pub(super) const fn summed_words(
+    triangles: u32,
+    half: u32,
+    corners: u32,
+    vertex_words: u32,
+) -> u32 {
     corners * vertex_words + triangles + half
+}
+
+/// Where a triangle's index lies, in a leaf with so many triangles whose words begin at `first`. Behind the last one's, the corners
+/// begin.
+#[inline(always)]
+#[must_use]
+pub const fn index_place(first: u32, count: u32, number: u32) -> u32 {
+    first.wrapping_add(count / 2).wrapping_add(number)
 }
 
 /// Bytes of a triangle, at most: of two whose wide corners are all different.
 pub const MOST_SHARED_BYTES: u32 =
-    size_of::<u32>() as u32 * leaf_words(2, 1, 6, LeafWidth::Wide.vertex_words()) / 2;
+    size_of::<u32>() as u32 * leaf_words(2, 6, LeafWidth::Wide.vertex_words()) / 2;
 
 const CORNER_BITS: u32 = 5;
 const CORNER: u32 = (1 << CORNER_BITS) - 1;
@@ -180,9 +199,9 @@ pub fn store_shared_triangle<const ALONE: bool>(
         let at = first.wrapping_add(number / 2);
         store(words, at, own.0 & HALF | beside << 16);
     }
-    let indices = first.wrapping_add(count / 2);
-    store(words, indices.wrapping_add(number), triangle.primitive);
-    let corners = indices.wrapping_add(count);
+    let at = index_place(first, count, number);
+    store(words, at, triangle.primitive);
+    let corners = index_place(first, count, count);
     let v = &triangle.vertices;
     if ALONE || own.is_first(0) {
         store_corner(
@@ -213,6 +232,23 @@ pub fn store_shared_triangle<const ALONE: bool>(
             own.corner(2),
             words,
         );
+    }
+}
+
+/// Stores all words of a leaf, which begin at `first`, from its triangles and the numbers of their corners. On one thread.
+#[inline(always)]
+pub fn store_shared_leaf(
+    triangles: &[LeafTriangle],
+    corners: &[u32],
+    corner: &LeafCorner,
+    step: f32,
+    first: u32,
+    words: &mut [u32],
+) {
+    let mut next = corners.iter().copied().skip(1);
+    for (triangle, &own) in triangles.iter().zip(corners) {
+        let own = [own, next.next().unwrap_or(0)].map(TriangleCorners);
+        store_shared_triangle::<true>(triangle, corner, own, step, first, words);
     }
 }
 
@@ -271,7 +307,7 @@ impl TriangleSource<LeafFrame> for SharedTriangles<'_> {
         } else {
             TriangleCorners(stored >> (16 * (before & 1)))
         };
-        let first = slot.first.wrapping_add(slot.count / 2 + slot.count);
+        let first = index_place(slot.first, slot.count, slot.count);
         let vertex_words = slot.bounds.width.vertex_words();
         let place = |corner: u32| first.wrapping_add(own.corner(corner) * vertex_words);
         let places = [place(0), place(1), place(2)];
@@ -280,7 +316,7 @@ impl TriangleSource<LeafFrame> for SharedTriangles<'_> {
 
     #[inline(always)]
     fn primitive(&self, slot: &LeafSlot<LeafFrame>) -> u32 {
-        let at = slot.first.wrapping_add(slot.count / 2 + slot.number);
+        let at = index_place(slot.first, slot.count, slot.number);
         crate::load(self.words, at, NO_PRIMITIVE)
     }
 }
@@ -342,7 +378,7 @@ mod tests {
         number_corners(at, count, &triangles, &mut corners);
         let corner = LeafCorner::of(&frame);
         let distinct = corner_count(at, count, &corners);
-        let end = first + leaf_words(count, count / 2, distinct, corner.width().vertex_words());
+        let end = first + leaf_words(count, distinct, corner.width().vertex_words());
         let mut words = std::vec![u32::MAX; end as usize];
         for i in at as usize..triangles.len() {
             let next = corners.get(i + 1).copied().unwrap_or(u32::MAX);
@@ -400,7 +436,7 @@ mod tests {
             let (count, distinct) = (faces.len() as u32, distinct.len() as u32);
             prop_assert_eq!(corner_count(at, count, &leaf.corners), distinct);
             let width = LeafCorner::of(&leaf.frame).width().vertex_words();
-            prop_assert_eq!(leaf.words.len() as u32, leaf_words(count, count / 2, distinct, width));
+            prop_assert_eq!(leaf.words.len() as u32, leaf_words(count, distinct, width));
             // No coordinate is -1, which has all bits set.
             let unwritten = leaf.words.iter().filter(|word| **word == u32::MAX).count();
             prop_assert!(unwritten == 0 || points.as_flattened().contains(&-1));
@@ -413,7 +449,7 @@ mod tests {
         let points = [[0, 0, 0], [9, 0, 0], [0, 9, 0], [9, 9, 0]];
         let faces = [[0, 1, 2], [2, 1, 3]];
         let mut leaf = stored(&points, &faces, 4, 0);
-        assert_eq!(leaf.words.len() as u32, 4 + leaf_words(2, 1, 4, 1));
+        assert_eq!(leaf.words.len() as u32, 4 + leaf_words(2, 4, 1));
         assert_eq!(leaf.words[4], 2 | 1 << 5 | 3 << 10);
         assert_eq!(leaf.words[5..7], [70, 71]);
         let sound = decoded(&leaf, 4, 1, [0, 1, 2]);

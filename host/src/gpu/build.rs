@@ -294,7 +294,7 @@ impl Builder {
         }
     }
 
-    /// The largest buffers of a build.
+    /// The largest buffers of a build. Triangles that share corners may take two bytes more than in full; the nodes then take more.
     fn sizes(&self, count: u32) -> [(&'static str, u64); 4] {
         let keys = self.keys();
         [

@@ -27,8 +27,8 @@ const PLACEHOLDER_BYTES: u64 = 32;
 /// allocating; or [`Self::upload`] does.
 ///
 /// Only the GPU knows the number of nodes, so the buffers have room for the most possible: 64 bytes a triangle in full, of
-/// which about 24 are used, and 16 to 43 in a codec, of which 6 to 14 are used. Triangles on a lattice have room for 40
-/// bytes each, and use what their leaves need. [`Self::compact`] frees the rest.
+/// which about 17 are used, and 16 to 43 in a codec, of which 6 to 15 are used. Triangles on a lattice have room for 40
+/// bytes each, 42 where they share corners, and use what their leaves need. [`Self::compact`] frees the rest.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Slot,

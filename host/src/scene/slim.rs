@@ -40,7 +40,8 @@
 //!                        exponent, exponent of the lattice's step, bounds: min (3), whether there are any, max (3), 0, root
 //!                        box: min (3), 0, max (3), 0, zeros (8)
 //! 12 nodes               in full 64, paper10 24, the laboratory's 12 to 28; of up to four children 128, 64 or 48
-//! 13 triangles           in full 40, in 10 bits 16, on the lattice 4: words, of which a triangle has 4, 7 or 10
+//! 13 triangles           in full 40, in 10 bits 16, on the lattice 4: words, of which a triangle has 4, 7 or 10; below nodes of 48
+//!                        bytes, of which a leaf of T triangles has T / 2, T, and 1 to 3 a corner
 //! ```
 //!
 //! `slimbvh_core` specifies the items of sections 12 and 13: [`Node`](crate::Node), [`LeafTriangle`](crate::LeafTriangle)

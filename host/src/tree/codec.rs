@@ -21,8 +21,8 @@ pub enum NodeCodec {
     Paper10,
     /// 48 to 128 bytes a node of up to four children, of which there are less than half as many as of two.
     Wide(WideStore),
-    /// 12 to 28 bytes: integer distances to the parent's planes. For the laboratory, on the CPU only; [`Self::Wide`] on the lattice
-    /// is smaller and faster.
+    /// 12 to 28 bytes: integer distances to the parent's planes. For the laboratory, on the CPU only. [`Self::Wide`] on the lattice
+    /// is smaller, and its rays are faster; it is encoded more slowly.
     #[cfg(feature = "lab")]
     Lattice(LatticeBits),
 }
@@ -290,7 +290,7 @@ const _: () = assert!(
     3 * MOST_WIDE_NODES as u64 * MOST_SHARED_BYTES as u64 <= 4 * slimbvh_core::MAX_TRIANGLES as u64
 );
 
-/// The largest number of triangles. On the lattice, links index words, and a triangle takes up to ten. Wide nodes are at most
+/// The largest number of triangles. On the lattice, links index words, and a triangle takes up to ten, with shared corners ten and a half. Wide nodes are at most
 /// [`MOST_WIDE_NODES`]: one with inner children has four children, one without has more triangles than a leaf holds, so that there
 /// are at most a third as many as triangles.
 pub(crate) const fn most_triangles(nodes: NodeCodec, mesh: MeshCodec) -> usize {

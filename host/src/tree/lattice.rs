@@ -13,7 +13,7 @@ use slimbvh_core::{Aabb, LeafTriangle, Vec3};
 pub enum LatticeMesh {
     /// In full.
     Full(Vec<LeafTriangle>),
-    /// On the lattice, each in the number of words that its leaf needs.
+    /// On the lattice, in the words that their leaves need.
     Lattice { words: Vec<u32>, count: usize },
 }
 

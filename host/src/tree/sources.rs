@@ -76,7 +76,8 @@ pub trait StoredNodes: NodeSource + Sync {
     /// A node's children and their boxes.
     fn open(&self, node: u32, bounds: &Self::Box) -> Opened<Self::Box>;
 
-    /// Checks what a node stores beyond its children, and that nothing else would be decoded to the same.
+    /// Checks what a node stores beyond its children, and that nothing else would be decoded to the same; but corners of nodes of 48
+    /// bytes may be wider than they need be.
     ///
     /// # Errors
     /// The first fault found.

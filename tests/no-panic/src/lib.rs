@@ -274,7 +274,7 @@ pub fn encode_shared_leaf(
         store_shared_triangle::<true>(triangle, corner, own, 0.5, at, words);
         store_shared_triangle::<false>(triangle, corner, own, 0.5, at, words);
     }
-    corner_count(first, count, corners) ^ leaf_words(count, at, first, corner.words)
+    corner_count(first, count, corners) ^ leaf_words(count, first, corner.words)
 }
 
 /// Wide nodes are encoded, and stored ones decoded: any words, any number of a child.

@@ -107,7 +107,7 @@ impl Leaf {
     /// Stores its words in a list that is filled with one word, its triangles in order or in the opposite order.
     fn stored(&self, corners: &[u32], distinct: u32, fill: u32, backwards: bool) -> Vec<u32> {
         let vertex_words = self.width.vertex_words();
-        let own = leaf_words(self.count, self.count / 2, distinct, vertex_words);
+        let own = leaf_words(self.count, distinct, vertex_words);
         let mut words = vec![fill; (2 * self.before + own) as usize];
         let corner = LeafCorner {
             min: self.bounds.min,

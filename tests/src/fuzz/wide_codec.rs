@@ -99,7 +99,7 @@ pub fn wide_codec(data: &[u8]) {
     let words_of = |child: u32| {
         let count = from.nodes[child as usize].count();
         let corners = corner_counts[child as usize];
-        leaf_words(count, count / 2, corners, links.width().vertex_words())
+        leaf_words(count, corners, links.width().vertex_words())
     };
     check_leaves(
         &from,

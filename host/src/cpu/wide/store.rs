@@ -5,8 +5,8 @@ use super::{Corners, Triangles};
 use bytemuck::Pod;
 use slimbvh_core::NodeRef;
 use slimbvh_core::encode::{
-    FullWideNode, LeafWidth, MixedWideNode, RoundedChildren, TriangleCorners, WideNode,
-    corner_count, leaf_words, store_shared_triangle,
+    FullWideNode, LeafWidth, MixedWideNode, RoundedChildren, WideNode, corner_count, leaf_words,
+    store_shared_leaf,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::wide::{WIDTH, WideChildren, placed};
@@ -186,7 +186,7 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
             let count = leaf.count();
             if N::SHARES_CORNERS && count > 0 {
                 let distinct = corner_count(0, count, corners.of(leaf));
-                leaf_words(count, count / 2, distinct, width.vertex_words())
+                leaf_words(count, distinct, width.vertex_words())
             } else {
                 count * width.words()
             }
@@ -209,12 +209,7 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
             *widths |= 1 << corner.width() as u32;
             let (own, first) = (triangles.of(leaf), item.node.first_word(number));
             if N::SHARES_CORNERS {
-                let corners = corners.of(leaf);
-                for (i, triangle) in own.iter().enumerate() {
-                    let next = corners.get(i + 1).copied().unwrap_or(0);
-                    let corners = [corners[i], next].map(TriangleCorners);
-                    store_shared_triangle::<true>(triangle, &corner, corners, step, first, words);
-                }
+                store_shared_leaf(own, corners.of(leaf), &corner, step, first, words);
             } else {
                 let first = first as usize;
                 let end = first + own.len() * corner.words as usize;

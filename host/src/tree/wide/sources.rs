@@ -11,8 +11,8 @@ use glam::Vec4;
 use slimbvh_core::encode::frame::Frame;
 use slimbvh_core::encode::{
     FullWideNode, LatticeTriangles, LeafCorner, LeafFrame, LeafWidth, PackedWideNode,
-    PackedWideNodes, SharedTriangles, TriangleCorners, WideAxis, WideMixedNodes, WideNode,
-    WideNodes, corner_count, leaf_words, number_corners, store_shared_triangle,
+    PackedWideNodes, SharedTriangles, WideAxis, WideMixedNodes, WideNode, WideNodes, corner_count,
+    index_place, leaf_words, number_corners, store_shared_leaf,
 };
 use slimbvh_core::float::exponent;
 use slimbvh_core::lattice::LatticeBox;
@@ -55,7 +55,7 @@ impl LatticeChild {
 }
 
 /// The steps of an axis, at most: from one side of the scene to the other.
-const MOST_STEPS: u32 = 1 << 25;
+const MOST_EXTENT: u32 = 1 << 25;
 
 /// Extents beyond are even, so that floats hold them.
 const MOST_ODD_STEPS: u32 = 1 << 24;
@@ -112,13 +112,17 @@ fn check_frame(
 /// Whether an axis has an extent that floats hold, and the shift that follows from it.
 fn is_exact_scale(axis: &WideAxis) -> bool {
     let extent = axis.extent();
-    let is_held = extent <= MOST_ODD_STEPS || extent <= MOST_STEPS && extent.is_multiple_of(2);
+    let is_held = extent <= MOST_ODD_STEPS || extent <= MOST_EXTENT && extent.is_multiple_of(2);
     is_held && axis.shift() == Frame { extent }.shift()
 }
 
 /// Whether no plane of an axis is further from the origin than the scene is wide.
 fn is_packed_scale(axis: &WideAxis) -> bool {
-    axis.shift() <= Frame { extent: MOST_STEPS }.shift()
+    axis.shift()
+        <= Frame {
+            extent: MOST_EXTENT,
+        }
+        .shift()
 }
 
 impl StoredNodes for FullWideNodes<'_> {
@@ -369,16 +373,11 @@ impl StoredTriangles<PackedWideNodes<'_>> for SharedTriangles<'_> {
     }
 
     fn places(&self, count: u32, leaf: &LatticeChild) -> u32 {
-        leaf_words(
-            count,
-            count / 2,
-            leaf.corner_count,
-            leaf.width.vertex_words(),
-        )
+        leaf_words(count, leaf.corner_count, leaf.width.vertex_words())
     }
 
     fn place(&self, LeafPlace { leaf, number }: LeafPlace, _: &LatticeChild) -> u32 {
-        leaf.first() + leaf.count() / 2 + number
+        index_place(leaf.first(), leaf.count(), number)
     }
 
     /// Its corners, its index, and half a word that says which corners they are: a word, where it has no other half; the first triangle
@@ -411,12 +410,8 @@ impl StoredTriangles<PackedWideNodes<'_>> for SharedTriangles<'_> {
             words: child.width.words(),
         };
         let mut words = vec![0; self.places(leaf.count(), child) as usize];
-        for (i, triangle) in triangles.iter().enumerate() {
-            let next = corners.get(i + 1).copied().unwrap_or(0);
-            let own = [corners[i], next].map(TriangleCorners);
-            store_shared_triangle::<true>(triangle, &corner, own, self.step, 0, &mut words);
-        }
-        let stored = &self.words[leaf.first() as usize..];
-        stored.starts_with(&words)
+        store_shared_leaf(&triangles, &corners, &corner, self.step, 0, &mut words);
+        let stored = self.words.get(leaf.first() as usize..);
+        stored.is_some_and(|stored| stored.starts_with(&words))
     }
 }
