@@ -65,12 +65,12 @@ pub struct Storage {
 impl StorageArguments {
     /// Rejects options that contradict each other.
     pub fn check(&self) -> Result<()> {
-        self.kinds().map(|_| ())
+        self.triangles().map(|_| ())
     }
 
     /// Rejects reduction with a codec that moves triangles after the decision.
     pub fn check_reduction(&self, reduce: &ReduceArguments) -> Result<()> {
-        let (_, mesh) = self.kinds()?;
+        let mesh = self.triangles()?;
         if mesh.moves_vertices() && reduce.is_asked_for() {
             bail!(
                 "--mesh {} moves triangles after the plan has chosen which to leave out; leave --reduce on and --cull on out",
@@ -106,8 +106,8 @@ impl StorageArguments {
         self.mesh.is_some_and(MeshCodec::moves_vertices)
     }
 
-    /// The codec of nodes that is asked for, if one is, and that of triangles; the step of a triangle lattice is not known yet.
-    fn kinds(&self) -> Result<(Option<NodeCodec>, MeshCodec)> {
+    /// The codec of triangles, which goes with the nodes that are asked for; the step of a lattice is not known yet.
+    fn triangles(&self) -> Result<MeshCodec> {
         let lattice = MeshCodec::ALL.into_iter();
         let mut lattice = lattice.filter(|codec| codec.step_exponent().is_some());
         let mesh = match (self.mesh, self.tolerance) {
@@ -124,7 +124,7 @@ impl StorageArguments {
             let (mesh, names) = (mesh.name(), names.join(", "));
             bail!("{error}: --mesh {mesh} goes with --nodes {names}");
         }
-        Ok((self.nodes.0, mesh))
+        Ok(mesh)
     }
 
     /// Chooses the codecs. Moves the scene's vertices onto the lattice, if there is one.
@@ -150,7 +150,7 @@ impl StorageArguments {
         scene: &mut Scene,
         processor: Processor,
     ) -> Result<Storage> {
-        if self.kinds()?.1.step_exponent().is_none() {
+        if self.triangles()?.step_exponent().is_none() {
             return self.on_lattice(None, processor);
         }
         let (mut finest, mut wanted) = (i32::MIN, Some(i32::MAX));
@@ -176,18 +176,20 @@ impl StorageArguments {
     #[cfg(feature = "gpu")]
     #[must_use]
     pub fn moved(&self, config: BuildConfig, processor: Processor) -> BuildConfig {
-        let nodes = self.nodes.0.unwrap_or(config.mesh.nodes_for(processor));
+        let nodes = self.nodes_for(config.mesh, processor);
         BuildConfig { nodes, ..config }
+    }
+
+    /// The codec of nodes over these triangles.
+    fn nodes_for(&self, mesh: MeshCodec, processor: Processor) -> NodeCodec {
+        self.nodes.0.unwrap_or(mesh.nodes_for(processor))
     }
 
     /// The codecs with a lattice of this step; with `None` triangles stay in full precision.
     fn on_lattice(&self, step_exponent: Option<i32>, processor: Processor) -> Result<Storage> {
-        let (nodes, mesh) = self.kinds()?;
-        let mesh = mesh.with_step(step_exponent);
-        Ok(Storage {
-            nodes: nodes.unwrap_or(mesh.nodes_for(processor)),
-            mesh,
-        })
+        let mesh = self.triangles()?.with_step(step_exponent);
+        let nodes = self.nodes_for(mesh, processor);
+        Ok(Storage { nodes, mesh })
     }
 }
 

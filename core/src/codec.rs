@@ -3,7 +3,8 @@
 //! There are three codecs. **Wide** nodes have up to four children; on the lattice they use integers only: all planes lie on one
 //! lattice of the scene, in a frame of the node's own, and what cannot be counted exactly is rounded outward ([`WideNode`],
 //! [`PackedWideNode`]). The **parent-frame lattice** codec, the laboratory's, has nodes of two children, whose planes are counted
-//! from the decoded parent's ([`encode_node`]). The **paper10** codec places planes in 10 bits between those of the decoded parent, by floats. It is NODE and NODE+MESH of the
+//! from the decoded parent's ([`encode_node`]). The **paper10** codec places planes in 10 bits between those of the decoded parent,
+//! by floats. It is NODE and NODE+MESH of the
 //! paper on the compression of hierarchy and mesh after Karras (measured on a GTX 970; its authors are not known to us), and
 //! serves as the baseline that the lattice codec is measured against.
 #![allow(
@@ -54,8 +55,8 @@ pub use root::RootWords;
 pub use rounded::RoundedNode;
 pub use rounded_children::RoundedChildren;
 pub use shared_leaf::{
-    MOST_SHARED_BYTES, SharedTriangles, TriangleCorners, corner_count, index_place, leaf_words,
-    number_corners, store_shared_leaf, store_shared_triangle,
+    MOST_SHARED_BYTES, SharedTriangles, TriangleCorners, corner_count, corner_counts, index_place,
+    leaf_words, number_corners, store_shared_leaf, store_shared_triangle,
 };
 pub use wide_axis::{WideAxis, wide_axes};
 pub use wide_node::WideNode;

@@ -5,11 +5,11 @@ use crate::encode::wide::{children, store_wide_root};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
-    MixedWideNode, PackedWideNode, RootWords, RoundedChildren, WideNode, corner_count,
+    MixedWideNode, PackedWideNode, RootWords, RoundedChildren, WideNode, corner_counts,
     number_corners,
 };
 use slimbvh_core::wide::{Begins, Collapse, Origin, WIDTH, WideChildren, collapse, wide_origin};
-use slimbvh_core::{LeafTriangle, Node, NodeRef};
+use slimbvh_core::{LeafTriangle, Node};
 use spirv_std_macros::spirv;
 
 /// One thread per binary node. Reads the number of nodes, `opaque_zero` and the nodes. Stores which nodes a wide node that begins
@@ -121,7 +121,11 @@ pub fn wide_words_48(
         let mut words = 0;
         if begins(node, origins) {
             let found = children(node, plain, collapses);
-            words = word_count::<PackedWideNode>(&found, corner_counts(&found, corners), step);
+            words = word_count::<PackedWideNode>(
+                &found,
+                corner_counts(found.nodes(), 0, corners),
+                step,
+            );
         }
         store_counts(node, words, (collapses, origins), counts);
         store_wide_root(node, step, plain, root);
@@ -133,24 +137,6 @@ pub fn wide_words_48(
 fn begins(node: u32, origins: &[u32]) -> bool {
     let i = node as usize;
     i < origins.len() && Origin(origins[i]).is_there()
-}
-
-/// How many corners each child has that is a leaf.
-#[inline(always)]
-pub(crate) fn corner_counts(found: &WideChildren, corners: &[u32]) -> [u32; WIDTH] {
-    let [a, b, c, d] = found.nodes();
-    [
-        leaf_corner_count(a, corners),
-        leaf_corner_count(b, corners),
-        leaf_corner_count(c, corners),
-        leaf_corner_count(d, corners),
-    ]
-}
-
-#[inline(always)]
-fn leaf_corner_count(child: NodeRef, corners: &[u32]) -> u32 {
-    let count = if child.is_leaf() { child.count() } else { 0 };
-    corner_count(child.first(), count, corners)
 }
 
 #[inline(always)]

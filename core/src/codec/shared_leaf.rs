@@ -13,6 +13,8 @@
 
 use super::lattice_leaf::{LeafCorner, middle_vertex, narrow_vertex, vertices, wide_vertex};
 use super::leaf_width::{LeafFrame, LeafWidth};
+use crate::build::node::NodeRef;
+use crate::build::wide::WIDTH;
 use crate::geometry::ray::NO_PRIMITIVE;
 use crate::geometry::triangle::LeafTriangle;
 use crate::trace::{LeafSlot, TriangleSource};
@@ -110,6 +112,25 @@ pub fn corner_count(first: u32, count: u32, corners: &[u32]) -> u32 {
         sum += TriangleCorners(own).first_count();
     }
     sum
+}
+
+/// How many corners each child of a wide node has that is a leaf, else 0. The list begins with the corners of triangle `first`.
+#[inline(always)]
+#[must_use]
+pub fn corner_counts(children: [NodeRef; WIDTH], first: u32, corners: &[u32]) -> [u32; WIDTH] {
+    let [a, b, c, d] = children;
+    [
+        corner_count_of(a, first, corners),
+        corner_count_of(b, first, corners),
+        corner_count_of(c, first, corners),
+        corner_count_of(d, first, corners),
+    ]
+}
+
+#[inline(always)]
+fn corner_count_of(child: NodeRef, first: u32, corners: &[u32]) -> u32 {
+    let count = if child.is_leaf() { child.count() } else { 0 };
+    corner_count(child.first().wrapping_sub(first), count, corners)
 }
 
 /// Coordinates of three corners, by axis. The last lane is unused.

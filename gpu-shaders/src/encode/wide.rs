@@ -3,11 +3,10 @@
 use super::{lattice_step, store_root};
 use crate::thread_index;
 use crate::trace::root_words;
-use crate::wide::corner_counts;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
     FINEST_STEP, FullWideNode, LeafCorner, MixedWideNode, PackedWideNode, RootWords,
-    RoundedChildren, RoundedNode, TriangleCorners, WideNode, store_shared_triangle,
+    RoundedChildren, RoundedNode, TriangleCorners, WideNode, corner_counts, store_shared_triangle,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::wide::{Begins, Collapse, Origin, WIDTH, WideChildren, wide_children};
@@ -113,7 +112,7 @@ pub fn encode_w4_48_lattice(
         let step = lattice_step(exponent, step);
         let found = children(node, plain, collapses);
         let from = RoundedChildren::new(&found, step);
-        let counts = corner_counts(&found, corners);
+        let counts = corner_counts(found.nodes(), 0, corners);
         store_mixed(node, to, (&from, counts), begins, (nodes, frames, words));
     }
 }

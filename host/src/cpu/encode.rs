@@ -67,11 +67,7 @@ impl Encoder {
         };
         let leaves = shape.triangles;
         let encoded = (self.wide).encode(codecs, scene_exponent, &from, &leaves, old);
-        let (tree, rest) = encoded.over(leaves);
-        if let Some(leaves) = rest {
-            self.triangles = leaves;
-        }
-        *stored = StoredTree::Wide(tree);
+        *stored = StoredTree::Wide(encoded.over(leaves, &mut self.triangles));
     }
 
     /// Stores a tree over these triangles, reusing the buffers of the tree that it replaces. Keeps the buffer of triangles
@@ -121,21 +117,13 @@ impl Encoder {
                 let (codecs, exponent) = ((store, mesh), from.scene_exponent);
                 let from = Source::Binary(&tree);
                 let encoded = (self.wide).encode(codecs, exponent, &from, &leaves, old);
-                let (tree, rest) = encoded.over(leaves);
-                if let Some(leaves) = rest {
-                    self.triangles = leaves;
-                }
-                StoredTree::Wide(tree)
+                StoredTree::Wide(encoded.over(leaves, &mut self.triangles))
             }
             #[cfg(feature = "lab")]
             NodeCodec::Lattice(bits) => {
                 let (codecs, exponent) = ((bits, mesh), from.scene_exponent);
                 let encoded = self.lattice.encode(&tree, codecs, exponent, old);
-                let (tree, rest) = encoded.over(leaves);
-                if let Some(leaves) = rest {
-                    self.triangles = leaves;
-                }
-                StoredTree::Lattice(tree)
+                StoredTree::Lattice(encoded.over(leaves, &mut self.triangles))
             }
         };
     }

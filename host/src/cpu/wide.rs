@@ -20,7 +20,7 @@ use slimbvh_core::encode::{
 use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::refit::{PyramidBox, range_bounds};
 use slimbvh_core::scan::run_scan;
-use slimbvh_core::wide::{Collapse, Origin, WideChild, WideChildren, wide_children};
+use slimbvh_core::wide::{Collapse, Origin, WIDTH, WideChild, WideChildren, wide_children};
 use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef};
 
 /// Encodes wide trees. Keeps its buffers.
@@ -102,6 +102,12 @@ impl Triangles<'_> {
         let own = &mut corners[at..at + count as usize];
         number_corners(0, count, self.of(leaf), own);
     }
+}
+
+/// The children that are leaves, and there.
+fn leaves_of(children: [NodeRef; WIDTH]) -> impl Iterator<Item = NodeRef> {
+    let is_leaf = |child: &NodeRef| child.is_leaf() && child.count() > 0;
+    children.into_iter().filter(is_leaf)
 }
 
 /// Which corners triangles have, from one on; empty if corners are not shared.
@@ -229,20 +235,14 @@ pub(super) struct Encoded {
 }
 
 impl Encoded {
-    /// The tree over these triangles. Returns them as well, if they are not part of it.
-    pub(super) fn over(self, leaves: Vec<LeafTriangle>) -> (WideTree, Option<Vec<LeafTriangle>>) {
-        let count = leaves.len();
-        let (triangles, rest) = match self.words {
-            Some(words) => (LatticeMesh::Lattice { words, count }, Some(leaves)),
-            None => (LatticeMesh::Full(leaves), None),
-        };
-        let tree = WideTree {
+    /// The tree over these triangles, which a buffer keeps if they are not part of it.
+    pub(super) fn over(self, leaves: Vec<LeafTriangle>, kept: &mut Vec<LeafTriangle>) -> WideTree {
+        WideTree {
             root: self.root,
             step_exponent: self.step_exponent,
             nodes: self.nodes,
-            triangles,
-        };
-        (tree, rest)
+            triangles: LatticeMesh::over(self.words, leaves, kept),
+        }
     }
 }
 
@@ -414,10 +414,8 @@ impl Run<'_> {
 /// Numbers the corners of all leaves' triangles.
 fn number_all(connections: &[WideConnection], triangles: &Triangles, corners: &mut Vec<u32>) {
     corners.resize(triangles.leaves.len(), 0);
-    let children = connections.iter().flat_map(|it| it.children);
-    let mut leaves: Vec<NodeRef> = children
-        .filter(|child| child.is_leaf() && child.count() > 0)
-        .collect();
+    let leaves = connections.iter().flat_map(|it| leaves_of(it.children));
+    let mut leaves: Vec<NodeRef> = leaves.collect();
     leaves.par_sort_unstable_by_key(|leaf| leaf.first());
     let mut rest = corners.as_mut_slice();
     let own = leaves.iter().map(|&leaf| {

@@ -106,22 +106,22 @@ impl Encoder {
             Encodes::MixedWide { nodes: kernel, .. } => {
                 let [frames, words] = &self.leaves(gpu, bvh);
                 let uniforms = &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)];
-                let from = [&bvh.nodes, collapses, origins, begins];
+                let corners = places.corners.as_ref();
+                let nodes_from: Vec<&Range> = from.iter().copied().chain(corners).collect();
                 let to = &[nodes, frames, words];
-                if let Some(corners) = &places.corners {
-                    let from: Vec<&Range> = from.into_iter().chain([corners]).collect();
-                    recorder.dispatch(kernel, uniforms, &from, to, each_node());
-                    recorder.dispatch(
-                        Kernel::encode_shared_triangles,
-                        &[Uniform::Stored(&bvh.count), Uniform::Stored(root)],
-                        &[&bvh.triangles, frames, words, corners],
-                        &[&coded.triangles],
-                        threads(bvh.triangle_count),
-                    );
-                } else {
-                    recorder.dispatch(kernel, uniforms, &from, to, each_node());
-                    record_triangles(recorder, (bvh, coded), [frames, words]);
-                }
+                recorder.dispatch(kernel, uniforms, &nodes_from, to, each_node());
+                let kernel = match corners {
+                    Some(_) => Kernel::encode_shared_triangles,
+                    None => Kernel::encode_triangles,
+                };
+                let from = [&bvh.triangles, frames, words].into_iter().chain(corners);
+                recorder.dispatch(
+                    kernel,
+                    &[Uniform::Stored(&bvh.count), Uniform::Stored(root)],
+                    &from.collect::<Vec<_>>(),
+                    &[&coded.triangles],
+                    threads(bvh.triangle_count),
+                );
             }
             _ => {}
         }
@@ -142,19 +142,4 @@ impl Encoder {
         let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
         slots + self.wide.bytes()
     }
-}
-
-/// Records the words of all triangles, from their leaves' corners and where each one's words begin.
-fn record_triangles(
-    recorder: &mut Recorder,
-    (bvh, coded): (&Built, &Coded),
-    [corners, begins]: [&Range; 2],
-) {
-    recorder.dispatch(
-        Kernel::encode_triangles,
-        &[Uniform::Stored(&bvh.count), Uniform::Stored(&coded.root)],
-        &[&bvh.triangles, corners, begins],
-        &[&coded.triangles],
-        threads(bvh.triangle_count),
-    );
 }

@@ -26,6 +26,20 @@ impl LatticeMesh {
         }
     }
 
+    /// The triangles of a tree: these words, if it has them on the lattice; a buffer then keeps the list. Else the list itself.
+    pub fn over(
+        words: Option<Vec<u32>>,
+        leaves: Vec<LeafTriangle>,
+        kept: &mut Vec<LeafTriangle>,
+    ) -> Self {
+        let Some(words) = words else {
+            return Self::Full(leaves);
+        };
+        let count = leaves.len();
+        *kept = leaves;
+        Self::Lattice { words, count }
+    }
+
     /// The list that a reader reads.
     pub fn read<R: ListReader>(
         mesh: MeshCodec,

@@ -8,7 +8,7 @@ use slimbvh::{
 };
 use slimbvh_core::encode::{
     FINEST_STEP, FullWideNode, MixedWideNode, PackedWideNode, RootWords, RoundedChildren,
-    TriangleCorners, WideNode, corner_count, encode_triangle, number_corners, scaled_step,
+    TriangleCorners, WideNode, corner_counts, encode_triangle, number_corners, scaled_step,
     store_shared_triangle,
 };
 use slimbvh_core::float::power_of_two;
@@ -145,11 +145,11 @@ impl<'a> Alone<'a> {
                 continue;
             }
             let from = self.rounded(i);
-            let counts = from.nodes.map(|child| {
+            for child in from.nodes {
                 let count = if child.is_leaf() { child.count() } else { 0 };
                 number_corners(child.first(), count, self.leaves, &mut corners);
-                corner_count(child.first(), count, &corners)
-            });
+            }
+            let counts = corner_counts(from.nodes, 0, &corners);
             let (node, word_count) = N::encode(&from, counts);
             let first_word = words.len() as u32;
             coded[i] = (node, from.count, first_word);

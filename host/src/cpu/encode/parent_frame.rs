@@ -82,23 +82,18 @@ pub(super) struct Encoded {
 }
 
 impl Encoded {
-    /// The tree over these triangles. Returns them as well, if they are not part of it.
+    /// The tree over these triangles, which a buffer keeps if they are not part of it.
     pub(super) fn over(
         self,
         leaves: Vec<LeafTriangle>,
-    ) -> (LatticeTree, Option<Vec<LeafTriangle>>) {
-        let count = leaves.len();
-        let (triangles, rest) = match self.words {
-            Some(words) => (LatticeMesh::Lattice { words, count }, Some(leaves)),
-            None => (LatticeMesh::Full(leaves), None),
-        };
-        let tree = LatticeTree {
+        kept: &mut Vec<LeafTriangle>,
+    ) -> LatticeTree {
+        LatticeTree {
             bits: self.bits,
             root: self.root,
             step_exponent: self.step_exponent,
             words: self.nodes,
-            triangles,
-        };
-        (tree, rest)
+            triangles: LatticeMesh::over(self.words, leaves, kept),
+        }
     }
 }

@@ -5,7 +5,7 @@
 
 use super::super::encode::{TASK, Tree};
 use super::store::Store;
-use super::{Corners, Places, Triangles};
+use super::{Corners, Places, Triangles, leaves_of};
 use rayon::prelude::*;
 use slimbvh_core::encode::LeafWidth;
 use slimbvh_core::wide::{Collapse, Origin, WideChildren, collapsed};
@@ -254,8 +254,7 @@ fn word_count<S: Store>(
     (list, first): (&mut [u32], u32),
 ) -> u32 {
     if S::SHARES_CORNERS {
-        let leaves = children.nodes().into_iter().filter(|child| child.is_leaf());
-        for leaf in leaves.filter(|leaf| leaf.count() > 0) {
+        for leaf in leaves_of(children.nodes()) {
             triangles.number(leaf, first, list);
         }
     }

@@ -148,12 +148,11 @@ impl Placing<'_> {
             list: &self.places.corners,
         };
         let item = S::item(&children, [node.first, node.last], corners, step_exponent);
-        let mut widths = 0;
-        if S::word_count(&item) as usize == words.len() {
-            S::put_leaves(&item, self.triangles, corners, words, &mut widths);
+        let widths = if S::word_count(&item) as usize == words.len() {
+            S::put_leaves(&item, self.triangles, corners, words)
         } else {
-            widths = UNSOUND;
-        }
+            UNSOUND
+        };
         (S::place(&item, at), widths)
     }
 }
@@ -191,7 +190,9 @@ pub(super) fn place_again<S: Store>(
         });
         let parts: Vec<_> = parts.collect();
         let parts = parts.into_par_iter().with_min_len(BLOCK);
-        parts.for_each(|(i, own)| S::put_leaves(&items[i], triangles, corners, own, &mut 0));
+        parts.for_each(|(i, own)| {
+            S::put_leaves(&items[i], triangles, corners, own);
+        });
     }
     let blocks = nodes.par_chunks_mut(BLOCK).enumerate();
     blocks.for_each(|(block, nodes)| {

@@ -1,14 +1,15 @@
 //! How each store encodes a wide node: first all but its place, then the node.
 
 use super::super::encode::Leaf;
-use super::{Corners, Triangles};
+use super::{Corners, Triangles, leaves_of};
 use bytemuck::Pod;
 use slimbvh_core::NodeRef;
 use slimbvh_core::encode::{
-    FullWideNode, LeafWidth, MixedWideNode, RoundedChildren, WideNode, corner_count, leaf_words,
-    store_shared_leaf,
+    FullWideNode, LeafWidth, MixedWideNode, RoundedChildren, WideNode, corner_count, corner_counts,
+    leaf_words, store_shared_leaf,
 };
 use slimbvh_core::float::power_of_two;
+use slimbvh_core::trace::child_count;
 use slimbvh_core::wide::{WIDTH, WideChildren, placed};
 use std::marker::PhantomData;
 
@@ -47,14 +48,14 @@ pub(super) trait Store {
         0
     }
 
-    /// Stores these words, and adds the widths of its leaves' corners to a set, a bit each.
+    /// Stores these words. Returns the widths of its leaves' corners, a bit each.
     fn put_leaves(
         _item: &Self::Item,
         _triangles: &Triangles,
         _corners: Corners,
         _words: &mut [u32],
-        _widths: &mut u32,
-    ) {
+    ) -> u32 {
+        0
     }
 }
 
@@ -111,10 +112,9 @@ impl Store for Exact {
     }
 }
 
-/// The children that are there.
+/// How many children are there.
 fn count_of(children: [NodeRef; WIDTH]) -> u32 {
-    let is_there = |child: &NodeRef| *child != NodeRef::EMPTY_LEAF;
-    children.iter().filter(|child| is_there(child)).count() as u32
+    child_count(children.map(|child| child.0))
 }
 
 /// A node over triangles on the lattice, whose children begin at 0.
@@ -155,10 +155,7 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
         let rounded = RoundedChildren::new(children, step_exponent);
         let mut counts = [0; WIDTH];
         if N::SHARES_CORNERS {
-            let leaves = children.nodes().into_iter().zip(&mut counts);
-            for (leaf, to) in leaves.filter(|(child, _)| child.is_leaf() && child.count() > 0) {
-                *to = corner_count(0, leaf.count(), corners.of(leaf));
-            }
+            counts = corner_counts(children.nodes(), corners.first, corners.list);
         }
         let (node, word_count) = N::encode(&rounded, counts);
         MixedItem {
@@ -181,10 +178,9 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
 
     #[inline(always)]
     fn words_of(children: &WideChildren, corners: Corners, width: LeafWidth) -> u32 {
-        let leaves = children.nodes().into_iter().filter(|child| child.is_leaf());
-        let words = leaves.map(|leaf| {
+        let words = leaves_of(children.nodes()).map(|leaf| {
             let count = leaf.count();
-            if N::SHARES_CORNERS && count > 0 {
+            if N::SHARES_CORNERS {
                 let distinct = corner_count(0, count, corners.of(leaf));
                 leaf_words(count, distinct, width.vertex_words())
             } else {
@@ -200,13 +196,13 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
         triangles: &Triangles,
         corners: Corners,
         words: &mut [u32],
-        widths: &mut u32,
-    ) {
+    ) -> u32 {
+        let mut widths = 0;
         let step_exponent = triangles.step_exponent;
         let step = power_of_two(step_exponent);
         for (number, leaf) in item.leaves() {
             let corner = item.node.corner(number, step_exponent);
-            *widths |= 1 << corner.width() as u32;
+            widths |= 1 << corner.width() as u32;
             let (own, first) = (triangles.of(leaf), item.node.first_word(number));
             if N::SHARES_CORNERS {
                 store_shared_leaf(own, corners.of(leaf), &corner, step, first, words);
@@ -221,5 +217,6 @@ impl<N: MixedWideNode + Pod + Send + Sync + Default> Store for Mixed<N> {
                 leaf.put(&mut words[first..end]);
             }
         }
+        widths
     }
 }
