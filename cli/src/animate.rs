@@ -16,7 +16,7 @@ use destination::Destination;
 use record::Record;
 use report::Run;
 use slimbvh::animate::{Animation, Deform, Motion, Shutter, Update};
-use slimbvh::reduce::{PlanConfig, Still};
+use slimbvh::reduce::{Plan, PlanConfig, Still};
 use slimbvh::{Backend, Change, Cpu, FrameConfig, Frames, Output, Picture, PictureMean, Scene};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -227,7 +227,6 @@ impl Work<'_> {
         let settings = arguments.picture.settings();
         let mut sink = place.open(settings.size, arguments.fps)?;
         let mut frames = Frames::new(backend, config);
-        frames.survey(scene, &settings)?;
         let (mut plan, mut decisions) = (None, None);
         let is_blurred = arguments.shutter_times > 1;
         let (mut picture, mut mean) = (Picture::default(), PictureMean::new());
@@ -254,7 +253,7 @@ impl Work<'_> {
                 record.add(pose, &report);
                 record.total += begin.elapsed();
                 if plan.is_none() {
-                    plan = Some(frames.plan(scene, &settings)?.explain());
+                    plan = frames.views().plan().map(Plan::explain);
                 }
                 decisions = report.decisions;
             }

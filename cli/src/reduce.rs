@@ -7,7 +7,7 @@ use serde::Serialize;
 use slimbvh::Stages;
 use slimbvh::reduce::{
     Cull, FacingSet, Plan, PlanConfig, Reduce, Saving, Savings, Seams, Survey, Switches,
-    TreeChoice, ViewTarget,
+    TargetKind, TreeChoice, ViewSet,
 };
 use slimbvh::topology::Topology;
 use std::collections::BTreeMap;
@@ -99,7 +99,7 @@ struct TargetSummary {
 }
 
 pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)]) -> PlanSummary {
-    let target = |view: &ViewTarget| {
+    let target = |view: &ViewSet| {
         let name = view.name();
         let set = sets.iter().find(|(set, _)| *set == name);
         let (tree, triangles) = match view.choice {
@@ -109,7 +109,11 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)])
         };
         TargetSummary {
             name,
-            lights: view.lights.iter().map(|light| light + 1).collect(),
+            // The camera is the first target.
+            lights: match view.kind {
+                TargetKind::From | TargetKind::Other => Vec::new(),
+                TargetKind::To => view.targets.clone(),
+            },
             half: match view.half {
                 FacingSet::Front => "toward",
                 FacingSet::Back => "away",
@@ -121,7 +125,7 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)])
         }
     };
     let times = survey.into_iter().flat_map(|survey| survey.stages.iter());
-    let facts = plan.topology.map(Topology::facts);
+    let facts = plan.topology.as_deref().map(Topology::facts);
     let reducible = facts.iter().flatten().filter(|facts| facts.reducible);
     let lines = plan.explain();
     PlanSummary {
@@ -130,9 +134,9 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)])
             .map(|(step, time)| (step, time.as_secs_f64() * 1e3))
             .collect(),
         reducible_triangles: reducible.map(|facts| facts.triangle_count).sum(),
-        seams: plan.topology.map_or(0, Topology::seam_count),
+        seams: plan.topology.as_deref().map_or(0, Topology::seam_count),
         whole_tree: plan.needs_whole,
-        targets: plan.targets.iter().map(target).collect(),
+        targets: plan.sets.iter().map(target).collect(),
         decisions: lines
             .into_iter()
             .map(|(about, text)| format!("{about}: {text}"))

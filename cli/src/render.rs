@@ -8,13 +8,13 @@ use super::picture::PictureArguments;
 use super::reduce::{self, PlanSummary, ReduceArguments};
 use super::storage::{Sizes, StorageArguments, mesh_bytes};
 use super::{SceneArguments, ThreadArguments};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use serde::Serialize;
-use slimbvh::reduce::{Plan, Planner};
+use slimbvh::reduce::{Plan, Survey};
 use slimbvh::{
-    Backend, BuildConfig, Change, Cpu, FrameConfig, FrameRequest, FrameSizes, Frames, Output,
-    Picture, RenderReport, RenderSettings, Scene, Stages, View,
+    Backend, Change, Cpu, FrameConfig, FrameSizes, Frames, Output, Picture, RenderReport,
+    RenderSettings, Scene, Stages, View,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -148,13 +148,13 @@ fn render(
         .storage
         .apply(scene, &settings, chosen.processor())?;
     let codes = &arguments.picture.codes;
-    let config = storage.config(codes.bits(), codes.tree());
-    let mut planner = Planner::new(config, arguments.reduce.config());
-    planner.survey::<slimbvh::CpuError>(scene, &settings)?;
-    let (plan, survey) = (planner.plan(scene, &settings)?, planner.surveyed());
+    let config = FrameConfig {
+        build: storage.config(codes.bits(), codes.tree()),
+        plan: arguments.reduce.config(),
+        ..FrameConfig::default()
+    };
     let job = Job {
         scene,
-        plan: &plan,
         config,
         settings: &settings,
     };
@@ -170,27 +170,40 @@ fn render(
                     "{}; using the CPU instead",
                     output::sentence(&error)
                 ));
-                let config = arguments.storage.moved(config, slimbvh::Processor::Cpu);
+                let build = arguments
+                    .storage
+                    .moved(config.build, slimbvh::Processor::Cpu);
+                let config = FrameConfig { build, ..config };
                 Job { config, ..job }.render_on(Cpu, &mut picture)?
             }
             outcome => outcome?,
         },
     };
-    let planned = reduce::summarize(&plan, survey, &outcome.sizes.sets);
+    Ok(tell(arguments, scene, outcome, picture))
+}
+
+/// The summary and the text of a finished picture.
+fn tell(
+    arguments: &RenderArguments,
+    scene: &Scene,
+    outcome: Outcome,
+    picture: Picture,
+) -> (Summary, String, Picture) {
+    let (plan, survey, sets) = (&outcome.plan, outcome.survey.as_ref(), &outcome.sizes.sets);
+    let planned = reduce::summarize(plan, survey, sets);
     let summary = summarize(arguments, scene, &outcome, planned);
     let mut text = describe(&summary, &outcome);
     if arguments.reduce.explain {
         let stages = (&outcome.build, &outcome.report.stages);
-        text += &reduce::explain(&plan, survey, &outcome.sizes.sets, stages);
+        text += &reduce::explain(plan, survey, sets, stages);
     }
-    Ok((summary, text, picture))
+    (summary, text, picture)
 }
 
 /// The inputs of a picture.
 struct Job<'a> {
     scene: &'a Scene,
-    plan: &'a Plan<'a>,
-    config: BuildConfig,
+    config: FrameConfig,
     settings: &'a RenderSettings,
 }
 
@@ -202,36 +215,32 @@ struct Outcome {
     report: RenderReport,
     sizes: FrameSizes,
     scratch_bytes: usize,
+    plan: Plan,
+    survey: Option<Survey>,
 }
 
 impl Job<'_> {
     /// Builds the trees and renders the picture on one backend.
     fn render_on<B: Backend>(&self, backend: B, picture: &mut Picture) -> Result<Outcome> {
-        let config = FrameConfig {
-            build: self.config,
-            ..FrameConfig::default()
-        };
-        let mut frames = Frames::new(backend, config);
+        let mut frames = Frames::new(backend, self.config);
         let progress = output::bar("rendering");
         let mut show = |share| progress.set(share);
-        let request = FrameRequest {
-            scene: self.scene,
-            plan: self.plan,
-            settings: self.settings,
-            change: Change::Scene,
-        };
         let output = Output {
             picture,
             progress: Some(&mut show),
         };
-        let report = frames.render_planned(&request, output)?;
+        let report = frames.render(self.scene, self.settings, Change::Scene, output)?;
+        let views = frames.views();
+        let plan = views.plan().cloned().context("there is no plan")?;
         Ok(Outcome {
             backend: B::NAME,
             adapter: backend.adapter(),
             build: report.build,
             report: report.render,
-            sizes: frames.sizes(self.plan)?,
+            sizes: frames.sizes(&plan)?,
             scratch_bytes: frames.scratch_bytes(),
+            survey: views.survey().cloned(),
+            plan,
         })
     }
 }

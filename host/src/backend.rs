@@ -9,6 +9,7 @@ use crate::{
 };
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
+use std::borrow::Cow;
 use std::fmt::Debug;
 use std::time::Instant;
 
@@ -51,6 +52,19 @@ pub struct Trees<'a, T, R> {
 }
 
 impl<'a, T, R: Copy> Trees<'a, T, R> {
+    /// The trees of a picture's targets: the camera, the lights, then mirrors and glass if there are any. `None` without a
+    /// camera.
+    #[must_use]
+    pub fn of_targets(trees: &[Tree<'a, T, R>], light_count: usize) -> Option<Self> {
+        let (primary, rest) = trees.split_first()?;
+        let (lights, others) = rest.split_at(light_count.min(rest.len()));
+        Some(Self {
+            primary: *primary,
+            lights: lights.to_vec(),
+            mirrors: others.first().map(|tree| tree.bvh),
+        })
+    }
+
     /// One hierarchy for all rays.
     #[must_use]
     pub fn all(bvh: &'a T, light_count: usize) -> Self {
@@ -62,7 +76,10 @@ impl<'a, T, R: Copy> Trees<'a, T, R> {
     }
 }
 
-/// The trees of one backend.
+/// A tree of one backend.
+pub type TreeOf<'a, B> = Tree<'a, <B as Backend>::Bvh, <B as Backend>::Rule<'a>>;
+
+/// The trees of a picture on one backend.
 pub type TreesOf<'a, B> = Trees<'a, <B as Backend>::Bvh, <B as Backend>::Rule<'a>>;
 
 /// Trees for shadow rays that are built during the picture, each in the memory of the one before.
@@ -118,43 +135,39 @@ pub struct TargetSet<'a, 's, B: Backend> {
     pub sides: &'s B::TargetSides,
 }
 
-/// The mesh that trees are built over.
+/// The geometry that trees are built over.
 #[derive(Debug)]
-pub struct Source<'a, B: Backend> {
-    /// The scene as the backend holds it.
-    pub held: &'a B::Scene,
-    /// The mesh on the host.
-    pub mesh: &'a Mesh,
+pub struct Source<'a, 'm, B: Backend> {
+    /// The geometry as the backend holds it.
+    pub held: &'a B::Held,
+    /// The caller's geometry.
+    pub geometry: B::Geometry<'m>,
 }
 
-impl<B: Backend> Clone for Source<'_, B> {
+impl<B: Backend> Clone for Source<'_, '_, B> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<B: Backend> Copy for Source<'_, B> {}
+impl<B: Backend> Copy for Source<'_, '_, B> {}
 
-/// What changed in a scene since the previous frame.
+/// What changed since the previous frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// The scene is another one.
+    /// The mesh or the scene is another one.
     Scene,
     /// Vertices and normals moved. Cameras and lights may have moved too.
     Vertices,
-    /// No vertex moved. Cameras and lights may have moved.
+    /// No vertex moved. Cameras, lights and other targets may have moved.
     View,
 }
 
-/// What a backend loads before a frame.
+/// What a backend learns before a frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Load<'a> {
-    /// The scene in its present state.
-    pub scene: &'a Scene,
     /// What changed since the previous frame.
     pub change: Change,
-    /// How the picture is made; `None` if only trees are built.
-    pub settings: Option<&'a RenderSettings>,
     /// The surfaces; `None` if no triangles are left out.
     pub topology: Option<&'a Topology>,
     /// Whether sets for lights may be L−, the triangles that face away.
@@ -167,7 +180,7 @@ pub struct Shot<'a, 't, B: Backend> {
     /// Camera, lights and materials.
     pub scene: &'a Scene,
     /// The scene as the backend holds it.
-    pub held: &'a B::Scene,
+    pub held: &'a B::Held,
     /// The trees built so far.
     pub trees: &'a TreesOf<'t, B>,
     /// How the picture is made.
@@ -245,8 +258,10 @@ pub trait Backend: Copy + Debug {
     type Error: std::error::Error + From<MeshError> + From<ViewError> + Send + Sync + 'static;
     /// The passes of one frame: recorded commands on a GPU, times of finished passes on the CPU.
     type Recording;
-    /// The backend's copy of a scene, kept from frame to frame.
-    type Scene: Debug + Default;
+    /// The caller's geometry: a mesh on the host, or on a GPU also buffers.
+    type Geometry<'a>: Copy + Debug + From<&'a Mesh>;
+    /// The backend's copy of the geometry and of a picture's scene, kept from frame to frame.
+    type Held: Debug + Default;
     /// A hierarchy.
     type Bvh: Debug + Default;
     /// Builds trees.
@@ -281,20 +296,50 @@ pub trait Backend: Copy + Debug {
     /// If the device was lost or refuses a command.
     fn submit(self, recording: Self::Recording) -> Result<Stages, Self::Error>;
 
-    /// Updates the backend's copy of the scene.
+    /// The number of triangles.
+    fn triangle_count(geometry: Self::Geometry<'_>) -> usize;
+
+    /// Whether this geometry, or one like it, was loaded last.
+    fn is_held(held: &Self::Held, geometry: Self::Geometry<'_>) -> bool;
+
+    /// The mesh on the host, for a survey of its surfaces. Waits for a GPU if it is there alone.
     ///
     /// # Errors
-    /// For a scene or a picture above the backend's limits. The check precedes every allocation.
+    /// If the device was lost.
+    fn on_host<'a>(self, geometry: Self::Geometry<'a>) -> Result<Cow<'a, Mesh>, Self::Error>;
+
+    /// Updates the backend's copy of the geometry.
+    ///
+    /// # Errors
+    /// For geometry above the backend's limits. The check precedes every allocation.
     fn load(
         self,
-        held: &mut Self::Scene,
+        held: &mut Self::Held,
         builder: &Self::Builder,
+        geometry: Self::Geometry<'_>,
         load: &Load,
+    ) -> Result<(), Self::Error>;
+
+    /// Checks that a picture of this scene is within the backend's limits, before anything is allocated.
+    ///
+    /// # Errors
+    /// If it is not.
+    fn check_picture(self, scene: &Scene, settings: &RenderSettings) -> Result<(), Self::Error>;
+
+    /// Updates the backend's copy of what pictures need besides the geometry, which must be loaded.
+    ///
+    /// # Errors
+    /// For a scene above the backend's limits.
+    fn load_picture(
+        self,
+        held: &mut Self::Held,
+        scene: &Scene,
+        change: Change,
     ) -> Result<(), Self::Error>;
 
     /// The component of each triangle, in the form that passes read. `None` if no triangles are left out.
     fn components<'a>(
-        held: &'a Self::Scene,
+        held: &'a Self::Held,
         host: Option<&'a [u32]>,
     ) -> Option<Self::Components<'a>>;
 
@@ -390,7 +435,7 @@ pub trait Backend: Copy + Debug {
     ) -> Result<(), Self::Error>;
 
     /// Whether the backend finds the sides itself, because only it holds the present vertices.
-    fn decides(held: &Self::Scene) -> bool;
+    fn decides(held: &Self::Held) -> bool;
 
     /// Measures the components at the present vertices, if the backend [decides](Self::decides). The mesh must be sorted.
     ///
@@ -399,7 +444,7 @@ pub trait Backend: Copy + Debug {
     fn measure(
         recording: &mut Self::Recording,
         builder: &Self::Builder,
-        held: &mut Self::Scene,
+        held: &mut Self::Held,
     ) -> Result<(), Self::Error>;
 
     /// Fills in a target's sides. They come from the host, or from the backend if it [decides](Self::decides). The camera's
@@ -409,7 +454,7 @@ pub trait Backend: Copy + Debug {
     /// Those of recording.
     fn set_sides(
         recording: &mut Self::Recording,
-        held: &Self::Scene,
+        held: &Self::Held,
         host: &TargetSides,
         eye: Option<&Self::TargetSides>,
         to: &mut Self::TargetSides,
@@ -421,7 +466,7 @@ pub trait Backend: Copy + Debug {
     /// If memory is exhausted.
     fn decisions_later(
         recording: &mut Self::Recording,
-        held: &Self::Scene,
+        held: &Self::Held,
         targets: &[(String, &Self::TargetSides)],
     ) -> Result<Option<Self::PendingDecisions>, Self::Error>;
 

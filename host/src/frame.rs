@@ -15,10 +15,11 @@
 //! # }
 //! ```
 
-use crate::animate::{Action, Update, Upkeep};
-use crate::backend::{Backend, Change, Load, Output, Shot, Source, TreeSize, TreesOf};
-use crate::reduce::{Hierarchies, Plan, PlanConfig, Planner, Survey, Work};
-use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages};
+use crate::animate::{Action, Update};
+use crate::backend::{Backend, Change, Output, Shot, Source, TreeSize, Trees, TreesOf};
+use crate::reduce::{Hierarchies, Plan, PlanConfig, Still, Views};
+use crate::views::ViewSets;
+use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages, ViewError};
 use std::time::{Duration, Instant};
 
 /// How frames are planned, built and updated.
@@ -35,13 +36,33 @@ pub struct FrameConfig {
     pub finds_cost: bool,
 }
 
+impl FrameConfig {
+    /// For about this many frames that share a survey of the surfaces. Trees are kept while nothing moves.
+    #[must_use]
+    pub fn for_frames(frame_count: u32) -> Self {
+        let still = Still {
+            vertices: true,
+            lights: false,
+        };
+        Self {
+            plan: PlanConfig {
+                frame_count,
+                still: Some(still),
+                ..PlanConfig::default()
+            },
+            finds_cost: true,
+            ..Self::default()
+        }
+    }
+}
+
 /// The inputs of a frame whose plan the caller made.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameRequest<'a> {
     /// The scene in its present state.
     pub scene: &'a Scene,
     /// What the trees leave out.
-    pub plan: &'a Plan<'a>,
+    pub plan: &'a Plan,
     /// How the picture is made.
     pub settings: &'a RenderSettings,
     /// What changed since the previous frame.
@@ -57,7 +78,7 @@ pub struct FrameReport<B: Backend> {
     pub build: Stages,
     /// Times of rendering, and counts of rays.
     pub render: RenderReport,
-    /// Each deferred set that was built: its index among the plan's targets, and its size.
+    /// Each deferred set that was built: its index among the plan's sets, and its size.
     pub deferred: Vec<(usize, TreeSize)>,
     /// The [cost](crate::Bvh::sah_cost) of the tree for all rays, if known.
     pub sah_cost: Option<f64>,
@@ -70,24 +91,17 @@ pub struct FrameReport<B: Backend> {
 pub struct FrameSizes {
     /// The sum of all trees that exist at the same time.
     pub total: TreeSize,
-    /// The triangle count of each target's set, by the target's name.
+    /// The triangle count of each set, by the names of its targets.
     pub sets: Vec<(String, usize)>,
 }
 
 /// Renders frames. Keeps all memory from one frame to the next.
 #[derive(Debug)]
 pub struct Frames<B: Backend> {
-    backend: B,
-    config: FrameConfig,
-    planner: Planner,
-    upkeep: Upkeep,
-    held: B::Scene,
-    builder: B::Builder,
-    hierarchies: Hierarchies<B>,
+    views: ViewSets<B>,
     renderer: B::Renderer,
     /// The deferred sets of the latest frame.
     deferred: Vec<(usize, TreeSize)>,
-    sah_cost: Option<f64>,
 }
 
 impl<B: Backend> Frames<B> {
@@ -95,41 +109,14 @@ impl<B: Backend> Frames<B> {
     #[must_use]
     pub fn new(backend: B, config: FrameConfig) -> Self {
         Self {
-            backend,
-            config,
-            planner: Planner::new(config.build, config.plan),
-            upkeep: Upkeep::new(config.update),
-            held: B::Scene::default(),
-            builder: backend.builder(config.build),
-            hierarchies: Hierarchies::default(),
+            views: ViewSets::new(backend, config),
             renderer: B::Renderer::default(),
             deferred: Vec::new(),
-            sah_cost: None,
         }
     }
 
-    /// Surveys a scene before its first frame, if that is likely to pay. [`Self::render`] surveys each new scene itself.
-    ///
-    /// # Errors
-    /// For an invalid mesh, and for cameras and lights that cannot be rendered.
-    pub fn survey(
-        &mut self,
-        scene: &Scene,
-        settings: &RenderSettings,
-    ) -> Result<Option<&Survey>, B::Error> {
-        self.planner.survey(scene, settings)
-    }
-
-    /// The plan for a scene, from the latest survey.
-    ///
-    /// # Errors
-    /// For cameras and lights that cannot be rendered.
-    pub fn plan(&self, scene: &Scene, settings: &RenderSettings) -> Result<Plan<'_>, B::Error> {
-        Ok(self.planner.plan(scene, settings)?)
-    }
-
     /// Plans, updates the trees, and renders through the scene's first camera. The first frame builds all trees, whatever
-    /// `change` is.
+    /// `change` is, after a survey of the surfaces if that is likely to pay.
     ///
     /// # Errors
     /// For an invalid mesh, cameras and lights that cannot be rendered, and sizes above the backend's limits.
@@ -140,39 +127,35 @@ impl<B: Backend> Frames<B> {
         change: Change,
         output: Output,
     ) -> Result<FrameReport<B>, B::Error> {
-        let mut planner = std::mem::take(&mut self.planner);
-        let report = self.render_planning(&mut planner, (scene, settings, change), output);
-        self.planner = planner;
-        report
-    }
-
-    fn render_planning(
-        &mut self,
-        planner: &mut Planner,
-        (scene, settings, change): (&Scene, &RenderSettings, Change),
-        output: Output,
-    ) -> Result<FrameReport<B>, B::Error> {
-        if change == Change::Scene {
-            planner.survey::<B::Error>(scene, settings)?;
-        }
-        let begin = Instant::now();
-        // A backend that records measures the components itself.
-        if change == Change::Vertices && !B::RECORDS {
-            planner.follow(&scene.mesh);
-        }
-        let plan = &planner.plan(scene, settings)?;
-        let planning = begin.elapsed();
+        let plan = self.plan(scene, settings, change)?;
         let request = FrameRequest {
             scene,
-            plan,
+            plan: &plan,
             settings,
             change,
         };
         let mut report = self.render_planned(&request, output)?;
         if !plan.is_plain() {
-            report.build.add("plan", planning);
+            report.build.add("plan", self.views.planning());
         }
+        self.views.keep_plan(plan);
         Ok(report)
+    }
+
+    /// The plan of the next frame, for [`Self::render_planned`]. Surveys the surfaces if that is likely to pay.
+    ///
+    /// # Errors
+    /// For an invalid mesh, and cameras and lights that cannot be rendered.
+    pub fn plan(
+        &mut self,
+        scene: &Scene,
+        settings: &RenderSettings,
+        change: Change,
+    ) -> Result<Plan, B::Error> {
+        let views = Views::of_picture(scene, settings)?;
+        let geometry = B::Geometry::from(&scene.mesh);
+        let change = self.views.seen(geometry, change);
+        self.views.next_plan(geometry, &views, change)
     }
 
     /// Renders as [`Self::render`] does, with the caller's plan.
@@ -187,7 +170,7 @@ impl<B: Backend> Frames<B> {
         let rendered = self.try_render(request, output);
         if rendered.is_err() {
             // The recorded passes did not run, so the next frame rebuilds all trees.
-            self.upkeep = Upkeep::new(self.config.update);
+            self.views.forget();
         }
         rendered
     }
@@ -204,30 +187,28 @@ impl<B: Backend> Frames<B> {
             settings,
             change,
         } = *request;
-        let action = self.next_action(change);
-        let mut recording = self.update(scene, plan, (change, action), Some(settings))?;
         let Self {
-            backend,
+            views, renderer, ..
+        } = self;
+        let backend = views.backend;
+        let geometry = B::Geometry::from(&scene.mesh);
+        let change = views.seen(geometry, change);
+        backend.check_picture(scene, settings)?;
+        let mut recording = backend.begin();
+        let action = views.record_planned(&mut recording, geometry, plan, change)?;
+        backend.load_picture(&mut views.held, scene, change)?;
+        let sah_cost = views.measure_cost(&mut recording, plan, action);
+        let ViewSets {
             held,
             builder,
             hierarchies,
-            renderer,
             ..
-        } = self;
-        if plan.is_plain() && action != Action::Kept && self.config.finds_cost {
-            let whole = hierarchies.whole();
-            self.sah_cost = whole.and_then(|bvh| B::sah_cost(&mut recording, bvh));
-            if let Some(cost) = self.sah_cost {
-                self.upkeep.measured(cost);
-            }
-        }
+        } = views;
         let sides = hierarchies.sides(plan);
         let decisions = B::decisions_later(&mut recording, held, &sides)?;
-        let source = Source {
-            held,
-            mesh: &scene.mesh,
-        };
+        let source = Source { held, geometry };
         let (trees, mut deferred) = hierarchies.split(builder, source, plan);
+        let trees = Trees::of_targets(&trees, plan.light_count()).ok_or(ViewError::NoCamera)?;
         let shot = Shot {
             scene,
             held,
@@ -248,7 +229,7 @@ impl<B: Backend> Frames<B> {
             build,
             render,
             deferred: sizes,
-            sah_cost: self.sah_cost.filter(|_| plan.is_plain()),
+            sah_cost,
             decisions: decisions.transpose()?,
         })
     }
@@ -258,75 +239,44 @@ impl<B: Backend> Frames<B> {
     /// # Errors
     /// For an invalid mesh, and sizes above the backend's limits.
     pub fn build(&mut self, scene: &Scene, plan: &Plan) -> Result<Stages, B::Error> {
-        let action = self.next_action(Change::Scene);
         self.deferred.clear();
-        let built = self
-            .update(scene, plan, (Change::Scene, action), None)
-            .and_then(|recording| self.backend.submit(recording));
+        let views = &mut self.views;
+        let mut recording = views.backend.begin();
+        let geometry = B::Geometry::from(&scene.mesh);
+        let built = views
+            .record_planned(&mut recording, geometry, plan, Change::Scene)
+            .and_then(|_| views.backend.submit(recording));
         if built.is_err() {
-            self.upkeep = Upkeep::new(self.config.update);
+            views.forget();
         }
         built
     }
 
-    /// How the trees are to be updated now.
-    fn next_action(&mut self, change: Change) -> Action {
-        if change == Change::Scene {
-            self.upkeep = Upkeep::new(self.config.update);
-        }
-        self.upkeep.next(change != Change::View)
-    }
-
-    /// Records the update of the trees.
-    fn update(
-        &mut self,
-        scene: &Scene,
-        plan: &Plan,
-        (change, action): (Change, Action),
-        settings: Option<&RenderSettings>,
-    ) -> Result<B::Recording, B::Error> {
-        let load = Load {
-            scene,
-            change,
-            settings,
-            topology: plan.topology,
-            may_turn_away: plan.may_turn_away,
-        };
-        self.backend.load(&mut self.held, &self.builder, &load)?;
-        let mut recording = self.backend.begin();
-        let mut work = Work {
-            recording: &mut recording,
-            builder: &mut self.builder,
-            held: &mut self.held,
-            mesh: &scene.mesh,
-        };
-        self.hierarchies.update(&mut work, plan, action)?;
-        Ok(recording)
-    }
-
-    /// The latest survey.
+    /// The view sets that pictures are rendered with.
     #[must_use]
-    pub fn surveyed(&self) -> Option<&Survey> {
-        self.planner.surveyed()
+    pub fn views(&self) -> &ViewSets<B> {
+        &self.views
     }
 
     /// The time of the latest survey.
     #[must_use]
     pub fn survey_time(&self) -> Duration {
-        let stages = self.surveyed().map(|survey| survey.stages.total());
+        let stages = self.views.survey().map(|survey| survey.stages.total());
         stages.unwrap_or_default()
     }
 
-    /// The trees of a plan without deferred ones, once they are built.
+    /// The trees of a picture's plan without deferred ones, once they are built.
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> TreesOf<'a, B> {
-        self.hierarchies.trees(&self.held, plan)
+        let trees = self.views.trees_of(plan);
+        let trees = Trees::of_targets(&trees, plan.light_count());
+        trees.unwrap_or_else(|| Trees::all(self.views.hierarchies.whole_or_empty(), 0))
     }
 
     /// The trees built so far.
     #[must_use]
     pub fn hierarchies(&self) -> &Hierarchies<B> {
-        &self.hierarchies
+        &self.views.hierarchies
     }
 
     /// The sizes of the latest frame's trees. `plan` must be that frame's plan. Waits for a GPU.
@@ -334,26 +284,14 @@ impl<B: Backend> Frames<B> {
     /// # Errors
     /// If the device was lost.
     pub fn sizes(&self, plan: &Plan) -> Result<FrameSizes, B::Error> {
-        let mut sizes = FrameSizes::default();
-        let total = &mut sizes.total;
-        if let Some(whole) = self
-            .hierarchies
-            .all(plan)
-            .next()
-            .filter(|_| plan.needs_whole)
-        {
-            total.add(&self.backend.size(whole)?);
-        }
-        for (target, bvh) in self.hierarchies.sets(plan) {
-            let size = self.backend.size(bvh)?;
-            total.add(&size);
-            sizes.sets.push((target.name(), size.triangle_count));
-        }
+        let mut sizes = self.views.sizes_of(plan)?;
         // Only one deferred tree exists at a time.
         let largest = self.deferred.iter().map(|(_, size)| *size);
-        total.add(&largest.fold(TreeSize::default(), TreeSize::larger));
+        sizes
+            .total
+            .add(&largest.fold(TreeSize::default(), TreeSize::larger));
         for (place, size) in &self.deferred {
-            let name = plan.targets[*place].name();
+            let name = plan.sets[*place].name();
             sizes.sets.push((name, size.triangle_count));
         }
         Ok(sizes)
@@ -362,13 +300,13 @@ impl<B: Backend> Frames<B> {
     /// Bytes of memory that builds and pictures use besides trees. The next frame reuses it.
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
-        B::scratch_bytes(&self.builder, &self.renderer)
+        B::scratch_bytes(&self.views.builder, &self.renderer)
     }
 
     /// Bytes of all memory held: trees, builder and renderer.
     #[must_use]
     pub fn held_bytes(&self) -> usize {
-        self.hierarchies.held_bytes() + self.scratch_bytes()
+        self.views.held_bytes() + self.scratch_bytes()
     }
 }
 
@@ -436,8 +374,7 @@ mod tests {
             cameras: Vec::new(),
             ..scene.clone()
         };
-        let planner = Planner::default();
-        let plan = planner.plan(&scene, &SETTINGS).unwrap();
+        let plan = frames.plan(&scene, &SETTINGS, Change::View).unwrap();
         let request = FrameRequest {
             scene: &blind,
             plan: &plan,

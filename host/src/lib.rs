@@ -31,6 +31,7 @@ pub mod topology;
     )
 )]
 mod tree;
+mod views;
 
 pub use backend::{Backend, Change, Output};
 pub use config::{BuildConfig, CodeBits, TreeKind};
@@ -38,6 +39,7 @@ pub use cpu::{Builder, Cpu, CpuError, Decisions, Division, Renderer, Subset, Tre
 pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
+pub use reduce::ViewTarget;
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
 pub use slimbvh_core::tile::Tiles;
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
@@ -49,6 +51,7 @@ pub use tree::{
     Bvh, CodecError, MeshCodec, NodeCodec, Processor, Reads, RefitError, TreeError, WideStore,
     check_codecs, sah_cost,
 };
+pub use views::ViewSets;
 
 /// The examples of the repository's README.
 #[cfg(doctest)]

@@ -1,9 +1,8 @@
 //! Renders a saved hierarchy, without a build.
 
-use super::{Outcome, RenderArguments, Summary, describe, summarize};
+use super::{Outcome, RenderArguments, Summary, tell};
 use crate::backend::Chosen;
 use crate::output;
-use crate::reduce;
 use anyhow::{Result, bail};
 use slimbvh::backend::TreeSize;
 use slimbvh::reduce::{Plan, PlanRequest};
@@ -40,18 +39,15 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
     }
     let settings = arguments.picture.settings();
     (arguments.picture.sight).prepare(&mut scene, &name, kept.framing)?;
-    let request = PlanRequest {
-        scene: &scene,
-        settings: &settings,
-        switches: arguments.reduce.config().switches,
-        frame_count: 1,
-    };
-    let plan = Plan::plain(&request, "the file holds one tree for all rays".into())?;
+    let switches = arguments.reduce.config().switches;
+    let request = PlanRequest::of_picture(&scene, &settings, switches)?;
+    let plan = Plan::plain(&request, "the file holds one tree for all rays".into());
 
     let saved = Saved {
         scene: &scene,
         bvh,
         load,
+        plan,
         settings: &settings,
     };
     let mut picture = Picture::default();
@@ -74,14 +70,7 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
             outcome => outcome?,
         },
     };
-    let planned = reduce::summarize(&plan, None, &outcome.sizes.sets);
-    let summary = summarize(arguments, &scene, &outcome, planned);
-    let mut text = describe(&summary, &outcome);
-    if arguments.reduce.explain {
-        let stages = (&outcome.build, &outcome.report.stages);
-        text += &reduce::explain(&plan, None, &outcome.sizes.sets, stages);
-    }
-    Ok((summary, text, picture))
+    Ok(tell(arguments, &scene, outcome, picture))
 }
 
 /// The contents of a file, and how to render them.
@@ -90,6 +79,8 @@ struct Saved<'a> {
     bvh: &'a Bvh,
     /// Times of loading.
     load: Stages,
+    /// One tree for all rays.
+    plan: Plan,
     settings: &'a RenderSettings,
 }
 
@@ -152,6 +143,8 @@ impl Saved<'_> {
                 sets: Vec::new(),
             },
             scratch_bytes: 0,
+            plan: self.plan.clone(),
+            survey: None,
         }
     }
 }

@@ -2,11 +2,15 @@
 
 use super::{Builder, Renderer, Subset};
 use crate::backend::{
-    Backend, DeferredTrees, Load, Output, Shot, Source, TargetSet, TargetSides, TreeSize,
+    Backend, Change, DeferredTrees, Load, Output, Shot, Source, TargetSet, TargetSides, TreeSize,
 };
-use crate::{BuildConfig, Bvh, MeshError, RefitError, RenderReport, Stages, ViewError};
+use crate::{
+    BuildConfig, Bvh, Mesh, MeshError, RefitError, RenderReport, RenderSettings, Scene, Stages,
+    ViewError,
+};
 use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::orientation::Target;
+use std::borrow::Cow;
 use std::convert::Infallible;
 use thiserror::Error;
 
@@ -50,7 +54,8 @@ impl Backend for Cpu {
 
     type Error = CpuError;
     type Recording = Stages;
-    type Scene = ();
+    type Geometry<'a> = &'a Mesh;
+    type Held = ();
     type Bvh = Bvh;
     type Builder = Builder;
     type Renderer = Renderer;
@@ -77,7 +82,27 @@ impl Backend for Cpu {
         Ok(stages)
     }
 
-    fn load(self, (): &mut (), _: &Builder, _: &Load) -> Result<(), CpuError> {
+    fn triangle_count(mesh: &Mesh) -> usize {
+        mesh.indices.len()
+    }
+
+    fn is_held((): &(), _: &Mesh) -> bool {
+        true
+    }
+
+    fn on_host<'a>(self, mesh: Self::Geometry<'a>) -> Result<Cow<'a, Mesh>, CpuError> {
+        Ok(Cow::Borrowed(mesh))
+    }
+
+    fn load(self, (): &mut (), _: &Builder, _: &Mesh, _: &Load) -> Result<(), CpuError> {
+        Ok(())
+    }
+
+    fn check_picture(self, _: &Scene, _: &RenderSettings) -> Result<(), CpuError> {
+        Ok(())
+    }
+
+    fn load_picture(self, (): &mut (), _: &Scene, _: Change) -> Result<(), CpuError> {
         Ok(())
     }
 
@@ -90,7 +115,7 @@ impl Backend for Cpu {
         builder: &mut Builder,
         source: Source<Self>,
     ) -> Result<(), CpuError> {
-        stages.merge(&builder.sort(source.mesh)?);
+        stages.merge(&builder.sort(source.geometry)?);
         Ok(())
     }
 
@@ -99,7 +124,7 @@ impl Backend for Cpu {
         builder: &mut Builder,
         source: Source<Self>,
     ) -> Result<(), CpuError> {
-        stages.merge(&builder.follow(source.mesh)?);
+        stages.merge(&builder.follow(source.geometry)?);
         Ok(())
     }
 
@@ -109,7 +134,7 @@ impl Backend for Cpu {
         source: Source<Self>,
         bvh: &mut Bvh,
     ) -> Result<(), CpuError> {
-        stages.merge(&builder.refit(source.mesh, bvh)?);
+        stages.merge(&builder.refit(source.geometry, bvh)?);
         Ok(())
     }
 
@@ -121,7 +146,7 @@ impl Backend for Cpu {
         bvh: &mut Bvh,
     ) -> Result<(), CpuError> {
         let subset = set.map_or(Subset::All, |set| Subset::Of(set.reach()));
-        stages.merge(&builder.build_sorted(source.mesh, subset, bvh));
+        stages.merge(&builder.build_sorted(source.geometry, subset, bvh));
         Ok(())
     }
 
@@ -133,7 +158,7 @@ impl Backend for Cpu {
         bvh: &mut Bvh,
     ) -> Result<(), CpuError> {
         let subset = Subset::Of(set.reach());
-        stages.merge(&builder.build_subset(source.mesh, subset, bvh)?);
+        stages.merge(&builder.build_subset(source.geometry, subset, bvh)?);
         Ok(())
     }
 
@@ -163,7 +188,7 @@ impl Backend for Cpu {
         set: &TargetSet<Self>,
         _: &mut Bvh,
     ) -> Result<(), CpuError> {
-        stages.merge(&builder.divide(source.mesh, &set.reach()));
+        stages.merge(&builder.divide(source.geometry, &set.reach()));
         Ok(())
     }
 

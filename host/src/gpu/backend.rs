@@ -4,12 +4,13 @@ use super::bvh::Bvh;
 use super::render::{Image, check_view};
 use super::{
     Answer, Builder, Components, Decisions, DecisionsDownload, DecisionsReport, Download, Frame,
-    Gpu, GpuError, Misfit, Renderer, Scene, Subset, TargetSides,
+    Gpu, GpuError, Mesh, Misfit, Renderer, Scene, Subset, TargetSides,
 };
 use crate::backend::{
     self, Backend, Change, DeferredTrees, Load, Output, Shot, Source, TargetSet, TreeSize,
 };
-use crate::{BuildConfig, RenderReport, Stages, ViewError};
+use crate::{BuildConfig, RenderReport, RenderSettings, Stages, ViewError};
+use std::borrow::Cow;
 
 /// Which triangles form the sets of lights.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,9 +23,31 @@ pub enum LightSets {
     Smaller,
 }
 
-/// The GPU's copy of a scene, kept from frame to frame.
+/// The caller's geometry: a mesh on the host, of which a copy is kept on the GPU, or buffers on the GPU.
+#[derive(Clone, Copy, Debug)]
+pub enum Geometry<'a> {
+    /// On the host.
+    Host(&'a crate::Mesh),
+    /// On the GPU.
+    Buffers(&'a Mesh),
+}
+
+impl<'a> From<&'a crate::Mesh> for Geometry<'a> {
+    fn from(mesh: &'a crate::Mesh) -> Self {
+        Self::Host(mesh)
+    }
+}
+
+impl<'a> From<&'a Mesh> for Geometry<'a> {
+    fn from(mesh: &'a Mesh) -> Self {
+        Self::Buffers(mesh)
+    }
+}
+
+/// The GPU's copy of geometry and of a picture's scene, kept from frame to frame.
 #[derive(Debug, Default)]
-pub struct HeldScene {
+pub struct Held {
+    mesh: Option<Mesh>,
     scene: Option<Scene>,
     components: Option<Components>,
     /// Decides sides once vertices have moved.
@@ -32,15 +55,23 @@ pub struct HeldScene {
     lights: LightSets,
 }
 
-impl HeldScene {
-    /// Mesh and materials.
+impl Held {
+    /// The mesh.
     ///
     /// # Errors
     /// Before the first [`Backend::load`].
+    pub fn mesh(&self) -> Result<&Mesh, GpuError> {
+        let mesh = self.mesh.as_ref();
+        mesh.ok_or_else(|| Misfit::NotLoaded.of("the mesh"))
+    }
+
+    /// Mesh and materials.
+    ///
+    /// # Errors
+    /// Before the first [`Backend::load_picture`].
     pub fn scene(&self) -> Result<&Scene, GpuError> {
-        self.scene
-            .as_ref()
-            .ok_or_else(|| Misfit::NotLoaded.of("the scene"))
+        let scene = self.scene.as_ref();
+        scene.ok_or_else(|| Misfit::NotLoaded.of("the scene"))
     }
 }
 
@@ -61,7 +92,8 @@ impl<'g> Backend for &'g Gpu {
 
     type Error = GpuError;
     type Recording = Frame<'g>;
-    type Scene = HeldScene;
+    type Geometry<'a> = Geometry<'a>;
+    type Held = Held;
     type Bvh = Bvh;
     type Builder = Builder;
     type Renderer = Renderer;
@@ -88,20 +120,51 @@ impl<'g> Backend for &'g Gpu {
         frame.submit()?.wait()
     }
 
-    fn load(self, held: &mut HeldScene, builder: &Builder, load: &Load) -> Result<(), GpuError> {
-        let scene = load.scene;
-        match (&held.scene, load.change) {
-            (None, _) | (_, Change::Scene) => {
-                builder.check_mesh(&scene.mesh)?;
-                if let Some(settings) = load.settings {
-                    check_view(self, scene, settings)?;
-                }
-                builder.check(self, scene.mesh.indices.len() as u32)?;
-                *held = HeldScene::default();
-                held.scene = Some(Scene::upload(self, scene)?);
+    fn triangle_count(geometry: Geometry) -> usize {
+        match geometry {
+            Geometry::Host(mesh) => mesh.indices.len(),
+            Geometry::Buffers(mesh) => mesh.triangle_count() as usize,
+        }
+    }
+
+    fn is_held(held: &Held, geometry: Geometry) -> bool {
+        match (geometry, &held.mesh) {
+            (_, None) => false,
+            (Geometry::Host(_), Some(_)) => true,
+            (Geometry::Buffers(mesh), Some(held)) => mesh == held,
+        }
+    }
+
+    fn on_host<'a>(self, geometry: Self::Geometry<'a>) -> Result<Cow<'a, crate::Mesh>, GpuError> {
+        match geometry {
+            Geometry::Host(mesh) => Ok(Cow::Borrowed(mesh)),
+            Geometry::Buffers(mesh) => Ok(Cow::Owned(mesh.download(self)?)),
+        }
+    }
+
+    fn load(
+        self,
+        held: &mut Held,
+        builder: &Builder,
+        geometry: Geometry,
+        load: &Load,
+    ) -> Result<(), GpuError> {
+        match (geometry, &held.mesh, load.change) {
+            (Geometry::Host(mesh), None, _) | (Geometry::Host(mesh), _, Change::Scene) => {
+                builder.check_mesh(mesh)?;
+                builder.check(self, mesh.indices.len() as u32)?;
+                *held = Held::default();
+                held.mesh = Some(Mesh::upload(self, mesh)?);
             }
-            (Some(uploaded), Change::Vertices) => uploaded.move_vertices(self, &scene.mesh),
-            (Some(_), Change::View) => {}
+            (Geometry::Host(mesh), Some(held), Change::Vertices) => held.move_vertices(self, mesh),
+            (Geometry::Host(_), Some(_), Change::View) => {}
+            (Geometry::Buffers(mesh), kept, change) => {
+                if kept.as_ref() != Some(mesh) || change == Change::Scene {
+                    builder.check(self, mesh.triangle_count())?;
+                    *held = Held::default();
+                    held.mesh = Some(mesh.clone());
+                }
+            }
         }
         held.lights = if load.may_turn_away {
             LightSets::Smaller
@@ -122,7 +185,31 @@ impl<'g> Backend for &'g Gpu {
         Ok(())
     }
 
-    fn components<'a>(held: &'a HeldScene, host: Option<&'a [u32]>) -> Option<&'a Components> {
+    fn check_picture(
+        self,
+        scene: &crate::Scene,
+        settings: &RenderSettings,
+    ) -> Result<(), GpuError> {
+        check_view(self, scene, settings).map(|_| ())
+    }
+
+    fn load_picture(
+        self,
+        held: &mut Held,
+        scene: &crate::Scene,
+        change: Change,
+    ) -> Result<(), GpuError> {
+        match (&held.scene, change) {
+            (None, _) | (_, Change::Scene) => {
+                held.scene = Some(Scene::over(self, held.mesh()?.clone(), scene)?);
+            }
+            (Some(uploaded), Change::Vertices) => uploaded.move_normals(self, &scene.mesh),
+            (Some(_), Change::View) => {}
+        }
+        Ok(())
+    }
+
+    fn components<'a>(held: &'a Held, host: Option<&'a [u32]>) -> Option<&'a Components> {
         host.and(held.components.as_ref())
     }
 
@@ -131,7 +218,7 @@ impl<'g> Backend for &'g Gpu {
         builder: &mut Builder,
         source: Source<Self>,
     ) -> Result<(), GpuError> {
-        builder.sort(frame, &source.held.scene()?.mesh)
+        builder.sort(frame, source.held.mesh()?)
     }
 
     fn follow(
@@ -148,7 +235,7 @@ impl<'g> Backend for &'g Gpu {
         source: Source<Self>,
         bvh: &mut Bvh,
     ) -> Result<(), GpuError> {
-        builder.refit(frame, &source.held.scene()?.mesh, bvh)
+        builder.refit(frame, source.held.mesh()?, bvh)
     }
 
     fn build_sorted(
@@ -159,7 +246,7 @@ impl<'g> Backend for &'g Gpu {
         bvh: &mut Bvh,
     ) -> Result<(), GpuError> {
         let subset = set.map_or(Subset::All, TargetSet::subset);
-        builder.build_sorted(frame, &source.held.scene()?.mesh, subset, bvh)
+        builder.build_sorted(frame, source.held.mesh()?, subset, bvh)
     }
 
     fn build_alone(
@@ -179,7 +266,7 @@ impl<'g> Backend for &'g Gpu {
         source: Source<Self>,
         bvh: &mut Bvh,
     ) -> Result<(), GpuError> {
-        builder.reserve(frame.gpu(), &source.held.scene()?.mesh, bvh)
+        builder.reserve(frame.gpu(), source.held.mesh()?, bvh)
     }
 
     fn build_deferred(
@@ -189,7 +276,7 @@ impl<'g> Backend for &'g Gpu {
         set: &TargetSet<Self>,
         bvh: &mut Bvh,
     ) -> Result<(), GpuError> {
-        builder.build_reserved(frame, &source.held.scene()?.mesh, set.subset(), bvh)
+        builder.build_reserved(frame, source.held.mesh()?, set.subset(), bvh)
     }
 
     fn divide(
@@ -202,24 +289,20 @@ impl<'g> Backend for &'g Gpu {
         Self::build_alone(frame, builder, source, set, spare)
     }
 
-    fn decides(held: &HeldScene) -> bool {
+    fn decides(held: &Held) -> bool {
         held.decisions.is_some()
     }
 
-    fn measure(
-        frame: &mut Frame<'g>,
-        builder: &Builder,
-        held: &mut HeldScene,
-    ) -> Result<(), GpuError> {
-        match (&held.scene, &mut held.decisions) {
-            (Some(scene), Some(decisions)) => decisions.measure(frame, builder, &scene.mesh),
+    fn measure(frame: &mut Frame<'g>, builder: &Builder, held: &mut Held) -> Result<(), GpuError> {
+        match (&held.mesh, &mut held.decisions) {
+            (Some(mesh), Some(decisions)) => decisions.measure(frame, builder, mesh),
             _ => Ok(()),
         }
     }
 
     fn set_sides(
         frame: &mut Frame<'g>,
-        held: &HeldScene,
+        held: &Held,
         host: &backend::TargetSides,
         eye: Option<&TargetSides>,
         to: &mut TargetSides,
@@ -236,7 +319,7 @@ impl<'g> Backend for &'g Gpu {
 
     fn decisions_later(
         frame: &mut Frame<'g>,
-        held: &HeldScene,
+        held: &Held,
         targets: &[(String, &TargetSides)],
     ) -> Result<Option<DecisionsDownload>, GpuError> {
         let Some(decisions) = &held.decisions else {

@@ -78,6 +78,30 @@ impl Mesh {
         })
     }
 
+    /// Copies vertices that have moved.
+    pub(super) fn move_vertices(&self, gpu: &Gpu, mesh: &crate::Mesh) {
+        let (to, bytes) = (&self.vertices, bytemuck::cast_slice(&mesh.vertices));
+        if !mesh.vertices.is_empty() {
+            gpu.queue().write_buffer(&to.buffer, to.offset, bytes);
+        }
+    }
+
+    /// Reads the mesh back: positions and indices. Waits for all work that was submitted before.
+    ///
+    /// # Errors
+    /// For a buffer without the usage `COPY_SRC`, and if the device was lost.
+    pub fn download(&self, gpu: &Gpu) -> Result<crate::Mesh, GpuError> {
+        let mut frame = gpu.frame();
+        let vertices = frame.read_range("the buffer of vertices", &self.vertices)?;
+        let indices = frame.read_range("the buffer of indices", &self.indices)?;
+        frame.submit()?;
+        Ok(crate::Mesh {
+            vertices: vertices.read(gpu)?,
+            indices: indices.read(gpu)?,
+            ..crate::Mesh::default()
+        })
+    }
+
     /// The number of triangles.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {

@@ -64,7 +64,7 @@ mod wide;
 mod work;
 
 pub use adapter::{AdapterChoice, AdapterSummary, adapters};
-pub use backend::{HeldScene, LightSets};
+pub use backend::{Geometry, Held, LightSets};
 pub use buffer::Download;
 pub use build::Builder;
 pub use bvh::Bvh;

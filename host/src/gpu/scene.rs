@@ -24,7 +24,11 @@ impl Scene {
     /// # Errors
     /// Those of [`Mesh::upload`].
     pub fn upload(gpu: &Gpu, scene: &crate::Scene) -> Result<Self, GpuError> {
-        let mesh = Mesh::upload(gpu, &scene.mesh)?;
+        Self::over(gpu, Mesh::upload(gpu, &scene.mesh)?, scene)
+    }
+
+    /// A scene whose mesh is on the GPU already.
+    pub(super) fn over(gpu: &Gpu, mesh: Mesh, scene: &crate::Scene) -> Result<Self, GpuError> {
         let (normals, indices) = (&scene.mesh.normals, &scene.mesh.materials);
         let materials = scene.core_materials();
         gpu.checked(|| {
@@ -81,15 +85,11 @@ impl Scene {
         })
     }
 
-    /// Copies vertices that have moved, and their normals.
-    pub(super) fn move_vertices(&self, gpu: &Gpu, mesh: &crate::Mesh) {
-        for (to, bytes) in [
-            (&self.mesh.vertices, bytemuck::cast_slice(&mesh.vertices)),
-            (&self.normals, bytemuck::cast_slice(&mesh.normals)),
-        ] {
-            if !bytes.is_empty() {
-                gpu.queue().write_buffer(&to.buffer, to.offset, bytes);
-            }
+    /// Copies the normals of vertices that have moved.
+    pub(super) fn move_normals(&self, gpu: &Gpu, mesh: &crate::Mesh) {
+        let (to, bytes) = (&self.normals, bytemuck::cast_slice(&mesh.normals));
+        if !mesh.normals.is_empty() {
+            gpu.queue().write_buffer(&to.buffer, to.offset, bytes);
         }
     }
 

@@ -89,13 +89,13 @@ impl Costs {
         count * (self.topology + seams) * 1e-6
     }
 
-    /// Milliseconds to trace the camera's rays or those to a light, in a tree over `count` triangles.
-    pub(super) fn trace_ms(&self, kind: TargetKind, primary_rays: f64, count: f64) -> f64 {
+    /// Milliseconds to trace rays from a camera or to a light, in a tree over `count` triangles.
+    pub(super) fn trace_ms(&self, kind: TargetKind, ray_count: f64, count: f64) -> f64 {
         let levels = count.max(2.0).log2();
         let ray = match kind {
-            TargetKind::Camera => self.primary_level,
-            TargetKind::Lights => self.shadow_level * self.shadow_rays,
+            TargetKind::From => self.primary_level,
+            TargetKind::To | TargetKind::Other => self.shadow_level,
         };
-        primary_rays * ray * levels * 1e-6
+        ray_count * ray * levels * 1e-6
     }
 }

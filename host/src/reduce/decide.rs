@@ -18,8 +18,8 @@ pub struct Candidate {
     pub kind: TargetKind,
     /// Time of a ray in the set, divided by that in a set of the same size that faces the target.
     pub effort: f64,
-    /// The number of lights that they lead to.
-    pub light_count: usize,
+    /// Rays expected in a frame.
+    pub ray_count: f64,
     /// Whether there are such rays.
     pub is_used: bool,
     /// Whether a set could leave anything out.
@@ -32,50 +32,43 @@ pub struct Candidate {
 
 /// Sets each candidate's `saving_ms`.
 pub fn estimate(candidates: &mut [Candidate], request: &PlanRequest) {
-    let count = request.scene.mesh.indices.len() as f64;
-    let rays = primary_rays(request);
+    let count = request.triangle_count as f64;
     for candidate in candidates.iter_mut().filter(|candidate| candidate.is_used) {
-        let rays = rays * candidate.light_count.max(1) as f64;
-        let whole = COSTS.trace_ms(candidate.kind, rays, count) * COSTS.rule;
+        let whole = COSTS.trace_ms(candidate.kind, candidate.ray_count, count) * COSTS.rule;
         candidate.saving_ms = whole - set_cost_ms(candidate, request);
     }
 }
 
 /// Milliseconds to build and trace a set, sorted triangles given.
 pub fn set_cost_ms(candidate: &Candidate, request: &PlanRequest) -> f64 {
-    let count = request.scene.mesh.indices.len() as f64;
-    let rays = primary_rays(request) * rays_per_sample(candidate);
+    let count = request.triangle_count as f64;
+    let rays = candidate.ray_count * candidate.effort;
     let set = COSTS.trace_ms(candidate.kind, rays, count * candidate.share);
     set + COSTS.set_ms(count, candidate.share)
 }
 
-/// Rays in this set for each sample, weighted by [`Candidate::effort`].
-fn rays_per_sample(candidate: &Candidate) -> f64 {
-    candidate.light_count.max(1) as f64 * candidate.effort
-}
-
 /// Which rays get a set. `auto` takes the cheaper of two choices: the sets that pay individually beside a whole tree, or
 /// sets for all rays without a whole tree.
-pub fn choose(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool) -> Vec<bool> {
+pub fn choose(candidates: &[Candidate], request: &PlanRequest) -> Vec<bool> {
     let may_be_set = |candidate: &Candidate| candidate.is_used && candidate.may_be_set;
     let pays = |candidate: &Candidate| may_be_set(candidate) && candidate.saving_ms > 0.0;
     let all = |which: &dyn Fn(&Candidate) -> bool| candidates.iter().map(which).collect();
     match request.switches.reduce {
         Reduce::Off => vec![false; candidates.len()],
         Reduce::On => all(&may_be_set),
-        Reduce::Auto if best_saving(candidates, request, has_mirrors).1 => all(&may_be_set),
+        Reduce::Auto if best_saving(candidates, request).1 => all(&may_be_set),
         Reduce::Auto => all(&pays),
     }
 }
 
 /// Milliseconds a frame that the cheapest choice saves against one whole tree, and whether that choice is sets for all
 /// rays.
-fn best_saving(candidates: &[Candidate], request: &PlanRequest, has_mirrors: bool) -> (f64, bool) {
-    let count = request.scene.mesh.indices.len() as f64;
+fn best_saving(candidates: &[Candidate], request: &PlanRequest) -> (f64, bool) {
+    let count = request.triangle_count as f64;
     let used = || candidates.iter().filter(|candidate| candidate.is_used);
     let possible = used().filter(|candidate| candidate.may_be_set);
     let one_by_one: f64 = possible.map(|candidate| candidate.saving_ms.max(0.0)).sum();
-    if has_mirrors || used().any(|candidate| !candidate.may_be_set) {
+    if request.views.has_others() || used().any(|candidate| !candidate.may_be_set) {
         return (one_by_one, false);
     }
     let sum: f64 = used().map(|candidate| candidate.saving_ms).sum();
@@ -86,19 +79,15 @@ fn best_saving(candidates: &[Candidate], request: &PlanRequest, has_mirrors: boo
 
 /// The reason not to survey, if a survey is not likely to pay even if half of all triangles could be left out for the
 /// camera and each light.
-pub fn decline(
-    request: &PlanRequest,
-    candidates: &[Candidate],
-    has_mirrors: bool,
-) -> Option<String> {
-    let count = request.scene.mesh.indices.len() as f64;
+pub fn decline(request: &PlanRequest, candidates: &[Candidate]) -> Option<String> {
+    let count = request.triangle_count as f64;
     let mut guessed: Vec<Candidate> = candidates.to_vec();
     for candidate in &mut guessed {
         candidate.may_be_set = true;
         candidate.share = LIKELY_SHARE;
     }
     estimate(&mut guessed, request);
-    let (saving, _) = best_saving(&guessed, request, has_mirrors);
+    let (saving, _) = best_saving(&guessed, request);
     let survey = COSTS.survey_ms(count, request.switches.seams);
     let frame_count = f64::from(request.frame_count);
     (saving * frame_count <= CAUTION * survey).then(|| {
@@ -111,9 +100,4 @@ pub fn decline(
             saving * frame_count
         )
     })
-}
-
-fn primary_rays(request: &PlanRequest) -> f64 {
-    let [width, height] = request.settings.size.map(f64::from);
-    width * height * f64::from(request.settings.sample_count)
 }

@@ -2,22 +2,22 @@
 
 use super::Reduce;
 use super::plan::Plan;
-use super::{FacingSet, TreeChoice, ViewTarget};
+use super::{FacingSet, TreeChoice, ViewSet};
 use crate::text::{grouped, things};
 use crate::topology::{Facts, Topology};
 
-impl Plan<'_> {
+impl Plan {
     /// One line for each decision: its subject, and the decision with reason and figures.
     #[must_use]
     pub fn explain(&self) -> Vec<(String, String)> {
         let mut lines = Vec::new();
         let mut line = |about: &str, text: String| lines.push((about.to_owned(), text));
-        match (self.topology, &self.no_survey) {
+        match (&self.topology, &self.no_survey) {
             (Some(topology), _) => {
                 for (about, text) in surfaces(topology) {
                     line(about, text);
                 }
-                for view in &self.targets {
+                for view in &self.sets {
                     line(&view.name(), self.view(view));
                 }
             }
@@ -32,13 +32,13 @@ impl Plan<'_> {
         lines
     }
 
-    fn view(&self, view: &ViewTarget) -> String {
+    fn view(&self, view: &ViewSet) -> String {
         let kept = format!(
             "about {:.0} % of {}",
             100.0 * view.share,
             things(self.triangle_count, "triangle")
         );
-        let own = if view.lights.len() > 1 {
+        let own = if view.targets.len() > 1 {
             "one set for all of them"
         } else {
             "a set of its own"
@@ -84,8 +84,12 @@ impl Plan<'_> {
     }
 
     /// The number of reducible components that a target may be inside of.
-    fn inside_count(&self, view: &ViewTarget) -> usize {
-        let facts = self.topology.map(Topology::facts).unwrap_or_default();
+    fn inside_count(&self, view: &ViewSet) -> usize {
+        let facts = self
+            .topology
+            .as_deref()
+            .map(Topology::facts)
+            .unwrap_or_default();
         let pairs = facts.iter().zip(&view.sides);
         pairs
             .filter(|(facts, side)| facts.reducible && **side == 0)
@@ -93,16 +97,14 @@ impl Plan<'_> {
     }
 
     fn whole(&self) -> String {
-        let used_by = |view: &&ViewTarget| view.choice == TreeChoice::Whole;
+        let used_by = |view: &&ViewSet| view.choice == TreeChoice::Whole;
         let mut users: Vec<String> = self
-            .targets
+            .sets
             .iter()
             .filter(used_by)
-            .map(ViewTarget::name)
+            .map(ViewSet::name)
             .collect();
-        if self.has_mirrors {
-            users.push("mirrors and glass".to_owned());
-        }
+        users.extend(self.others.iter().cloned());
         if self.needs_whole {
             format!("is built, for {}", users.join(", "))
         } else {

@@ -3,7 +3,7 @@
 //! Nearby lights see almost the same triangles. One set for all of them keeps a triangle unless the ball around them is
 //! certainly behind it (Wong, Cheng and Lii 2012, the rule with R). It is built once, but holds more triangles.
 
-use super::target::{TreeChoice, ViewTarget};
+use super::set::{TreeChoice, ViewSet};
 use slimbvh_core::orientation::Target;
 use std::collections::BTreeSet;
 
@@ -13,12 +13,12 @@ const TRIES: usize = 4;
 /// Merges targets of lights, nearest first, while one set costs less than two. `join` returns the target that both share,
 /// or `None` if they cannot share one. `cost_ms` is the cost of building and tracing a set. Directional lights stay alone.
 pub fn group(
-    targets: Vec<ViewTarget>,
-    join: impl Fn(&ViewTarget, &ViewTarget) -> Option<ViewTarget>,
-    cost_ms: impl Fn(&ViewTarget) -> f64,
-) -> Vec<ViewTarget> {
+    targets: Vec<ViewSet>,
+    join: impl Fn(&ViewSet, &ViewSet) -> Option<ViewSet>,
+    cost_ms: impl Fn(&ViewSet) -> f64,
+) -> Vec<ViewSet> {
     let mut tries = TRIES * targets.len();
-    let mut groups: Vec<(usize, ViewTarget)> = targets.into_iter().enumerate().collect();
+    let mut groups: Vec<(usize, ViewSet)> = targets.into_iter().enumerate().collect();
     let mut next = groups.len();
     let mut refused = BTreeSet::new();
     while let Some([a, b]) = nearest(&groups, &refused).filter(|_| tries > 0) {
@@ -40,9 +40,9 @@ pub fn group(
 }
 
 /// The indices of the two nearest groups of positional lights that were not refused, the lower first.
-fn nearest(groups: &[(usize, ViewTarget)], refused: &BTreeSet<[usize; 2]>) -> Option<[usize; 2]> {
+fn nearest(groups: &[(usize, ViewSet)], refused: &BTreeSet<[usize; 2]>) -> Option<[usize; 2]> {
     let is_lamp =
-        |view: &ViewTarget| view.choice != TreeChoice::Unused && view.target.is_position == 1;
+        |view: &ViewSet| view.choice != TreeChoice::Unused && view.target.is_position == 1;
     let mut best = None;
     for (b, (id_b, second)) in groups.iter().enumerate() {
         for (a, (id_a, first)) in groups[..b].iter().enumerate() {
@@ -90,7 +90,7 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reduce::TargetKind;
+    use crate::reduce::set::tests::lamp;
     use proptest::prelude::*;
 
     fn ball() -> impl Strategy<Value = Target> {
@@ -113,31 +113,20 @@ mod tests {
         }
     }
 
-    fn lamp(index: usize, x: f32) -> ViewTarget {
-        ViewTarget::new(
-            TargetKind::Lights,
-            vec![index],
-            Target::position([x, 0.0, 0.0]),
-        )
-    }
-
     /// With costs of 5 for each set plus the cube of the ball's radius, near lamps merge and far ones do not.
     #[test]
     fn lamps_come_together_while_it_pays() {
-        let join = |a: &ViewTarget, b: &ViewTarget| {
-            let lights = a.lights.iter().chain(&b.lights).copied().collect();
-            let target = joined_target(&a.target, &b.target);
-            Some(ViewTarget::new(TargetKind::Lights, lights, target))
-        };
+        let join =
+            |a: &ViewSet, b: &ViewSet| Some(a.joined(b, joined_target(&a.target, &b.target)));
         let places = [0.0, 1.0, 9.0, 2.0, 10.0, 50.0];
-        let lamps: Vec<ViewTarget> = places
+        let lamps: Vec<ViewSet> = places
             .iter()
             .enumerate()
-            .map(|(i, &x)| lamp(i, x))
+            .map(|(i, &x)| lamp(i, Target::position([x, 0.0, 0.0])))
             .collect();
-        let cost = |view: &ViewTarget| 5.0 + f64::from(view.target.radius).powi(3);
-        let lights = |groups: &[ViewTarget]| -> Vec<Vec<usize>> {
-            groups.iter().map(|view| view.lights.clone()).collect()
+        let cost = |view: &ViewSet| 5.0 + f64::from(view.target.radius).powi(3);
+        let lights = |groups: &[ViewSet]| -> Vec<Vec<usize>> {
+            groups.iter().map(|view| view.targets.clone()).collect()
         };
         let groups = group(lamps.clone(), join, cost);
         assert_eq!(lights(&groups), [vec![0, 1, 3], vec![2, 4], vec![5]]);

@@ -2,8 +2,8 @@
 
 use super::Costs;
 use super::sample::Samples;
-use super::target::{FacingSet, ViewTarget};
-use crate::Scene;
+use super::set::{FacingSet, ViewSet};
+use crate::Mesh;
 use crate::topology::{Facts, Topology};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
@@ -17,18 +17,18 @@ pub struct MeshSurvey<'a> {
 }
 
 impl<'a> MeshSurvey<'a> {
-    /// A survey of the scene's mesh, whose bounds these are.
-    pub fn new(topology: &'a Topology, scene: &'a Scene, bounds: &Aabb) -> Self {
+    /// A survey of the mesh, whose bounds these are.
+    pub fn new(topology: &'a Topology, mesh: &'a Mesh, bounds: &Aabb) -> Self {
         let scale = PowerOfTwo::new(scene_exponent(bounds));
         Self {
             topology,
             facts: topology.facts(),
-            samples: Samples::new(scene, topology.components(), scale),
+            samples: Samples::new(mesh, topology.components(), scale),
         }
     }
 
     /// Measures a target: the sides of the components that it sees, and the share of all triangles that its set keeps.
-    pub fn measure(&self, view: &mut ViewTarget) {
+    pub fn measure(&self, view: &mut ViewSet) {
         view.sides = self.topology.sides(&(&view.target).into());
         let reducible = view.sides.iter().zip(&self.facts);
         view.reducible_count = reducible
@@ -44,9 +44,9 @@ impl<'a> MeshSurvey<'a> {
     /// of. Then every shadow ray starts outside and meets the same number of triangles of either set.
     pub fn take_cheaper_set(
         &self,
-        view: &mut ViewTarget,
+        view: &mut ViewSet,
         eye_sides: &[i32],
-        cost_ms: impl Fn(&ViewTarget) -> f64,
+        cost_ms: impl Fn(&ViewSet) -> f64,
     ) {
         let mut pairs = view.sides.iter().zip(eye_sides);
         if view.reducible_count == 0 || pairs.any(|(light, eye)| *light != 0 && *eye == 0) {
@@ -54,7 +54,7 @@ impl<'a> MeshSurvey<'a> {
         }
         let sides: Vec<i32> = view.sides.iter().map(|side| -side).collect();
         let share = self.samples.share(&sides, &view.target, &view.frustum);
-        let back = ViewTarget {
+        let back = ViewSet {
             effort: Costs::MEASURED.away_effort(view.share + share - 1.0),
             share,
             half: FacingSet::Back,

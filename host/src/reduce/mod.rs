@@ -16,6 +16,7 @@ mod plan;
 mod planner;
 mod sample;
 mod savings;
+mod set;
 mod survey;
 mod target;
 mod trees;
@@ -24,12 +25,13 @@ pub use cost::Costs;
 pub use plan::Plan;
 pub use planner::{PlanConfig, Planner, Still};
 pub use savings::{Saving, Savings};
+pub use set::{FacingSet, TreeChoice, ViewSet};
 pub use survey::{Survey, survey};
-pub use target::{FacingSet, TargetKind, TreeChoice, ViewTarget};
+pub use target::{TargetKind, ViewTarget, Views};
 pub use trees::Hierarchies;
 pub(crate) use trees::Work;
 
-use crate::{RenderSettings, Scene};
+use crate::{RenderSettings, Scene, ViewError};
 
 /// Whether rays may hit triangles that face away from the camera or the light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,15 +87,34 @@ impl Switches {
     }
 }
 
-/// The input of a plan. The scene's first camera is used.
-#[derive(Clone, Copy, Debug)]
-pub struct PlanRequest<'a> {
-    /// Geometry, materials, camera and lights.
-    pub scene: &'a Scene,
-    /// How pictures are made.
-    pub settings: &'a RenderSettings,
+/// The input of a plan.
+#[derive(Clone, Debug)]
+pub struct PlanRequest {
+    /// The number of triangles in the mesh.
+    pub triangle_count: usize,
+    /// The rays.
+    pub views: Views,
     /// The caller's settings.
     pub switches: Switches,
     /// The number of frames that share a survey. Each builds its own trees.
     pub frame_count: u32,
+}
+
+impl PlanRequest {
+    /// The request of one picture.
+    ///
+    /// # Errors
+    /// For cameras and lights that cannot be rendered.
+    pub fn of_picture(
+        scene: &Scene,
+        settings: &RenderSettings,
+        switches: Switches,
+    ) -> Result<Self, ViewError> {
+        Ok(Self {
+            triangle_count: scene.mesh.indices.len(),
+            views: Views::of_picture(scene, settings)?,
+            switches,
+            frame_count: 1,
+        })
+    }
 }

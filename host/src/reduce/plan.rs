@@ -1,27 +1,33 @@
-//! The plan of a picture: which trees are built.
+//! The plan of a frame: which trees are built.
 
 use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
 use super::mesh_survey::MeshSurvey;
-use super::target::{self, TargetKind, TreeChoice, ViewTarget};
+use super::set::{TreeChoice, ViewSet, frustum_within, sets};
+use super::target::TargetKind;
 use super::{Cull, PlanRequest, Reduce, Saving};
+use crate::Mesh;
 use crate::topology::Topology;
-use crate::{View, ViewError};
+use slimbvh_core::frustum::Frustum;
+use std::fmt;
+use std::sync::Arc;
 
 /// The most samples in flight together with deferred sets, at 80 bytes each.
 const MOST_IN_FLIGHT: u64 = 1 << 22;
 
-/// The trees of a picture, and the reasons for them.
+/// The trees of a frame, and the reasons for them.
 #[derive(Clone, Debug)]
-pub struct Plan<'a> {
+pub struct Plan {
     /// The surfaces. `None` without a survey; then nothing is left out.
-    pub topology: Option<&'a Topology>,
-    /// The camera first, then each light once, alone or in a group.
-    pub targets: Vec<ViewTarget>,
+    pub topology: Option<Arc<Topology>>,
+    /// Cameras first, then each light once, alone or in a group.
+    pub sets: Vec<ViewSet>,
+    /// The number of targets.
+    pub target_count: usize,
     /// Whether the whole tree is built.
     pub needs_whole: bool,
-    /// Whether rays from mirrors and glass are traced, through the whole tree.
-    pub has_mirrors: bool,
+    /// The names of the targets whose rays go through the whole tree, all triangles counting.
+    pub others: Vec<String>,
     /// The number of triangles in the mesh.
     pub triangle_count: usize,
     /// The caller's setting.
@@ -38,76 +44,71 @@ pub struct Plan<'a> {
     pub(super) no_survey: Option<String>,
 }
 
-impl<'a> Plan<'a> {
+impl Plan {
     /// The plan without a survey, one whole tree in which all triangles count, if the settings ask for it or it is the
     /// better one.
-    ///
-    /// # Errors
-    /// For cameras and lights that cannot be rendered.
-    pub fn without_survey(request: &PlanRequest) -> Result<Option<Self>, ViewError> {
-        let targets = target::targets(request)?;
-        let has_mirrors = has_mirrors(request);
+    #[must_use]
+    pub fn without_survey(request: &PlanRequest) -> Option<Self> {
         let switches = request.switches;
         let reason = match (switches.cull, switches.reduce) {
-            (Some(Cull::Off), _) => Some("culling is off, so all triangles count".to_owned()),
-            (None, Reduce::Off) => Some("reduction is off".to_owned()),
-            (None, Reduce::Auto) => decide::decline(request, &candidates(&targets), has_mirrors),
-            (Some(Cull::On), _) | (None, Reduce::On) => None,
+            (Some(Cull::Off), _) => "culling is off, so all triangles count".to_owned(),
+            (None, Reduce::Off) => "reduction is off".to_owned(),
+            (None, Reduce::Auto) => {
+                decide::decline(request, &candidates(&sets(&request.views.targets)))?
+            }
+            (Some(Cull::On), _) | (None, Reduce::On) => return None,
         };
-        match reason {
-            Some(reason) => Self::plain(request, reason).map(Some),
-            None => Ok(None),
-        }
+        Some(Self::plain(request, reason))
     }
 
     /// One whole tree in which all triangles count, for this reason.
-    ///
-    /// # Errors
-    /// For cameras and lights that cannot be rendered.
-    pub fn plain(request: &PlanRequest, reason: String) -> Result<Self, ViewError> {
-        Ok(Self {
+    #[must_use]
+    pub fn plain(request: &PlanRequest, reason: String) -> Self {
+        Self {
             topology: None,
-            targets: target::targets(request)?,
+            sets: sets(&request.views.targets),
+            target_count: request.views.targets.len(),
             needs_whole: true,
-            has_mirrors: has_mirrors(request),
-            triangle_count: request.scene.mesh.indices.len(),
+            others: others(request),
+            triangle_count: request.triangle_count,
             reduce: request.switches.reduce,
             sorts_alone: false,
             defers_lights: false,
             builds_unseen: false,
             may_turn_away: false,
             no_survey: Some(reason),
-        })
+        }
     }
 
-    /// Decides from the surfaces of the scene's mesh. Which triangles count for which rays does not depend on
+    /// Decides from the surfaces of a mesh. Which triangles count for which rays does not depend on
     /// [`Switches::reduce`](super::Switches::reduce).
-    ///
-    /// # Errors
-    /// For cameras and lights that cannot be rendered.
-    pub fn new(topology: &'a Topology, request: &PlanRequest) -> Result<Self, ViewError> {
-        let mesh = &request.scene.mesh;
+    #[must_use]
+    pub fn new(topology: &Arc<Topology>, mesh: &Mesh, request: &PlanRequest) -> Self {
         let savings = request.switches.savings;
         let bounds = mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
-        let has_mirrors = has_mirrors(request);
-        let survey = MeshSurvey::new(topology, request.scene, &bounds);
+        let survey = MeshSurvey::new(topology, mesh, &bounds);
+        let targets = &request.views.targets;
 
-        let mut targets = target::targets(request)?;
-        let mut lights = targets.split_off(1);
-        for camera in &mut targets {
+        let mut sets = sets(targets);
+        let is_camera = |set: &ViewSet| set.kind == TargetKind::From;
+        let mut lights = sets.split_off(sets.partition_point(is_camera));
+        for camera in &mut sets {
             if savings.has(Saving::Frustum) {
-                camera.frustum = target::frustum_within(request, &bounds)?;
+                let frustum = camera.targets.first().map(|&place| &targets[place].frustum);
+                camera.frustum = frustum_within(frustum.unwrap_or(&Frustum::EVERYWHERE), &bounds);
             }
             survey.measure(camera);
         }
-        // Shadow rays that start behind mirrors or inside glass have unknown origins, which rules out L−.
-        let eye_sides = targets.iter().map(|camera| camera.sides.clone()).next();
-        let eye_sides = eye_sides.filter(|_| savings.has(Saving::Away) && !has_mirrors);
-        let cost_ms = |view: &ViewTarget| decide::set_cost_ms(&candidate(view), request);
-        let measure = |view: &mut ViewTarget| {
-            survey.measure(view);
-            if let Some(eye_sides) = &eye_sides {
-                survey.take_cheaper_set(view, eye_sides, cost_ms);
+        // L− needs rays that start outside, so the one eye that they start from the hits of must be known.
+        let eye_sides = match sets.as_slice() {
+            [eye] if savings.has(Saving::Away) => Some(eye.sides.clone()),
+            _ => None,
+        };
+        let cost_ms = |set: &ViewSet| decide::set_cost_ms(&candidate(set), request);
+        let measure = |set: &mut ViewSet| {
+            survey.measure(set);
+            if let Some(eye_sides) = eye_sides.as_ref().filter(|_| set.starts_at_hits) {
+                survey.take_cheaper_set(set, eye_sides, cost_ms);
             }
         };
         for light in &mut lights {
@@ -115,76 +116,73 @@ impl<'a> Plan<'a> {
                 measure(light);
             }
         }
+        // On a GPU all sets of lights are decided alike.
+        let may_turn_away = eye_sides.is_some() && lights.iter().all(|light| light.starts_at_hits);
         if savings.has(Saving::Groups) {
-            let join = |a: &ViewTarget, b: &ViewTarget| {
-                let mut lights: Vec<usize> = a.lights.iter().chain(&b.lights).copied().collect();
-                lights.sort_unstable();
-                let target = joined_target(&a.target, &b.target);
-                let mut joined = ViewTarget::new(TargetKind::Lights, lights, target);
+            let join = |a: &ViewSet, b: &ViewSet| {
+                let mut joined = a.joined(b, joined_target(&a.target, &b.target));
                 measure(&mut joined);
                 // The group must be outside of every component that its members are outside of.
-                let outside =
-                    |view: &ViewTarget| view.sides.iter().filter(|side| **side != 0).count();
+                let outside = |set: &ViewSet| set.sides.iter().filter(|side| **side != 0).count();
                 let is_outside = outside(&joined) == outside(a) && outside(a) == outside(b);
                 is_outside.then_some(joined)
             };
             lights = group(lights, join, cost_ms);
         }
-        targets.append(&mut lights);
+        sets.append(&mut lights);
 
-        let mut candidates = candidates(&targets);
+        let mut candidates = candidates(&sets);
         decide::estimate(&mut candidates, request);
-        let chosen = decide::choose(&candidates, request, has_mirrors);
-        let mut needs_whole = has_mirrors;
-        for ((view, candidate), is_set) in targets.iter_mut().zip(&candidates).zip(chosen) {
-            view.saving_ms = candidate.saving_ms;
-            if view.choice == TreeChoice::Whole && is_set {
-                view.choice = TreeChoice::Set;
+        let chosen = decide::choose(&candidates, request);
+        let has_others = request.views.has_others();
+        let mut needs_whole = has_others;
+        for ((set, candidate), is_set) in sets.iter_mut().zip(&candidates).zip(chosen) {
+            set.saving_ms = candidate.saving_ms;
+            if set.choice == TreeChoice::Whole && is_set {
+                set.choice = TreeChoice::Set;
             }
-            needs_whole |= view.choice == TreeChoice::Whole;
+            needs_whole |= set.choice == TreeChoice::Whole;
         }
-        let set_count = targets
+        let is_built = |set: &&ViewSet| set.choice == TreeChoice::Set;
+        let set_count = sets.iter().filter(is_built).count();
+        let light_set_count = sets
             .iter()
-            .filter(|view| view.choice == TreeChoice::Set)
+            .filter(|set| !is_camera(set))
+            .filter(is_built)
             .count();
-        let light_sets = targets
-            .iter()
-            .skip(1)
-            .filter(|view| view.choice == TreeChoice::Set);
-        let light_set_count = light_sets.count();
         let plan = Self {
-            topology: Some(topology),
-            targets,
+            topology: Some(Arc::clone(topology)),
+            sets,
+            target_count: targets.len(),
             needs_whole,
-            has_mirrors,
-            triangle_count: mesh.indices.len(),
+            others: others(request),
+            triangle_count: request.triangle_count,
             reduce: request.switches.reduce,
             sorts_alone: savings.has(Saving::Alone) && !needs_whole && set_count == 1,
             defers_lights: false,
             builds_unseen: !savings.has(Saving::Unseen),
-            may_turn_away: eye_sides.is_some(),
+            may_turn_away,
             no_survey: None,
         };
         // Each deferred set is built only once: all samples are in flight, no path continues, and the lights of a set are
         // adjacent.
-        let [width, height] = request.settings.size.map(u64::from);
-        let samples = width * height * u64::from(request.settings.sample_count);
+        let samples = request.views.samples;
         let defers_lights = savings.has(Saving::Turns)
             && light_set_count > 1
-            && samples <= MOST_IN_FLIGHT
-            && !has_mirrors
+            && samples.is_some_and(|samples| samples <= MOST_IN_FLIGHT)
+            && !has_others
             && plan.is_in_runs();
-        Ok(Self {
+        Self {
             defers_lights,
             ..plan
-        })
+        }
     }
 
     /// Whether lights that share a set are adjacent.
     fn is_in_runs(&self) -> bool {
-        let mut places = self.target_of_light();
+        let mut places = self.set_of_target();
         places.dedup();
-        places.len() + 1 == self.targets.len()
+        places.len() == self.sets.len()
     }
 
     /// Whether all rays go through one whole tree in which all triangles count.
@@ -194,44 +192,60 @@ impl<'a> Plan<'a> {
     }
 
     /// The component of each triangle; `None` without a survey.
-    pub(super) fn components(&self) -> Option<&'a [u32]> {
-        self.topology.map(Topology::components)
+    pub(super) fn components(&self) -> Option<&[u32]> {
+        self.topology.as_deref().map(Topology::components)
     }
 
-    /// The index among the targets of each light.
+    /// The number of lights of a picture, whose targets are a camera, the lights, and other rays.
+    pub(crate) fn light_count(&self) -> usize {
+        self.target_count.saturating_sub(1 + self.others.len())
+    }
+
+    /// For each target the index of its set among the sets; `None` for other rays, which go through the whole tree.
     #[must_use]
-    pub fn target_of_light(&self) -> Vec<usize> {
-        let places = self.targets.iter().enumerate();
-        let mut pairs: Vec<(usize, usize)> = places
-            .flat_map(|(place, view)| view.lights.iter().map(move |&light| (light, place)))
-            .collect();
-        pairs.sort_unstable();
-        pairs.into_iter().map(|(_, place)| place).collect()
+    pub fn set_of_target(&self) -> Vec<Option<usize>> {
+        let mut all = vec![None; self.target_count];
+        for (place, set) in self.sets.iter().enumerate() {
+            for &target in &set.targets {
+                all[target] = Some(place);
+            }
+        }
+        all
     }
 }
 
-/// Whether any path may continue at a mirror or through glass.
-fn has_mirrors(request: &PlanRequest) -> bool {
-    let mut materials = request.scene.materials.iter();
-    let settings = request.settings;
-    settings.view == View::Color
-        && settings.mirror_depth > 0
-        && materials.any(|material| material.mirror > 0.0 || material.transmission > 0.0)
+/// The decisions, one a line.
+impl fmt::Display for Plan {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (i, (about, text)) in self.explain().iter().enumerate() {
+            let end = if i == 0 { "" } else { "\n" };
+            write!(f, "{end}{about}: {text}")?;
+        }
+        Ok(())
+    }
 }
 
-/// The rays of each target, as input of the cost model.
-fn candidates(targets: &[ViewTarget]) -> Vec<Candidate> {
-    targets.iter().map(candidate).collect()
+/// The names of the targets that need the whole tree.
+fn others(request: &PlanRequest) -> Vec<String> {
+    let targets = request.views.targets.iter();
+    let others = targets.filter(|target| target.kind == TargetKind::Other && target.is_used);
+    let name = |name: &Option<String>| name.clone().unwrap_or_else(|| "other rays".to_owned());
+    others.map(|target| name(&target.name)).collect()
 }
 
-fn candidate(view: &ViewTarget) -> Candidate {
+/// The rays of each set, as input of the cost model.
+fn candidates(sets: &[ViewSet]) -> Vec<Candidate> {
+    sets.iter().map(candidate).collect()
+}
+
+fn candidate(set: &ViewSet) -> Candidate {
     Candidate {
-        kind: view.kind,
-        effort: view.effort,
-        light_count: view.lights.len(),
-        is_used: view.choice != TreeChoice::Unused,
-        may_be_set: view.may_be_set(),
-        share: view.share,
+        kind: set.kind,
+        effort: set.effort,
+        ray_count: set.ray_count,
+        is_used: set.choice != TreeChoice::Unused,
+        may_be_set: set.may_be_set(),
+        share: set.share,
         saving_ms: 0.0,
     }
 }

@@ -1,7 +1,8 @@
 //! Plans from frame to frame, with one survey for all.
 
-use super::{Plan, PlanRequest, Reduce, Saving, Seams, Survey, Switches, survey};
-use crate::{BuildConfig, Mesh, MeshError, RenderSettings, Scene, ViewError};
+use super::{Plan, PlanRequest, Reduce, Saving, Seams, Survey, Switches, Views, survey};
+use crate::{BuildConfig, Mesh, MeshError};
+use std::sync::Arc;
 
 /// What does not change from frame to frame, so that trees can be kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +54,8 @@ pub struct Planner {
     config: PlanConfig,
     build: BuildConfig,
     survey: Option<Survey>,
+    /// Whether vertices have moved since the survey.
+    has_moved: bool,
 }
 
 impl Planner {
@@ -63,25 +66,35 @@ impl Planner {
             config,
             build,
             survey: None,
+            has_moved: false,
         }
     }
 
-    /// Surveys the scene's mesh, if that is likely to pay or the settings ask for it. Replaces the previous survey. Returns
-    /// the survey.
+    /// Whether a survey of a mesh with this many triangles is likely to pay for these targets, or the settings ask for it.
+    #[must_use]
+    pub fn wants_survey(&self, triangle_count: usize, views: &Views) -> bool {
+        let request = self.request(triangle_count, views);
+        !self.must_stay_plain() && Plan::without_survey(&request).is_none()
+    }
+
+    /// Surveys the mesh, if that is likely to pay for these targets or the settings ask for it. Replaces the previous survey.
+    /// Returns the survey.
     ///
     /// # Errors
-    /// Those of [`Mesh::validate`], and for cameras and lights that cannot be rendered.
-    pub fn survey<E: From<MeshError> + From<ViewError>>(
-        &mut self,
-        scene: &Scene,
-        settings: &RenderSettings,
-    ) -> Result<Option<&Survey>, E> {
-        self.survey = None;
-        if self.plain(scene, settings)?.is_none() {
+    /// Those of [`Mesh::validate`].
+    pub fn survey(&mut self, mesh: &Mesh, views: &Views) -> Result<Option<&Survey>, MeshError> {
+        self.forget();
+        if self.wants_survey(mesh.indices.len(), views) {
             let seams = self.config.switches.seams;
-            self.survey = Some(survey(&scene.mesh, self.build, seams)?);
+            self.survey = Some(survey(mesh, self.build, seams)?);
         }
         Ok(self.survey.as_ref())
+    }
+
+    /// Drops the survey: the mesh is another one.
+    pub fn forget(&mut self) {
+        self.survey = None;
+        self.has_moved = false;
     }
 
     /// The latest survey.
@@ -90,46 +103,49 @@ impl Planner {
         self.survey.as_ref()
     }
 
-    /// Updates the survey for vertices that have moved.
+    /// Notes that vertices have moved. Unless the caller promises that no closed part comes to intersect itself
+    /// ([`Seams::None`]), nothing is left out from now on until the next survey.
+    pub fn moved(&mut self) {
+        self.has_moved = true;
+    }
+
+    /// Updates the survey for vertices that have moved ([`Self::moved`]).
     pub fn follow(&mut self, mesh: &Mesh) {
-        if let Some(survey) = &mut self.survey {
-            survey.topology.update(mesh);
+        self.moved();
+        let is_used = !self.must_stay_plain();
+        if let Some(survey) = self.survey.as_mut().filter(|_| is_used) {
+            Arc::make_mut(&mut survey.topology).update(mesh);
         }
     }
 
-    /// The plan for the scene in its present state; a plain one without a survey.
-    ///
-    /// # Errors
-    /// For cameras and lights that cannot be rendered.
-    pub fn plan(&self, scene: &Scene, settings: &RenderSettings) -> Result<Plan<'_>, ViewError> {
-        if let Some(survey) = &self.survey {
-            return Plan::new(&survey.topology, &self.request(scene, settings));
-        }
-        match self.plain(scene, settings)? {
-            Some(plain) => Ok(plain),
-            None => Plan::plain(
-                &self.request(scene, settings),
-                "the surfaces were not surveyed".to_owned(),
-            ),
+    /// The plan for the mesh in its present state; a plain one without a survey.
+    #[must_use]
+    pub fn plan(&self, mesh: &Mesh, views: &Views) -> Plan {
+        let request = self.request(mesh.indices.len(), views);
+        match &self.survey {
+            Some(survey) if !self.must_stay_plain() => Plan::new(&survey.topology, mesh, &request),
+            _ => self.plain(mesh.indices.len(), views),
         }
     }
 
-    /// The plan without a survey, if that is the better one.
-    fn plain(
-        &self,
-        scene: &Scene,
-        settings: &RenderSettings,
-    ) -> Result<Option<Plan<'static>>, ViewError> {
-        let request = self.request(scene, settings);
-        if self.config.must_stay_plain() {
-            let reason =
-                "a deforming mesh may come to intersect itself; --solid promises that it does not";
-            return Plan::plain(&request, reason.to_owned()).map(Some);
+    /// The plan without a survey.
+    #[must_use]
+    pub fn plain(&self, triangle_count: usize, views: &Views) -> Plan {
+        let request = self.request(triangle_count, views);
+        if self.must_stay_plain() {
+            let reason = "a deforming mesh may come to intersect itself; the caller can promise that it does not (--solid, Seams::None)";
+            return Plan::plain(&request, reason.to_owned());
         }
         Plan::without_survey(&request)
+            .unwrap_or_else(|| Plan::plain(&request, "the surfaces were not surveyed".to_owned()))
     }
 
-    fn request<'a>(&self, scene: &'a Scene, settings: &'a RenderSettings) -> PlanRequest<'a> {
+    fn must_stay_plain(&self) -> bool {
+        let has_moved = self.has_moved && self.config.switches.seams == Seams::Find;
+        has_moved || self.config.must_stay_plain()
+    }
+
+    fn request(&self, triangle_count: usize, views: &Views) -> PlanRequest {
         let PlanConfig {
             mut switches,
             frame_count,
@@ -148,8 +164,8 @@ impl Planner {
             }
         }
         PlanRequest {
-            scene,
-            settings,
+            triangle_count,
+            views: views.clone(),
             switches,
             frame_count,
         }

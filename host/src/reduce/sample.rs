@@ -1,6 +1,6 @@
 //! Estimates of the size of sets, from evenly spaced samples.
 
-use crate::Scene;
+use crate::Mesh;
 use slimbvh_core::IndexedTriangles;
 use slimbvh_core::classify::{Sides, VisibleSet, is_in_set};
 use slimbvh_core::float::PowerOfTwo;
@@ -18,9 +18,9 @@ pub struct Samples<'a> {
 }
 
 impl<'a> Samples<'a> {
-    pub fn new(scene: &'a Scene, components: &'a [u32], scale: PowerOfTwo) -> Self {
+    pub fn new(mesh: &'a Mesh, components: &'a [u32], scale: PowerOfTwo) -> Self {
         Self {
-            mesh: scene.mesh.triangles(),
+            mesh: mesh.triangles(),
             components,
             scale,
         }

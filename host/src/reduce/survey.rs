@@ -3,12 +3,13 @@
 use super::Seams;
 use crate::topology::Topology;
 use crate::{BuildConfig, Builder, Bvh, Mesh, MeshError, Stages};
+use std::sync::Arc;
 
 /// The surfaces, and the time of the survey.
 #[derive(Clone, Debug)]
 pub struct Survey {
-    /// Components, sides and seams.
-    pub topology: Topology,
+    /// Components, sides and seams; plans share it.
+    pub topology: Arc<Topology>,
     /// Time of each step.
     pub stages: Stages,
 }
@@ -28,5 +29,8 @@ pub fn survey(mesh: &Mesh, config: BuildConfig, seams: Seams) -> Result<Survey, 
         stages.time("whole tree", || builder.build_into(mesh, &mut bvh))?;
         stages.time("seams", || topology.find_seams(mesh, &bvh));
     }
-    Ok(Survey { topology, stages })
+    Ok(Survey {
+        topology: Arc::new(topology),
+        stages,
+    })
 }

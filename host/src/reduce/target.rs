@@ -1,183 +1,306 @@
-//! Targets of rays: the camera, and lights or groups of lights.
+//! View targets: where the rays of one kind come from, or where they lead.
 
-use super::PlanRequest;
-use crate::backend::TargetSides;
+use super::Costs;
+use super::group::joined_target;
 use crate::scene::{camera_target, frustum, light_target};
-use crate::{RenderSettings, Scene, View, ViewError};
-use slimbvh_core::Aabb;
+use crate::{Camera, Light, RenderSettings, Scene, View, ViewError};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
-/// The kind of the rays.
+/// Which end of the rays is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetKind {
-    /// From the camera.
-    Camera,
-    /// To one light, or to a group.
-    Lights,
+    /// They come from the target: a camera.
+    From,
+    /// They lead to the target: a light. The question is whether anything is in the way.
+    To,
+    /// Neither: mirrors, bounces, whatever else.
+    Other,
 }
 
-/// Which triangles of closed surfaces rays may hit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FacingSet {
-    /// Those that face the target (C+, L+).
-    Front,
-    /// Those that face away from it (L−).
-    Back,
-}
-
-/// The tree that rays of one kind are traced through.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TreeChoice {
-    /// A tree over the triangles that rays may hit.
-    Set,
-    /// The whole tree, with the facing filter if there was a survey.
-    Whole,
-    /// None: there are no such rays.
-    Unused,
-}
-
-/// Rays of one kind, and the decisions made for them.
+/// Where the rays of one kind come from, or where they lead: a camera, a light, a group of lights, a ball, or anywhere. No
+/// scene, material or picture is needed.
+///
+/// ```
+/// use slimbvh::{Camera, Light, Projection, ViewTarget};
+/// # fn main() -> Result<(), slimbvh::ViewError> {
+/// let camera = Camera {
+///     eye: [0.0, 1.0, 5.0],
+///     target: [0.0; 3],
+///     up: [0.0, 1.0, 0.0],
+///     projection: Projection::Perspective { vertical_fov: 40.0 },
+/// };
+/// let sun = Light::Directional { direction: [0.3, -1.0, 0.2], color: [1.0; 3] };
+/// let targets = [
+///     ViewTarget::camera(&camera, [1280, 720])?,
+///     ViewTarget::light(&sun)?.from_hits(),
+///     ViewTarget::rays_from([2.0, 1.0, 0.0], 0.5)?.named("a probe").expecting(4096),
+///     ViewTarget::other_rays(),
+/// ];
+/// # assert_eq!(targets.len(), 4);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct ViewTarget {
-    /// The kind of the rays.
-    pub kind: TargetKind,
-    /// The lights that they lead to, numbered from 0.
-    pub lights: Vec<usize>,
-    /// Where they come from or lead to, in the mesh's unit; for a group, the ball around its lights.
-    pub target: Target,
-    /// The region that they cross. It bounds the set only. An unbounded region leaves nothing out.
-    pub frustum: Frustum,
-    /// The set of triangles that rays may hit.
-    pub half: FacingSet,
-    /// For each component, the side that rays may hit, see [`crate::topology::Topology::sides`]; negated for
-    /// [`FacingSet::Back`]. Empty without a survey, and if there are no rays.
-    pub sides: Vec<i32>,
-    /// The tree that they are traced through.
-    pub choice: TreeChoice,
-    /// The number of triangles in components of which only one side is visible to the target.
-    pub reducible_count: usize,
-    /// The estimated share of the mesh's triangles that a set keeps.
-    pub share: f64,
-    /// The estimated time of a ray in the set, divided by that in a set of the same size that faces the target.
-    pub effort: f64,
-    /// Estimated milliseconds that a set saves in tracing, minus its build time.
-    pub saving_ms: f64,
+    pub(super) kind: TargetKind,
+    /// `None` for a camera or light that the plan numbers.
+    pub(super) name: Option<String>,
+    /// In the mesh's unit.
+    pub(super) target: Target,
+    /// The region that its rays cross. It bounds the set only.
+    pub(super) frustum: Frustum,
+    /// Rays expected in a frame.
+    pub(super) ray_count: f64,
+    /// Whether there are such rays.
+    pub(super) is_used: bool,
+    /// Whether all of its rays start where rays of the only target of kind [`TargetKind::From`] hit, on the side that they
+    /// came from.
+    pub(super) starts_at_hits: bool,
 }
+
+/// Rays of a target whose number is not told: a picture's, 1280 by 720.
+const USUAL_RAYS: f64 = 1280.0 * 720.0;
 
 impl ViewTarget {
-    pub(super) fn new(kind: TargetKind, lights: Vec<usize>, target: Target) -> Self {
+    fn new(kind: TargetKind, target: Target) -> Self {
         Self {
             kind,
-            lights,
+            name: None,
             target,
             frustum: Frustum::EVERYWHERE,
-            half: FacingSet::Front,
-            sides: Vec::new(),
-            choice: TreeChoice::Whole,
-            reducible_count: 0,
-            share: 1.0,
-            effort: 1.0,
-            saving_ms: 0.0,
+            ray_count: USUAL_RAYS,
+            is_used: true,
+            starts_at_hits: false,
         }
     }
 
-    /// The inputs of its set besides the mesh.
-    pub(super) fn sides(&self) -> TargetSides {
-        TargetSides {
-            target: self.target,
-            frustum: self.frustum,
-            sides: self.sides.clone(),
-        }
+    /// Rays from a camera, or from its lens, through a picture of this width and height in pixels. Its set leaves out what is
+    /// certainly outside the picture, so it is for rays of [`Camera`] alone; [`Self::rays_from`] is for others from its eye.
+    ///
+    /// # Errors
+    /// For a camera that cannot be rendered, and an empty picture.
+    pub fn camera(camera: &Camera, size: [u32; 2]) -> Result<Self, ViewError> {
+        Self::sampled(camera, size, 1)
     }
 
-    /// Whether a set could leave anything out.
-    #[must_use]
-    pub fn may_be_set(&self) -> bool {
-        self.reducible_count > 0 || self.frustum.is_bounded == 1
-    }
-
-    /// `camera`, or the lights, numbered from 1.
-    #[must_use]
-    pub fn name(&self) -> String {
-        let Some((first, rest)) = self.lights.split_first() else {
-            return "camera".to_owned();
-        };
-        if rest.is_empty() {
-            return format!("light {}", first + 1);
-        }
-        let mut runs: Vec<[usize; 2]> = Vec::new();
-        for &light in &self.lights {
-            match runs.last_mut() {
-                Some(run) if run[1] + 1 == light => run[1] = light,
-                _ => runs.push([light, light]),
-            }
-        }
-        let runs = runs.iter().map(|&[first, last]| match last - first {
-            0 => format!("{}", first + 1),
-            1 => format!("{}, {}", first + 1, last + 1),
-            _ => format!("{} to {}", first + 1, last + 1),
-        });
-        format!("lights {}", runs.collect::<Vec<_>>().join(", "))
-    }
-}
-
-/// The camera and each light, with nothing left out yet.
-pub fn targets(request: &PlanRequest) -> Result<Vec<ViewTarget>, ViewError> {
-    let RenderSettings {
-        size,
-        sample_count,
-        view: shown,
-        dark_rays,
-        ..
-    } = *request.settings;
-    let Scene {
-        cameras, lights, ..
-    } = request.scene;
-    let camera = cameras.first().ok_or(ViewError::NoCamera)?;
-    let core = camera.to_core(size, sample_count)?;
-    let mut targets = vec![ViewTarget::new(
-        TargetKind::Camera,
-        Vec::new(),
-        camera_target(&core),
-    )];
-    for (index, light) in lights.iter().enumerate() {
-        let light = light.to_core(index)?;
-        let mut view = ViewTarget::new(TargetKind::Lights, vec![index], light_target(&light));
-        let is_used = shown == View::Color && (dark_rays || light.color != [0.0; 3]);
-        if !is_used {
-            view.choice = TreeChoice::Unused;
-        }
-        targets.push(view);
-    }
-    Ok(targets)
-}
-
-/// The part of a box that the camera's rays can reach; unbounded if that is all of it.
-pub fn frustum_within(request: &PlanRequest, bounds: &Aabb) -> Result<Frustum, ViewError> {
-    let settings = request.settings;
-    let camera = request.scene.cameras.first().ok_or(ViewError::NoCamera)?;
-    let frustum = frustum(&camera.to_core(settings.size, settings.sample_count)?);
-    let eye = frustum.eye.map(f64::from);
-    let corners = (0..8).map(|corner| -> [f64; 3] {
-        std::array::from_fn(|i| {
-            let corner = [bounds.min[i], bounds.max[i]][corner >> i & 1];
-            f64::from(corner) - eye[i]
+    fn sampled(camera: &Camera, size: [u32; 2], sample_count: u32) -> Result<Self, ViewError> {
+        let core = camera.to_core(size, sample_count)?;
+        let [width, height] = size.map(f64::from);
+        Ok(Self {
+            frustum: frustum(&core),
+            ray_count: width * height * f64::from(sample_count),
+            ..Self::new(TargetKind::From, camera_target(&core))
         })
-    });
-    let is_inside = |corner: [f64; 3]| {
-        let planes = frustum.planes.iter();
-        let mut distances = planes.map(|plane| {
-            let [x, y, z, offset] = plane.map(f64::from);
-            x * corner[0] + y * corner[1] + z * corner[2] + offset
-        });
-        distances.all(|distance| distance >= 0.0)
-    };
-    if bounds.is_empty() || corners.into_iter().all(is_inside) {
-        Ok(Frustum::EVERYWHERE)
-    } else {
-        Ok(frustum)
     }
+
+    /// Rays to a light, from anywhere on it: do they meet anything? For a directional light, rays without an end.
+    ///
+    /// # Errors
+    /// For a light that cannot be rendered.
+    pub fn light(light: &Light) -> Result<Self, ViewError> {
+        let core = light.to_core(0)?;
+        Ok(Self::new(TargetKind::To, light_target(&core)))
+    }
+
+    /// Rays that start in a ball, in any direction. A radius of 0 is a point.
+    ///
+    /// # Errors
+    /// If a number is not finite, or the radius is below 0.
+    pub fn rays_from(center: [f32; 3], radius: f32) -> Result<Self, ViewError> {
+        Ok(Self::new(TargetKind::From, ball(center, radius)?))
+    }
+
+    /// Parallel rays in this direction that start outside the scene.
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite.
+    pub fn rays_along(direction: [f32; 3]) -> Result<Self, ViewError> {
+        let backward = checked_direction(direction)?.map(|x| -x);
+        Ok(Self::new(TargetKind::From, Target::direction(backward)))
+    }
+
+    /// Rays that end in a ball: do they meet anything?
+    ///
+    /// # Errors
+    /// If a number is not finite, or the radius is below 0.
+    pub fn rays_to(center: [f32; 3], radius: f32) -> Result<Self, ViewError> {
+        Ok(Self::new(TargetKind::To, ball(center, radius)?))
+    }
+
+    /// Parallel rays in this direction without an end, as to the sun: do they meet anything?
+    ///
+    /// # Errors
+    /// If the direction is zero or not finite.
+    pub fn rays_toward(direction: [f32; 3]) -> Result<Self, ViewError> {
+        let direction = checked_direction(direction)?;
+        Ok(Self::new(TargetKind::To, Target::direction(direction)))
+    }
+
+    /// All other rays: they may hit every triangle, so they need the whole tree.
+    #[must_use]
+    pub fn other_rays() -> Self {
+        Self::new(TargetKind::Other, Target::position([0.0; 3]))
+    }
+
+    /// Rays to the ball around several lights or balls that rays lead to. The plan groups near lights by itself where one set
+    /// costs less than two; this forces it.
+    ///
+    /// # Errors
+    /// If there is none, or rays do not lead to a position in each.
+    pub fn group(targets: &[Self]) -> Result<Self, ViewError> {
+        let fault = ViewError::Target {
+            fault: "group needs at least one light or ball, and none of directional lights, cameras or other rays",
+        };
+        let is_fit =
+            |target: &Self| target.kind == TargetKind::To && target.target.is_position == 1;
+        let (Some((first, rest)), true) = (targets.split_first(), targets.iter().all(is_fit))
+        else {
+            return Err(fault);
+        };
+        let joined = rest.iter().fold(first.target, |ball, other| {
+            joined_target(&ball, &other.target)
+        });
+        Ok(Self {
+            ray_count: targets.iter().map(|target| target.ray_count).sum(),
+            starts_at_hits: targets.iter().all(|target| target.starts_at_hits),
+            ..Self::new(TargetKind::To, joined)
+        })
+    }
+
+    /// The same with a name for reports. Without one, cameras and lights are numbered.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self {
+            name: Some(name.into()),
+            ..self
+        }
+    }
+
+    /// The same with the number of rays expected in a frame: whether a set pays depends on it, no answer does. Default: a
+    /// ray a pixel for a camera, else 921,600.
+    #[must_use]
+    pub fn expecting(self, ray_count: u64) -> Self {
+        Self {
+            ray_count: ray_count as f64,
+            ..self
+        }
+    }
+
+    /// The same for rays to a light that all start where rays of the list's only camera (or of the only ball that rays come
+    /// from) hit, on the side that these came from. Then the triangles that face away from the light may be the set (L−,
+    /// Wong, Cheng and Lii 2012), which is often faster.
+    #[must_use]
+    pub fn from_hits(self) -> Self {
+        Self {
+            starts_at_hits: self.kind == TargetKind::To,
+            ..self
+        }
+    }
+
+    /// Which end of the rays is known.
+    #[must_use]
+    pub fn kind(&self) -> TargetKind {
+        self.kind
+    }
+
+    /// The ball that rays start or end in, or the direction of parallel ones, in the mesh's unit.
+    #[must_use]
+    pub fn target(&self) -> Target {
+        self.target
+    }
+}
+
+fn ball(center: [f32; 3], radius: f32) -> Result<Target, ViewError> {
+    let numbers = [center[0], center[1], center[2], radius];
+    if numbers.iter().all(|x| x.is_finite()) && radius >= 0.0 {
+        Ok(Target::ball(center, radius))
+    } else {
+        Err(ViewError::Target {
+            fault: "ball needs a finite center, and a finite radius of 0 or more",
+        })
+    }
+}
+
+fn checked_direction(direction: [f32; 3]) -> Result<[f32; 3], ViewError> {
+    let unit = crate::scene::unit(direction).ok_or(ViewError::Target {
+        fault: "direction needs finite numbers that are not all 0",
+    })?;
+    Ok(unit.to_array())
+}
+
+/// The targets of a frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Views {
+    /// The targets, in the caller's order.
+    pub targets: Vec<ViewTarget>,
+    /// The number of a picture's samples, if sets of lights may be built while it is rendered. `None` if all sets must
+    /// exist at once.
+    pub samples: Option<u64>,
+}
+
+impl From<&[ViewTarget]> for Views {
+    /// Targets whose sets all exist at once.
+    fn from(targets: &[ViewTarget]) -> Self {
+        Self {
+            targets: targets.to_vec(),
+            samples: None,
+        }
+    }
+}
+
+impl Views {
+    /// The targets of a picture: the scene's first camera, then each light, then mirrors and glass if paths may continue
+    /// there.
+    ///
+    /// # Errors
+    /// For cameras and lights that cannot be rendered.
+    pub fn of_picture(scene: &Scene, settings: &RenderSettings) -> Result<Self, ViewError> {
+        let RenderSettings {
+            size,
+            sample_count,
+            view,
+            dark_rays,
+            ..
+        } = *settings;
+        let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+        let camera = ViewTarget::sampled(camera, size, sample_count)?;
+        let ray_count = camera.ray_count * Costs::MEASURED.shadow_rays;
+        let has_mirrors = has_mirrors(scene, settings);
+        let mut targets = vec![camera];
+        for (index, light) in scene.lights.iter().enumerate() {
+            let core = light.to_core(index)?;
+            targets.push(ViewTarget {
+                ray_count,
+                is_used: view == View::Color && (dark_rays || core.color != [0.0; 3]),
+                // Shadow rays that start behind mirrors or inside glass have unknown origins.
+                starts_at_hits: !has_mirrors,
+                ..ViewTarget::new(TargetKind::To, light_target(&core))
+            });
+        }
+        if has_mirrors {
+            targets.push(ViewTarget::other_rays().named("mirrors and glass"));
+        }
+        let [width, height] = size.map(u64::from);
+        Ok(Self {
+            targets,
+            samples: Some(width * height * u64::from(sample_count)),
+        })
+    }
+
+    /// Whether the whole tree is needed for rays of no known end.
+    pub(super) fn has_others(&self) -> bool {
+        let mut targets = self.targets.iter();
+        targets.any(|target| target.kind == TargetKind::Other && target.is_used)
+    }
+}
+
+/// Whether any path may continue at a mirror or through glass.
+fn has_mirrors(scene: &Scene, settings: &RenderSettings) -> bool {
+    let mut materials = scene.materials.iter();
+    settings.view == View::Color
+        && settings.mirror_depth > 0
+        && materials.any(|material| material.mirror > 0.0 || material.transmission > 0.0)
 }
 
 #[cfg(test)]
@@ -185,14 +308,36 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lights_are_named_in_runs() {
-        let name = |lights: &[usize]| {
-            let target = Target::position([0.0; 3]);
-            ViewTarget::new(TargetKind::Lights, lights.to_vec(), target).name()
-        };
-        assert_eq!(name(&[]), "camera");
-        assert_eq!(name(&[4]), "light 5");
-        assert_eq!(name(&[0, 1]), "lights 1, 2");
-        assert_eq!(name(&[0, 1, 2, 3, 6, 8, 9]), "lights 1 to 4, 7, 9, 10");
+    fn what_is_no_ball_or_direction_is_refused() {
+        for (center, radius) in [
+            ([0.0; 3], -1.0),
+            ([0.0, f32::NAN, 0.0], 1.0),
+            ([0.0; 3], f32::INFINITY),
+        ] {
+            assert!(ViewTarget::rays_from(center, radius).is_err());
+            assert!(ViewTarget::rays_to(center, radius).is_err());
+        }
+        for direction in [[0.0; 3], [f32::NAN, 1.0, 0.0]] {
+            assert!(ViewTarget::rays_along(direction).is_err());
+            assert!(ViewTarget::rays_toward(direction).is_err());
+        }
+    }
+
+    #[test]
+    fn a_group_is_of_balls_that_rays_lead_to() {
+        let ball = |x: f32| ViewTarget::rays_to([x, 0.0, 0.0], 0.5).expect("a ball");
+        let group = ViewTarget::group(&[ball(0.0), ball(4.0).expecting(8)]).expect("a group");
+        assert!((group.target.point[0] - 2.0).abs() < 1e-5 && group.target.radius >= 2.5);
+        assert_eq!(group.ray_count, USUAL_RAYS + 8.0);
+        let sun = ViewTarget::rays_toward([0.0, 1.0, 0.0]).expect("a direction");
+        let eye = ViewTarget::rays_from([0.0; 3], 0.0).expect("a point");
+        for unfit in [
+            vec![],
+            vec![ball(1.0), sun],
+            vec![eye],
+            vec![ViewTarget::other_rays()],
+        ] {
+            assert!(ViewTarget::group(&unfit).is_err());
+        }
     }
 }

@@ -1,11 +1,10 @@
 //! A plan's trees, on any backend.
 
 use super::plan::Plan;
-use super::{TargetKind, TreeChoice, ViewTarget};
-use crate::Mesh;
+use super::{TargetKind, TreeChoice, ViewSet};
 use crate::animate::Action;
 use crate::backend::{
-    Backend, Deferral, DeferredTrees, Source, TargetSet, TargetSides, Tree, Trees, TreesOf,
+    Backend, Deferral, DeferredTrees, Source, TargetSet, TargetSides, Tree, TreeOf,
 };
 
 /// The trees of a plan. The next plan's trees reuse their memory.
@@ -18,6 +17,8 @@ pub struct Hierarchies<B: Backend> {
     sets: Vec<OwnSet<B>>,
     /// The set of the light traced now, if sets are deferred.
     deferred: B::Bvh,
+    /// Triangles of the mesh; `None` before the first update.
+    triangle_count: Option<usize>,
 }
 
 /// A target's own set.
@@ -46,28 +47,29 @@ impl<B: Backend> Default for Hierarchies<B> {
             has_whole: false,
             sets: Vec::new(),
             deferred: B::Bvh::default(),
+            triangle_count: None,
         }
     }
 }
 
 /// The inputs of builds.
-pub(crate) struct Work<'a, B: Backend> {
+pub(crate) struct Work<'a, 'm, B: Backend> {
     /// The frame that records the builds.
     pub recording: &'a mut B::Recording,
     /// The builder that served these trees last.
     pub builder: &'a mut B::Builder,
-    /// The scene as the backend holds it.
-    pub held: &'a mut B::Scene,
-    /// The mesh on the host.
-    pub mesh: &'a Mesh,
+    /// The geometry as the backend holds it.
+    pub held: &'a mut B::Held,
+    /// The caller's geometry.
+    pub geometry: B::Geometry<'m>,
 }
 
-impl<B: Backend> Work<'_, B> {
+impl<'m, B: Backend> Work<'_, 'm, B> {
     /// The parts, borrowed for a build.
-    fn split(&mut self) -> (&mut B::Recording, &mut B::Builder, Source<'_, B>) {
+    fn split(&mut self) -> (&mut B::Recording, &mut B::Builder, Source<'_, 'm, B>) {
         let source = Source {
             held: self.held,
-            mesh: self.mesh,
+            geometry: self.geometry,
         };
         (self.recording, self.builder, source)
     }
@@ -82,6 +84,7 @@ impl<B: Backend> Hierarchies<B> {
         plan: &Plan,
         action: Action,
     ) -> Result<(), B::Error> {
+        self.triangle_count = Some(plan.triangle_count);
         let decides = B::decides(work.held);
         // Sets need their order kept. A whole tree can be refitted without it.
         let keeps = |action| plan.is_plain() || B::KEEPS_ORDER || action != Action::Refitted;
@@ -110,6 +113,11 @@ impl<B: Backend> Hierarchies<B> {
         built
     }
 
+    /// Whether the trees are over a mesh with this many triangles.
+    pub(crate) fn is_over(&self, triangle_count: usize) -> bool {
+        self.triangle_count == Some(triangle_count)
+    }
+
     fn forget(&mut self) {
         self.has_whole = false;
         for set in &mut self.sets {
@@ -118,7 +126,7 @@ impl<B: Backend> Hierarchies<B> {
     }
 
     fn make_room(&mut self, plan: &Plan) {
-        let count = plan.targets.len().max(self.sets.len());
+        let count = plan.sets.len().max(self.sets.len());
         self.sets.resize_with(count, OwnSet::default);
     }
 
@@ -141,12 +149,12 @@ impl<B: Backend> Hierarchies<B> {
     fn build_alone(&mut self, work: &mut Work<B>, plan: &Plan) -> Result<(), B::Error> {
         self.make_room(plan);
         let (recording, builder, source) = work.split();
-        let mut chosen = plan.targets.iter().zip(&mut self.sets);
+        let mut chosen = plan.sets.iter().zip(&mut self.sets);
         let chosen = chosen.find(|(target, _)| target.choice == TreeChoice::Set);
         let components = B::components(source.held, plan.components());
         if let (Some((target, OwnSet { bvh, sides, .. })), Some(components)) = (chosen, components)
         {
-            B::set_sides(recording, source.held, &target.sides(), None, sides)?;
+            B::set_sides(recording, source.held, &target.inputs(), None, sides)?;
             let set = TargetSet { components, sides };
             B::build_alone(recording, builder, source, &set, bvh)?;
         }
@@ -164,12 +172,12 @@ impl<B: Backend> Hierarchies<B> {
         let Some(components) = B::components(source.held, plan.components()) else {
             return Ok(());
         };
-        for (place, target) in plan.targets.iter().enumerate() {
+        for (place, target) in plan.sets.iter().enumerate() {
             let (before, rest) = self.sets.split_at_mut(place);
             let [OwnSet { bvh, sides, key }, ..] = rest else {
                 continue;
             };
-            let wanted = target.sides();
+            let wanted = target.inputs();
             if target.choice == TreeChoice::Unused || key.as_ref() == Some(&wanted) {
                 continue;
             }
@@ -188,12 +196,12 @@ impl<B: Backend> Hierarchies<B> {
     }
 
     /// What a renderer needs once the trees match the plan: the trees built, and those deferred.
-    pub(crate) fn split<'a>(
+    pub(crate) fn split<'a, 'm>(
         &'a mut self,
         builder: &'a mut B::Builder,
-        source: Source<'a, B>,
+        source: Source<'a, 'm, B>,
         plan: &'a Plan,
-    ) -> (TreesOf<'a, B>, Deferred<'a, B>) {
+    ) -> (Vec<TreeOf<'a, B>>, Deferred<'a, 'm, B>) {
         let Self {
             whole,
             sets,
@@ -204,7 +212,7 @@ impl<B: Backend> Hierarchies<B> {
         let components = B::components(source.held, plan.components());
         let deferred = Deferred {
             plan,
-            places: plan.target_of_light(),
+            places: plan.set_of_target().into_iter().skip(1).collect(),
             sets,
             components,
             builder,
@@ -217,17 +225,14 @@ impl<B: Backend> Hierarchies<B> {
     }
 
     /// All trees of a plan without deferred ones, once they match the plan.
-    pub(crate) fn trees<'a>(&'a self, held: &'a B::Scene, plan: &'a Plan) -> TreesOf<'a, B> {
+    pub(crate) fn trees<'a>(&'a self, held: &'a B::Held, plan: &'a Plan) -> Vec<TreeOf<'a, B>> {
         let components = B::components(held, plan.components());
         trees::<B>(&self.whole, &self.sets, components, plan)
     }
 
     /// The tree of each target that has its own.
-    pub fn sets<'a>(
-        &'a self,
-        plan: &'a Plan,
-    ) -> impl Iterator<Item = (&'a ViewTarget, &'a B::Bvh)> {
-        let sets = plan.targets.iter().zip(&self.sets);
+    pub fn sets<'a>(&'a self, plan: &'a Plan) -> impl Iterator<Item = (&'a ViewSet, &'a B::Bvh)> {
+        let sets = plan.sets.iter().zip(&self.sets);
         sets.filter(|(target, _)| has_own_place(plan, target))
             .map(|(target, set)| (target, &set.bvh))
     }
@@ -240,7 +245,7 @@ impl<B: Backend> Hierarchies<B> {
 
     /// The name and sides of each target that has rays.
     pub(crate) fn sides<'a>(&'a self, plan: &Plan) -> Vec<(String, &'a B::TargetSides)> {
-        let targets = plan.targets.iter().zip(&self.sets);
+        let targets = plan.sets.iter().zip(&self.sets);
         let used = targets.filter(|(target, _)| target.choice != TreeChoice::Unused);
         used.map(|(target, set)| (target.name(), &set.sides))
             .collect()
@@ -249,6 +254,11 @@ impl<B: Backend> Hierarchies<B> {
     /// The whole tree, if it matches the present mesh.
     pub(crate) fn whole(&self) -> Option<&B::Bvh> {
         self.has_whole.then_some(&self.whole)
+    }
+
+    /// The whole tree, or what is in its place.
+    pub(crate) fn whole_or_empty(&self) -> &B::Bvh {
+        &self.whole
     }
 
     /// Bytes of memory held for trees.
@@ -261,18 +271,18 @@ impl<B: Backend> Hierarchies<B> {
 }
 
 /// Whether a target's set is built before the picture, in its own memory.
-fn has_own_place(plan: &Plan, target: &ViewTarget) -> bool {
-    target.choice == TreeChoice::Set && !(plan.defers_lights && target.kind == TargetKind::Lights)
+fn has_own_place(plan: &Plan, target: &ViewSet) -> bool {
+    target.choice == TreeChoice::Set && !(plan.defers_lights && target.kind == TargetKind::To)
 }
 
-/// The trees built so far. A placeholder stands for deferred trees and for targets without rays.
+/// The tree of each target that was built so far. The whole tree stands for deferred trees and for targets without rays.
 fn trees<'a, B: Backend>(
     whole: &'a B::Bvh,
     sets: &'a [OwnSet<B>],
     components: Option<B::Components<'a>>,
-    plan: &'a Plan,
-) -> TreesOf<'a, B> {
-    let tree = |(target, set): (&ViewTarget, &'a OwnSet<B>)| match target.choice {
+    plan: &Plan,
+) -> Vec<TreeOf<'a, B>> {
+    let tree = |(target, set): (&ViewSet, &'a OwnSet<B>)| match target.choice {
         TreeChoice::Set => has_own_place(plan, target).then_some(Tree::all(&set.bvh)),
         TreeChoice::Whole => Some(Tree {
             bvh: whole,
@@ -280,49 +290,51 @@ fn trees<'a, B: Backend>(
         }),
         TreeChoice::Unused => None,
     };
-    let trees: Vec<Option<Tree<_, _>>> = plan.targets.iter().zip(sets).map(tree).collect();
-    let primary = trees.first().copied().flatten();
-    let primary = primary.unwrap_or(Tree::all(whole));
-    let lights = plan.target_of_light().into_iter();
-    let lights = lights.map(|place| trees[place].unwrap_or(Tree::all(primary.bvh)));
-    Trees {
-        primary,
-        lights: lights.collect(),
-        mirrors: plan.has_mirrors.then_some(whole),
-    }
+    let trees: Vec<Option<Tree<_, _>>> = plan.sets.iter().zip(sets).map(tree).collect();
+    let first = trees.first().copied().flatten();
+    // Where the whole tree is not built, any other that is.
+    let spare = first.filter(|_| !plan.needs_whole);
+    let spare = spare.map_or(Tree::all(whole), |tree| Tree::all(tree.bvh));
+    let of_set = |place: Option<usize>| match place {
+        Some(place) => trees.get(place).copied().flatten().unwrap_or(spare),
+        None => Tree::all(whole),
+    };
+    plan.set_of_target().into_iter().map(of_set).collect()
 }
 
 /// The sets of lights that a plan builds one after the other, in the same memory.
-pub struct Deferred<'a, B: Backend> {
-    plan: &'a Plan<'a>,
-    /// The index among the targets of each light.
-    places: Vec<usize>,
+pub struct Deferred<'a, 'm, B: Backend> {
+    plan: &'a Plan,
+    /// The index of each light's set: a picture's targets are the camera, then the lights.
+    places: Vec<Option<usize>>,
     sets: &'a [OwnSet<B>],
     components: Option<B::Components<'a>>,
     builder: &'a mut B::Builder,
-    source: Source<'a, B>,
+    source: Source<'a, 'm, B>,
     bvh: &'a mut B::Bvh,
-    /// The target whose set is in memory.
+    /// The set in memory.
     built: Option<usize>,
     sizes: Vec<(usize, B::PendingSize)>,
 }
 
-impl<B: Backend> Deferred<'_, B> {
-    /// Each set that was built: its index among the plan's targets, and its size.
+impl<B: Backend> Deferred<'_, '_, B> {
+    /// Each set that was built: its index among the plan's sets, and its size.
     pub fn sizes(self) -> Vec<(usize, B::PendingSize)> {
         self.sizes
     }
 }
 
-impl<B: Backend> DeferredTrees<B> for Deferred<'_, B> {
+impl<B: Backend> DeferredTrees<B> for Deferred<'_, '_, B> {
     fn deferral(&self, light: usize) -> Deferral<'_, B> {
-        let place = self.places[light];
-        let target = &self.plan.targets[place];
+        let Some(place) = self.places.get(light).copied().flatten() else {
+            return Deferral::Ready;
+        };
+        let target = &self.plan.sets[place];
         if target.choice != TreeChoice::Set || has_own_place(self.plan, target) {
             return Deferral::Ready;
         }
         // A recording backend cannot skip the build: another light of the same set may need it.
-        let is_shared = B::RECORDS && target.lights.len() > 1;
+        let is_shared = B::RECORDS && target.targets.len() > 1;
         if self.plan.builds_unseen || is_shared || self.built == Some(place) {
             return Deferral::Always(self.bvh);
         }
@@ -330,9 +342,9 @@ impl<B: Backend> DeferredTrees<B> for Deferred<'_, B> {
     }
 
     fn build(&mut self, recording: &mut B::Recording, light: usize) -> Result<&B::Bvh, B::Error> {
-        let place = self.places[light];
-        let components = self.components.filter(|_| self.built != Some(place));
-        if let Some(components) = components {
+        let place = self.places.get(light).copied().flatten();
+        let place = place.filter(|place| self.built != Some(*place));
+        if let (Some(place), Some(components)) = (place, self.components) {
             let sides = &self.sets[place].sides;
             let set = TargetSet { components, sides };
             B::build_deferred(recording, self.builder, self.source, &set, self.bvh)?;

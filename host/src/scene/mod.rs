@@ -37,6 +37,7 @@ pub use load::{LoadOptions, load, load_bytes};
 pub use frustum::frustum;
 pub use target::{camera_target, light_target};
 pub use view::ViewError;
+pub(crate) use view::unit;
 
 use crate::Mesh;
 

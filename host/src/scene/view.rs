@@ -92,6 +92,12 @@ pub enum ViewError {
         /// The distance in focus.
         focus_distance: f32,
     },
+    /// A view target whose numbers describe none.
+    #[error("a view target's {fault}")]
+    Target {
+        /// What it needs.
+        fault: &'static str,
+    },
     /// A light with a NaN, a negative color, a zero direction, or no area.
     #[error("light {} {fault}", .index + 1)]
     Light {
@@ -412,7 +418,7 @@ impl Scene {
 }
 
 /// The unit vector along three finite numbers, unless all are zero.
-pub(super) fn unit(v: [f32; 3]) -> Option<Vec3> {
+pub(crate) fn unit(v: [f32; 3]) -> Option<Vec3> {
     let finite = v.iter().all(|x| x.is_finite());
     let v = Vec3::from_array(v);
     // Tiny vectors are scaled up first: their directions are valid.

@@ -5,8 +5,8 @@ use crate::measure::counts::{Counts, count};
 use crate::measure::walks::Walks;
 use crate::stress::{Moves, moved};
 use anyhow::Result;
-use slimbvh::reduce::{Planner, Saving, Savings};
-use slimbvh::{Builder, Bvh, Cpu, CpuError, FrameConfig, Frames};
+use slimbvh::reduce::{Planner, Saving, Savings, Views};
+use slimbvh::{Builder, Bvh, Cpu, FrameConfig, Frames};
 
 /// Sizes and counts of a picture's trees, the same on every machine.
 pub struct Facts {
@@ -31,8 +31,9 @@ impl Facts {
         let (scene, settings) = (&prepared.scene, &prepared.settings);
         let savings = Savings::ALL.without(Saving::Turns);
         let mut planner = Planner::new(prepared.config, prepared.plan_config(savings));
-        planner.survey::<CpuError>(scene, settings)?;
-        let plan = planner.plan(scene, settings)?;
+        let views = Views::of_picture(scene, settings)?;
+        planner.survey(&scene.mesh, &views)?;
+        let plan = planner.plan(&scene.mesh, &views);
         let config = FrameConfig {
             build: prepared.config,
             ..FrameConfig::default()

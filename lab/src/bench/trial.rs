@@ -6,7 +6,7 @@ use super::times::Times;
 use anyhow::{Context, Result};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use slimbvh::animate;
-use slimbvh::reduce::{Planner, Savings};
+use slimbvh::reduce::{Planner, Savings, Views};
 use slimbvh::{Backend, Change, FrameConfig, FrameRequest, Frames, Output, Picture};
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::storage::mesh_bytes;
@@ -70,8 +70,9 @@ fn frame<B: Backend>(
     let (scene, settings) = (&*prepared.scene, &prepared.settings);
     let begin = Instant::now();
     let mut planner = Planner::new(prepared.config, prepared.plan_config(Savings::ALL));
-    planner.survey::<B::Error>(scene, settings)?;
-    let plan = planner.plan(scene, settings)?;
+    let views = Views::of_picture(scene, settings)?;
+    planner.survey(&scene.mesh, &views)?;
+    let plan = planner.plan(&scene.mesh, &views);
     let plan_ms = begin.elapsed().as_secs_f64() * 1e3;
     let mut change = Change::Scene;
     if let Some(twisted) = &prepared.twisted {

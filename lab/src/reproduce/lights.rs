@@ -7,6 +7,7 @@ use glam::Vec3;
 use slimbvh::reduce::{self, Cull, FacingSet, Plan, PlanRequest, Switches, TreeChoice};
 use slimbvh::topology::Topology;
 use slimbvh::{Light, RenderSettings, Scene};
+use std::sync::Arc;
 
 /// Lights in a square above a scene.
 pub struct Rig {
@@ -83,21 +84,16 @@ pub fn extent(scene: &Scene) -> (Vec3, f32) {
 /// The plan for one frame of a surveyed scene, in words and as a layout of trees.
 pub fn plan(
     scene: &Scene,
-    topology: &Topology,
+    topology: &Arc<Topology>,
     settings: &RenderSettings,
 ) -> Result<(String, Layout)> {
     let switches = Switches {
         cull: Some(Cull::On),
         ..Switches::default()
     };
-    let asked = PlanRequest {
-        scene,
-        settings,
-        switches,
-        frame_count: 1,
-    };
-    let plan = Plan::new(topology, &asked)?;
-    let set = |view: &reduce::ViewTarget| {
+    let asked = PlanRequest::of_picture(scene, settings, switches)?;
+    let plan = Plan::new(topology, &scene.mesh, &asked);
+    let set = |view: &reduce::ViewSet| {
         let is_set = view.choice == TreeChoice::Set;
         is_set.then(|| FacingTarget {
             target: view.target,
@@ -105,7 +101,7 @@ pub fn plan(
         })
     };
     // If any light needs the whole tree, it is the last.
-    let (camera, lights) = plan.targets.split_at(1);
+    let (camera, lights) = plan.sets.split_at(1);
     let mut shadows: Vec<Option<FacingTarget>> =
         lights.iter().map(set).filter(Option::is_some).collect();
     let sets = shadows.len();
@@ -125,13 +121,13 @@ pub fn plan(
         Some(_) => "a set",
         None => "the whole tree",
     };
-    let name = |view: &reduce::ViewTarget| match (view.choice, view.half) {
+    let name = |view: &reduce::ViewSet| match (view.choice, view.half) {
         (TreeChoice::Set, FacingSet::Front) => format!("a set L+ for {}", view.name()),
         (TreeChoice::Set, FacingSet::Back) => format!("a set L- for {}", view.name()),
         _ => format!("the whole tree for {}", view.name()),
     };
     let names: Vec<String> = lights.iter().map(name).collect();
-    let places = plan.target_of_light().into_iter();
+    let places = plan.set_of_target().into_iter().skip(1).flatten();
     let layout = Layout {
         camera,
         shadows,

@@ -137,24 +137,19 @@ fn compare(saved: Saved, subject: &Subject, protocol: &Protocol) -> Result<Savin
 }
 
 /// The plan with a set for each target that allows one.
-fn plan<'a>(
-    subject: &'a Subject,
+fn plan(
+    subject: &Subject,
     scene: &Scene,
     (settings, savings): &(RenderSettings, Savings),
-) -> Result<Plan<'a>> {
+) -> Result<Plan> {
     let switches = Switches {
         cull: Some(Cull::On),
         reduce: Reduce::On,
         savings: *savings,
         ..Switches::default()
     };
-    let asked = PlanRequest {
-        scene,
-        settings,
-        switches,
-        frame_count: 1,
-    };
-    Ok(Plan::new(&subject.topology, &asked)?)
+    let asked = PlanRequest::of_picture(scene, settings, switches)?;
+    Ok(Plan::new(&subject.topology, &scene.mesh, &asked))
 }
 
 /// A picture that is rendered repeatedly, with its measurements.

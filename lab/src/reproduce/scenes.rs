@@ -7,13 +7,14 @@ use slimbvh::scene::{LoadOptions, load};
 use slimbvh::topology::Topology;
 use slimbvh::{BuildConfig, Mesh, Scene, generate, reduce};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A scene that is ready for measurement.
 pub struct Subject {
     pub name: &'static str,
     pub printed: Option<Printed>,
     pub scene: Scene,
-    pub topology: Topology,
+    pub topology: Arc<Topology>,
     /// The stand-in for a missing file, and why it is used.
     pub stand_in: Option<String>,
     /// Whether triangles are spread evenly over closed surfaces, so that half of them face any eye.

@@ -21,7 +21,7 @@ pub struct Steps<'a, B: Backend> {
     pub scene: &'a Scene,
     /// `None` if all trees are over all triangles.
     topology: Option<&'a Topology>,
-    pub held: B::Scene,
+    pub held: B::Held,
     pub builder: B::Builder,
     /// The trees, each with the sides of its target if it has one.
     trees: Vec<(B::Bvh, B::TargetSides)>,
@@ -38,7 +38,7 @@ pub struct Steps<'a, B: Backend> {
 struct Alone<B: Backend> {
     set: FacingTarget,
     mesh: Mesh,
-    held: B::Scene,
+    held: B::Held,
     bvh: B::Bvh,
 }
 
@@ -51,8 +51,9 @@ impl<'a, B: Backend> Steps<'a, B> {
         topology: Option<&'a Topology>,
     ) -> Result<Self> {
         let builder = backend.builder(config);
-        let mut held = B::Scene::default();
-        backend.load(&mut held, &builder, &load(scene, topology))?;
+        let mut held = B::Held::default();
+        backend.load(&mut held, &builder, (&scene.mesh).into(), &load(topology))?;
+        backend.load_picture(&mut held, scene, Change::Scene)?;
         Ok(Self {
             backend,
             scene,
@@ -82,7 +83,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         let mut recording = self.backend.begin();
         let source = Source {
             held: &self.held,
-            mesh: &self.scene.mesh,
+            geometry: (&self.scene.mesh).into(),
         };
         B::sort(&mut recording, &mut self.builder, source)?;
         self.submit(recording)
@@ -94,7 +95,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         self.make_place(0);
         let source = Source {
             held: &self.held,
-            mesh: &self.scene.mesh,
+            geometry: (&self.scene.mesh).into(),
         };
         let (bvh, _) = &mut self.trees[0];
         B::sort(&mut recording, &mut self.builder, source)?;
@@ -108,7 +109,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         let mut recording = self.backend.begin();
         let source = Source {
             held: &self.held,
-            mesh: &self.scene.mesh,
+            geometry: (&self.scene.mesh).into(),
         };
         let (bvh, sides) = &mut self.trees[place];
         let builder = &mut self.builder;
@@ -132,7 +133,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         let mut recording = self.backend.begin();
         let source = Source {
             held: &self.held,
-            mesh: &self.scene.mesh,
+            geometry: (&self.scene.mesh).into(),
         };
         let (bvh, sides) = &mut self.trees[place];
         if let Some(components) = components::<B>(&self.held, self.topology) {
@@ -150,7 +151,10 @@ impl<'a, B: Backend> Steps<'a, B> {
         let Alone {
             mesh, held, bvh, ..
         } = &mut self.alone[place];
-        let source = Source { held, mesh };
+        let source = Source {
+            held,
+            geometry: (&*mesh).into(),
+        };
         B::sort(&mut recording, &mut self.builder, source)?;
         B::build_sorted(&mut recording, &mut self.builder, source, None, bvh)?;
         self.submit(recording)
@@ -170,20 +174,17 @@ impl<'a, B: Backend> Steps<'a, B> {
         }
         let primitives = division.primitives().iter();
         let triangles = primitives.map(|&i| mesh.indices[i as usize]);
-        let scene = Scene {
-            mesh: Mesh {
-                vertices: mesh.vertices.clone(),
-                indices: triangles.collect(),
-                ..Mesh::default()
-            },
-            ..Scene::default()
+        let mesh = Mesh {
+            vertices: mesh.vertices.clone(),
+            indices: triangles.collect(),
+            ..Mesh::default()
         };
-        let mut held = B::Scene::default();
+        let mut held = B::Held::default();
         self.backend
-            .load(&mut held, &self.builder, &load(&scene, None))?;
+            .load(&mut held, &self.builder, (&mesh).into(), &load(None))?;
         self.alone.push(Alone {
             set: set.clone(),
-            mesh: scene.mesh,
+            mesh,
             held,
             bvh: B::Bvh::default(),
         });
@@ -195,7 +196,7 @@ impl<'a, B: Backend> Steps<'a, B> {
         let mut recording = self.backend.begin();
         let source = Source {
             held: &self.held,
-            mesh: &self.scene.mesh,
+            geometry: (&self.scene.mesh).into(),
         };
         let (bvh, sides) = &mut self.spare;
         if let Some(components) = components::<B>(&self.held, self.topology) {
@@ -273,18 +274,16 @@ impl<'a, B: Backend> Steps<'a, B> {
     }
 }
 
-const fn load<'a>(scene: &'a Scene, topology: Option<&'a Topology>) -> Load<'a> {
+const fn load(topology: Option<&Topology>) -> Load<'_> {
     Load {
-        scene,
         change: Change::Scene,
-        settings: None,
         topology,
         may_turn_away: false,
     }
 }
 
 fn components<'a, B: Backend>(
-    held: &'a B::Scene,
+    held: &'a B::Held,
     topology: Option<&'a Topology>,
 ) -> Option<B::Components<'a>> {
     B::components(held, topology.map(Topology::components))

@@ -18,9 +18,10 @@ use slimbvh_tests::closed::{long_prism, placed, small_torus_knot};
 use slimbvh_tests::gpu::done;
 use slimbvh_tests::random::Random;
 use slimbvh_tests::strategies::any_mesh;
+use std::sync::Arc;
 
 /// The topology of a mesh, with its seams.
-pub fn surveyed(mesh: &Mesh) -> Topology {
+pub fn surveyed(mesh: &Mesh) -> Arc<Topology> {
     done(survey(mesh, BuildConfig::default(), Seams::Find)).topology
 }
 
@@ -195,7 +196,7 @@ proptest! {
             vertex.rotate_left(turn);
             vertex[turn] *= -1.0;
         }
-        let mut followed = topology.clone();
+        let mut followed = Topology::clone(&topology);
         followed.update(&moved);
         for (mesh, topology) in [(&mesh, &topology), (&moved, &followed)] {
             decisions.measure(mesh);
@@ -233,7 +234,7 @@ fn what_moves_is_decided_anew() {
         .position(|&component| component == 4);
     let torn = mesh.indices[dome_triangle.expect("there is a dome")][1];
     moved.vertices[torn as usize][1] += 1e-3;
-    topology.update(&moved);
+    Arc::make_mut(&mut topology).update(&moved);
     assert!(check_sides(&topology, &decisions, &far, &before).is_err());
     decisions.measure(&moved);
     let after = decisions.sides(&far);

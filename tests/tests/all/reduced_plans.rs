@@ -58,34 +58,28 @@ fn switches(cull: Option<Cull>, reduce: Reduce) -> Switches {
     }
 }
 
-fn asked<'a>(
-    scene: &'a Scene,
-    settings: &'a RenderSettings,
+fn asked(
+    scene: &Scene,
+    settings: &RenderSettings,
     switches: Switches,
     frame_count: u32,
-) -> PlanRequest<'a> {
+) -> PlanRequest {
     PlanRequest {
-        scene,
-        settings,
-        switches,
         frame_count,
+        ..done(PlanRequest::of_picture(scene, settings, switches))
     }
 }
 
 /// The plan's choice for the camera and each light, and whether the whole tree is built.
-fn decided(asked: &PlanRequest) -> (Vec<TreeChoice>, bool, String) {
-    let survey = done(survey(
-        &asked.scene.mesh,
-        BuildConfig::default(),
-        asked.switches.seams,
-    ));
-    let plan = done(Plan::new(&survey.topology, asked));
+fn decided(mesh: &Mesh, asked: &PlanRequest) -> (Vec<TreeChoice>, bool, String) {
+    let survey = done(survey(mesh, BuildConfig::default(), asked.switches.seams));
+    let plan = Plan::new(&survey.topology, mesh, asked);
     let said = plan.explain().into_iter();
     let said: Vec<String> = said
         .map(|(about, text)| format!("{about}: {text}"))
         .collect();
     println!("{}\n", said.join("\n"));
-    let choices = plan.targets.iter().map(|aim| aim.choice).collect();
+    let choices = plan.sets.iter().map(|aim| aim.choice).collect();
     (choices, plan.needs_whole, said.join("\n"))
 }
 
@@ -95,7 +89,7 @@ fn surveys_are_made_where_asked_for_or_worth_it() {
     let settings = RenderSettings::default();
     let needs_survey = |cull, reduce, frame_count| {
         let asked = asked(&scene, &settings, switches(cull, reduce), frame_count);
-        done(Plan::without_survey(&asked)).is_none()
+        Plan::without_survey(&asked).is_none()
     };
     use Cull::{Off as All, On as Facing};
     use Reduce::{Auto, Off, On};
@@ -128,7 +122,7 @@ fn declining_says_why_with_figures() {
     let scene = scene(ball(), &[]);
     let settings = RenderSettings::default();
     let asked = asked(&scene, &settings, Switches::default(), 1);
-    let Some(plan) = done(Plan::without_survey(&asked)) else {
+    let Some(plan) = Plan::without_survey(&asked) else {
         panic!("one frame cannot pay for a survey");
     };
     assert!(plan.is_plain() && plan.needs_whole);
@@ -155,7 +149,7 @@ fn rays_that_do_not_exist_get_no_tree() {
             view,
             ..RenderSettings::default()
         };
-        let (choices, needs_whole, said) = decided(&asked(&scene, &settings, on, 1));
+        let (choices, needs_whole, said) = decided(&scene.mesh, &asked(&scene, &settings, on, 1));
         assert_eq!(choices, [TreeChoice::Set, TreeChoice::Unused, second]);
         assert!(!needs_whole && said.contains("light 1: no rays, no tree"));
         assert!(said.contains("whole tree: is not built: no rays need it"));
@@ -168,7 +162,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
     let on = switches(None, Reduce::On);
     // A lamp inside of a component.
     let inside = scene(ball(), &[lamp([0.1, 0.2, 0.0])]);
-    let (choices, needs_whole, said) = decided(&asked(&inside, &settings, on, 1));
+    let (choices, needs_whole, said) = decided(&inside.mesh, &asked(&inside, &settings, on, 1));
     assert_eq!(
         (choices, needs_whole),
         (vec![TreeChoice::Set, TreeChoice::Whole], true)
@@ -181,7 +175,7 @@ fn the_whole_tree_is_built_for_what_needs_it() {
         mirror: 0.5,
         ..Material::default()
     }];
-    let (choices, needs_whole, said) = decided(&asked(&mirror, &settings, on, 1));
+    let (choices, needs_whole, said) = decided(&mirror.mesh, &asked(&mirror, &settings, on, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], true));
     assert!(said.contains("whole tree: is built, for mirrors and glass"));
     // With glass, where paths start inside of components.
@@ -190,16 +184,16 @@ fn the_whole_tree_is_built_for_what_needs_it() {
         transmission: 0.5,
         ..Material::default()
     }];
-    assert!(decided(&asked(&glass, &settings, on, 1)).1);
+    assert!(decided(&glass.mesh, &asked(&glass, &settings, on, 1)).1);
     let settings = RenderSettings {
         mirror_depth: 0,
         ..settings
     };
-    assert!(!decided(&asked(&mirror, &settings, on, 1)).1);
+    assert!(!decided(&mirror.mesh, &asked(&mirror, &settings, on, 1)).1);
     // No closed component, and an empty mesh.
     for mesh in [ground(2.0, 4), Mesh::default()] {
         let open = scene(mesh, &[lamp([0.0, 3.0, 0.0])]);
-        let (choices, needs_whole, _) = decided(&asked(&open, &settings, on, 1));
+        let (choices, needs_whole, _) = decided(&open.mesh, &asked(&open, &settings, on, 1));
         assert_eq!((choices, needs_whole), (vec![TreeChoice::Whole; 2], true));
     }
 }
@@ -213,18 +207,20 @@ fn auto_takes_what_is_cheaper() {
         ..RenderSettings::default()
     };
     let alone = scene(ball(), &[]);
-    let (choices, needs_whole, _) = decided(&asked(&alone, &tiny, auto, 1));
+    let (choices, needs_whole, _) = decided(&alone.mesh, &asked(&alone, &tiny, auto, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], false));
     let lit = scene(ball(), &[lamp([0.1, 0.2, 0.0])]);
-    let (choices, needs_whole, said) = decided(&asked(&lit, &tiny, auto, 1));
+    let (choices, needs_whole, said) = decided(&lit.mesh, &asked(&lit, &tiny, auto, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Whole; 2], true));
     assert!(said.contains("more than it saves"), "{said}");
 }
 
 /// The lights of each target except the camera, by number from 0.
 fn groups(plan: &Plan) -> Vec<Vec<usize>> {
-    let lights = plan.targets.iter().skip(1);
-    lights.map(|aim| aim.lights.clone()).collect()
+    let lights = plan.sets.iter().skip(1);
+    lights
+        .map(|aim| aim.targets.iter().map(|target| target - 1).collect())
+        .collect()
 }
 
 #[test]
@@ -250,23 +246,26 @@ fn close_lights_share_a_set_and_lights_on_either_side_do_not() {
         for reduce in [Reduce::On, Reduce::Off, Reduce::Auto] {
             let switches = Switches { reduce, ..on };
             let asked = asked(scene, &settings, switches, 1);
-            let plan = done(Plan::new(&survey.topology, &asked));
+            let plan = Plan::new(&survey.topology, &scene.mesh, &asked);
             assert_eq!(groups(&plan), expected, "{reduce:?}");
             let lights = 0..scene.lights.len();
             let places = lights.map(|light| {
-                plan.targets
+                plan.sets
                     .iter()
-                    .position(|aim| aim.lights.contains(&light))
-                    .unwrap_or(0)
+                    .position(|aim| aim.targets.contains(&(light + 1)))
             });
-            assert_eq!(plan.target_of_light(), places.collect::<Vec<_>>());
+            let camera = std::iter::once(Some(0));
+            assert_eq!(
+                plan.set_of_target(),
+                camera.chain(places).collect::<Vec<_>>()
+            );
         }
         let savings = Savings::ALL.without(Saving::Groups);
         let asked = asked(scene, &settings, Switches { savings, ..on }, 1);
-        let plan = done(Plan::new(&survey.topology, &asked));
+        let plan = Plan::new(&survey.topology, &scene.mesh, &asked);
         assert_eq!(groups(&plan).len(), scene.lights.len());
     }
-    let (_, _, said) = decided(&asked(&square, &settings, on, 1));
+    let (_, _, said) = decided(&square.mesh, &asked(&square, &settings, on, 1));
     assert!(
         said.contains("lights 1 to 9: one set for all of them"),
         "{said}"
@@ -302,8 +301,8 @@ fn the_cheaper_half_counts_where_all_rays_start_outside() {
     let half = |scene: &Scene, switches: Switches| {
         let survey = done(survey(&scene.mesh, BuildConfig::default(), Seams::None));
         let asked = asked(scene, &settings, switches, 1);
-        let plan = done(Plan::new(&survey.topology, &asked));
-        (plan.targets[1].half, plan.targets[1].share)
+        let plan = Plan::new(&survey.topology, &scene.mesh, &asked);
+        (plan.sets[1].half, plan.sets[1].share)
     };
     let lit_along = |y: f32| {
         let direction = [0.0, y, 0.0];
@@ -321,8 +320,8 @@ fn the_cheaper_half_counts_where_all_rays_start_outside() {
     let many_rays = RenderSettings::default();
     let topology = done(survey(&above.mesh, BuildConfig::default(), Seams::None)).topology;
     for scene in [&above, &lit_along(1.0)] {
-        let plan = done(Plan::new(&topology, &asked(scene, &many_rays, on, 1)));
-        assert_eq!(plan.targets[1].half, FacingSet::Back);
+        let plan = Plan::new(&topology, &scene.mesh, &asked(scene, &many_rays, on, 1));
+        assert_eq!(plan.sets[1].half, FacingSet::Back);
     }
     let savings = Savings::ALL.without(Saving::Away);
     let (kept, share) = half(&above, Switches { savings, ..on });
@@ -349,20 +348,23 @@ fn what_is_outside_the_picture_is_left_out_of_the_cameras_set() {
     let mut near = scene(ground(4.0, 64), &[]);
     near.cameras[0].eye = [0.0, 1.0, 0.5];
     near.cameras[0].target = [0.0, 0.0, -0.5];
-    let (choices, needs_whole, said) = decided(&asked(&near, &settings, on, 1));
+    let (choices, needs_whole, said) = decided(&near.mesh, &asked(&near, &settings, on, 1));
     assert_eq!((choices, needs_whole), (vec![TreeChoice::Set], false));
     assert!(
         said.contains("leaves out triangles outside the picture"),
         "{said}"
     );
     let savings = Savings::ALL.without(Saving::Frustum);
-    let (choices, ..) = decided(&asked(&near, &settings, Switches { savings, ..on }, 1));
+    let (choices, ..) = decided(
+        &near.mesh,
+        &asked(&near, &settings, Switches { savings, ..on }, 1),
+    );
     assert_eq!(choices, [TreeChoice::Whole]);
     // If the whole scene is in the picture, triangles are not tested against it.
     let mut far = near;
     far.cameras[0].eye = [0.0, 30.0, 30.0];
     assert_eq!(
-        decided(&asked(&far, &settings, on, 1)).0,
+        decided(&far.mesh, &asked(&far, &settings, on, 1)).0,
         [TreeChoice::Whole]
     );
 }
@@ -377,7 +379,7 @@ fn a_set_that_is_the_only_tree_is_sorted_alone() {
     let sorts_alone = |scene: &Scene, savings: Savings| {
         let switches = Switches { savings, ..on };
         let asked = asked(scene, &settings, switches, 1);
-        done(Plan::new(&survey.topology, &asked)).sorts_alone
+        Plan::new(&survey.topology, &scene.mesh, &asked).sorts_alone
     };
     assert!(sorts_alone(&alone, Savings::ALL));
     assert!(!sorts_alone(&lit, Savings::ALL));
@@ -394,12 +396,9 @@ fn surfaces_are_summed_up() {
     let survey = done(survey(&scene.mesh, BuildConfig::default(), Seams::None));
     assert!(survey.stages.iter().all(|(step, _)| step == "components"));
     let asked = asked(&scene, &settings, switches(None, Reduce::On), 1);
-    let plan = done(Plan::new(&survey.topology, &asked));
-    let aim = &plan.targets[0];
-    assert_eq!(
-        (aim.kind, aim.reducible_count),
-        (TargetKind::Camera, 20_480)
-    );
+    let plan = Plan::new(&survey.topology, &scene.mesh, &asked);
+    let aim = &plan.sets[0];
+    assert_eq!((aim.kind, aim.reducible_count), (TargetKind::From, 20_480));
     assert!((0.35..0.5).contains(&aim.share), "{}", aim.share);
     let lines = plan.explain();
     assert_eq!(lines[0].1, "1 of 2 components, 20,480 triangles");

@@ -15,6 +15,7 @@ use slimbvh::{
     Output, Picture, RenderSettings, Scene,
 };
 use slimbvh_tests::gpu::{done, gpu};
+use std::sync::Arc;
 
 const SETTINGS: RenderSettings = RenderSettings {
     size: [96, 64],
@@ -27,32 +28,28 @@ const SETTINGS: RenderSettings = RenderSettings {
 /// Pixels in a thousand that may differ from a picture without the rule.
 const PER_MILLE: usize = 3;
 
-fn asked<'a>(scene: &'a Scene, cull: Cull, reduce: Reduce) -> PlanRequest<'a> {
-    PlanRequest {
-        scene,
-        settings: &SETTINGS,
-        switches: Switches {
-            cull: Some(cull),
-            reduce,
-            seams: Seams::Find,
-            savings: Savings::ALL,
-        },
-        frame_count: 1,
-    }
+fn asked(scene: &Scene, cull: Cull, reduce: Reduce) -> PlanRequest {
+    let switches = Switches {
+        cull: Some(cull),
+        reduce,
+        seams: Seams::Find,
+        savings: Savings::ALL,
+    };
+    done(PlanRequest::of_picture(scene, &SETTINGS, switches))
 }
 
-fn topology(scene: &Scene) -> Topology {
+fn topology(scene: &Scene) -> Arc<Topology> {
     done(survey(&scene.mesh, BuildConfig::default(), Seams::Find)).topology
 }
 
 /// The plans: a whole tree with the rule, sets, and the cheaper choice.
-fn plans<'a>(scene: &Scene, topology: &'a Topology) -> [Plan<'a>; 3] {
+fn plans(scene: &Scene, topology: &Arc<Topology>) -> [Plan; 3] {
     [Reduce::Off, Reduce::On, Reduce::Auto]
-        .map(|reduce| done(Plan::new(topology, &asked(scene, Cull::On, reduce))))
+        .map(|reduce| Plan::new(topology, &scene.mesh, &asked(scene, Cull::On, reduce)))
 }
 
-fn plain(scene: &Scene) -> Plan<'static> {
-    let plan = done(Plan::without_survey(&asked(scene, Cull::Off, Reduce::Off)));
+fn plain(scene: &Scene) -> Plan {
+    let plan = Plan::without_survey(&asked(scene, Cull::Off, Reduce::Off));
     plan.unwrap_or_else(|| panic!("nothing is to be left out"))
 }
 
@@ -87,18 +84,8 @@ fn check(backend: &str, picture: impl Fn(&Scene, &Plan) -> Picture) {
     for (name, scene) in scenes() {
         let topology = topology(&scene);
         let [whole, reduced, auto] = plans(&scene, &topology);
-        assert!(
-            whole
-                .targets
-                .iter()
-                .all(|aim| aim.choice == TreeChoice::Whole)
-        );
-        assert!(
-            reduced
-                .targets
-                .iter()
-                .any(|aim| aim.choice == TreeChoice::Set)
-        );
+        assert!(whole.sets.iter().all(|aim| aim.choice == TreeChoice::Whole));
+        assert!(reduced.sets.iter().any(|aim| aim.choice == TreeChoice::Set));
         let expected = picture(&scene, &whole);
         assert!(picture(&scene, &reduced) == expected, "{name}");
         assert!(picture(&scene, &auto) == expected, "{name}");
@@ -146,7 +133,7 @@ fn each_saving_leaves_the_picture_as_it_is() {
             let [whole, reduced] = [Reduce::Off, Reduce::On].map(|reduce| {
                 let mut asked = asked(&scene, Cull::On, reduce);
                 asked.switches.savings = Savings::ALL.without(left_out);
-                on_cpu(&scene, &done(Plan::new(&topology, &asked)))
+                on_cpu(&scene, &Plan::new(&topology, &scene.mesh, &asked))
             });
             assert!(reduced == whole, "{name} without {left_out:?}");
         }
@@ -170,13 +157,13 @@ fn sets_in_turn_are_built_once_and_only_where_needed() {
         let mut asked = asked(&scene, Cull::On, Reduce::On);
         let savings = left_out.iter().copied();
         asked.switches.savings = savings.fold(Savings::ALL, Savings::without);
-        done(Plan::new(&topology, &asked))
+        Plan::new(&topology, &scene.mesh, &asked)
     };
     let [usual, careless, held] = [&[][..], &[Saving::Unseen], &[Saving::Turns]].map(plan);
     assert!(usual.defers_lights && careless.defers_lights && !held.defers_lights);
-    let place = usual.target_of_light()[last];
-    assert_eq!(usual.targets[place].lights, [last]);
-    let all: Vec<usize> = (1..usual.targets.len()).collect();
+    let place = usual.set_of_target()[last + 1].expect("a light has a set");
+    assert_eq!(usual.sets[place].targets, [last + 1]);
+    let all: Vec<usize> = (1..usual.sets.len()).collect();
     let needed: Vec<usize> = all.iter().copied().filter(|aim| *aim != place).collect();
 
     let expected = on_cpu(&scene, &held);
@@ -216,7 +203,7 @@ fn wrong_sides_give_another_picture() {
         let topology = topology(&scene);
         let [whole, mut reduced, _] = plans(&scene, &topology);
         let expected = on_cpu(&scene, &whole);
-        for aim in &mut reduced.targets {
+        for aim in &mut reduced.sets {
             for side in &mut aim.sides {
                 *side = -*side;
             }

@@ -2,9 +2,9 @@
 
 use super::jobs::{Job, MODES, SCENES, VIEWS};
 use anyhow::{Context, Result};
-use slimbvh::reduce::{PlanConfig, Planner, Reduce, Switches, TreeChoice};
+use slimbvh::reduce::{PlanConfig, Planner, Reduce, Switches, TreeChoice, Views};
 use slimbvh::{
-    BuildConfig, Change, Cpu, CpuError, FrameConfig, FrameRequest, Frames, Output, Picture,
+    BuildConfig, Change, Cpu, FrameConfig, FrameRequest, Frames, Output, Picture,
     RenderSettings,
 };
 
@@ -69,8 +69,9 @@ fn frames(job: &Job, mode: Option<Reduce>, made: usize) -> Result<&'static str> 
         ..PlanConfig::default()
     };
     let mut planner = Planner::new(BuildConfig::default(), config);
-    planner.survey::<CpuError>(&scene, &settings)?;
-    let plan = planner.plan(&scene, &settings)?;
+    let views = Views::of_picture(&scene, &settings)?;
+    planner.survey(&scene.mesh, &views)?;
+    let plan = planner.plan(&scene.mesh, &views);
     let mut frames = Frames::new(Cpu, FrameConfig::default());
     let mut picture = Picture::default();
     for _ in 0..made {
@@ -82,7 +83,7 @@ fn frames(job: &Job, mode: Option<Reduce>, made: usize) -> Result<&'static str> 
         };
         frames.render_planned(&request, Output::new(&mut picture))?;
     }
-    let has_set = plan.targets.iter().any(|aim| aim.choice == TreeChoice::Set);
+    let has_set = plan.sets.iter().any(|set| set.choice == TreeChoice::Set);
     Ok(match (plan.is_plain(), has_set, plan.needs_whole) {
         (true, ..) => "declined a survey",
         (_, false, _) => "whole tree",

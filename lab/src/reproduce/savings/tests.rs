@@ -17,7 +17,7 @@ fn subject() -> Subject {
     Subject {
         name: "knot",
         printed: None,
-        topology: Topology::new(&scene.mesh),
+        topology: Topology::new(&scene.mesh).into(),
         scene,
         stand_in: None,
         is_uniform: true,

@@ -22,6 +22,7 @@ use slimbvh_tests::closed::placed;
 use slimbvh_tests::gpu::{done, gpu, is_software, storage};
 use slimbvh_tests::parity::same_bits;
 use slimbvh_tests::strategies::any_mesh;
+use std::sync::Arc;
 
 const SETTINGS: RenderSettings = RenderSettings {
     size: [96, 64],
@@ -250,7 +251,7 @@ fn what_moves_in_a_frame_is_decided_in_it() {
             vertices: vertices.clone(),
             ..mesh.clone()
         };
-        topology.update(&moved);
+        Arc::make_mut(&mut topology).update(&moved);
         let mut decisions = Decisions::new(&topology);
         decisions.measure(&moved);
         done(check_sides(&topology, &decisions, &eye, found));
@@ -261,22 +262,16 @@ fn what_moves_in_a_frame_is_decided_in_it() {
     assert!(check_sides(&topology, &decisions, &eye, &found[1]).is_err());
 }
 
-fn plan<'a>(scene: &Scene, topology: &'a Topology, reduce: Reduce) -> Plan<'a> {
-    done(Plan::new(
-        topology,
-        &PlanRequest {
-            scene,
-            settings: &SETTINGS,
-            switches: Switches {
-                cull: Some(Cull::On),
-                reduce,
-                seams: Seams::Find,
-                // The GPU chooses the set.
-                savings: Savings::ALL.without(Saving::Away).without(Saving::Turns),
-            },
-            frame_count: 1,
-        },
-    ))
+fn plan(scene: &Scene, topology: &Arc<Topology>, reduce: Reduce) -> Plan {
+    let switches = Switches {
+        cull: Some(Cull::On),
+        reduce,
+        seams: Seams::Find,
+        // The GPU chooses the set.
+        savings: Savings::ALL.without(Saving::Away).without(Saving::Turns),
+    };
+    let asked = done(PlanRequest::of_picture(scene, &SETTINGS, switches));
+    Plan::new(topology, &scene.mesh, &asked)
 }
 
 /// A picture with a plan's trees and the sides that the GPU decides; returns both.
@@ -319,7 +314,7 @@ fn frame(
 fn the_frustum_bounds_sets_whose_sides_the_gpu_decides() {
     let Some(gpu) = gpu() else { return };
     let mut scene = all_scenes().swap_remove(0).1;
-    let topology = Topology::new(&scene.mesh);
+    let topology = Arc::new(Topology::new(&scene.mesh));
     let Some(bounds) = scene.mesh.bounds() else {
         unreachable!("there are triangles")
     };
@@ -330,13 +325,13 @@ fn the_frustum_bounds_sets_whose_sides_the_gpu_decides() {
     let counts = [true, false].map(|is_bounded| {
         let mut plan = plan.clone();
         if !is_bounded {
-            plan.targets[0].frustum = Frustum::EVERYWHERE;
+            plan.sets[0].frustum = Frustum::EVERYWHERE;
         }
         let (picture, _) = deciding(gpu, &scene, &plan, LightSets::Facing);
         (picture, set_count(gpu, &scene, &plan, &topology))
     });
     let [(with, bounded), (without, whole)] = &counts;
-    assert!(plan.targets[0].frustum.is_bounded == 1);
+    assert!(plan.sets[0].frustum.is_bounded == 1);
     assert!(with == without);
     assert!(2 * bounded < *whole, "{bounded} {whole}");
 }
@@ -351,7 +346,7 @@ fn set_count(gpu: &Gpu, scene: &Scene, plan: &Plan, topology: &Topology) -> usiz
     let mut frame = gpu.frame();
     done(builder.sort(&mut frame, &uploaded));
     done(decisions.measure(&mut frame, &builder, &uploaded));
-    let aim = &plan.targets[0];
+    let aim = &plan.sets[0];
     done(facing.decide(
         &mut frame,
         &decisions,
@@ -404,12 +399,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
     for (name, scene) in all_scenes() {
         let topology = surveyed(&scene.mesh);
         let [whole, reduced] = [Reduce::Off, Reduce::On].map(|how| plan(&scene, &topology, how));
-        assert!(
-            reduced
-                .targets
-                .iter()
-                .any(|aim| aim.choice == TreeChoice::Set)
-        );
+        assert!(reduced.sets.iter().any(|aim| aim.choice == TreeChoice::Set));
         let mut pictures = Vec::new();
         for lights in [LightSets::Facing, LightSets::Smaller] {
             let (expected, report) = deciding(gpu, &scene, &whole, lights);
@@ -421,7 +411,7 @@ fn pictures_by_decided_sides_are_those_of_the_rule() {
 
         // With equal decisions of the host the pictures are equal.
         let used = reduced
-            .targets
+            .sets
             .iter()
             .filter(|aim| aim.choice != TreeChoice::Unused);
         let host: Vec<&Vec<i32>> = used.map(|aim| &aim.sides).collect();
@@ -467,7 +457,7 @@ fn sides_that_are_wrong_give_another_picture() {
     let (expected, _) = deciding(gpu, &scene, &reduced, LightSets::Facing);
     // A plan of the host with the camera's sides negated.
     let mut wrong = reduced.clone();
-    for side in &mut wrong.targets[0].sides {
+    for side in &mut wrong.sets[0].sides {
         *side = -*side;
     }
     assert!(planned(gpu, &scene, &wrong) != expected);

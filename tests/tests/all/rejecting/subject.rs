@@ -17,6 +17,7 @@ use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_lab::oracle::Unculled;
 use slimbvh_tests::gpu::done;
+use std::sync::Arc;
 
 /// A rule: the triangles that the tracer skips.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +48,7 @@ fn point_of(cast: &Cast, target: &Target) -> Target {
 /// A scene, prepared for comparison.
 pub struct Subject {
     pub scene: Scene,
-    pub topology: Topology,
+    pub topology: Arc<Topology>,
     unculled: Unculled,
     surroundings: Surroundings,
     exponent: i32,
@@ -108,7 +109,7 @@ impl Subject {
     /// Whether the eye and all lights are certainly outside of all closed components.
     pub fn is_all_outside(&self) -> bool {
         let plan = self.plan(&RenderSettings::default(), Reduce::Off, Rule::Plan);
-        plan.targets.iter().all(|aim| {
+        plan.sets.iter().all(|aim| {
             let center = aim.target.point;
             let target = match (aim.target.is_position, aim.target.radius) {
                 (0, _) => topology::Target::Direction(center),
@@ -120,33 +121,29 @@ impl Subject {
     }
 
     /// The plan of a whole tree with a rule, or of sets.
-    pub fn plan(&self, settings: &RenderSettings, reduce: Reduce, rule: Rule) -> Plan<'_> {
+    pub fn plan(&self, settings: &RenderSettings, reduce: Reduce, rule: Rule) -> Plan {
         // A target for each light, and all trees at once. A rule that negates sides starts from L+.
         let mut savings = Savings::ALL.without(Saving::Groups).without(Saving::Turns);
         if rule != Rule::Plan {
             savings = savings.without(Saving::Away);
         }
-        let asked = PlanRequest {
-            scene: &self.scene,
-            settings,
-            switches: Switches {
-                cull: Some(Cull::On),
-                reduce,
-                seams: Seams::Find,
-                savings,
-            },
-            frame_count: 1,
+        let switches = Switches {
+            cull: Some(Cull::On),
+            reduce,
+            seams: Seams::Find,
+            savings,
         };
-        let mut plan = done(Plan::new(&self.topology, &asked));
+        let asked = done(PlanRequest::of_picture(&self.scene, settings, switches));
+        let mut plan = Plan::new(&self.topology, &self.scene.mesh, &asked);
         let outer = self
             .topology
             .sides(&topology::Target::Direction([0.0, 0.0, 1.0]));
-        for aim in &mut plan.targets {
+        for aim in &mut plan.sets {
             let turned = |sides: &[i32]| sides.iter().map(|side| -side).collect();
             match rule {
                 Rule::Plan => {}
                 Rule::Turned => aim.sides = turned(&aim.sides),
-                Rule::AwayFromLights if aim.kind == TargetKind::Camera => {}
+                Rule::AwayFromLights if aim.kind == TargetKind::From => {}
                 Rule::AwayFromLights => aim.sides = turned(&aim.sides),
                 Rule::AsIfOutside => aim.sides.clone_from(&outer),
             }
@@ -238,7 +235,7 @@ impl Subject {
     /// The targets: the eye, then each light, at the scene's magnitude.
     fn targets(&self, plan: &Plan) -> Vec<Target> {
         let scale = PowerOfTwo::new(self.exponent);
-        plan.targets
+        plan.sets
             .iter()
             .map(|aim| aim.target.scaled(&scale))
             .collect()
