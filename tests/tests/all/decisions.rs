@@ -198,7 +198,7 @@ proptest! {
         }
         let mut followed = Topology::clone(&topology);
         followed.update(&moved);
-        for (mesh, topology) in [(&mesh, &topology), (&moved, &followed)] {
+        for (mesh, topology) in [(&mesh, &*topology), (&moved, &followed)] {
             decisions.measure(mesh);
             for target in targets(mesh, 20, 9) {
                 let sides = decisions.sides(&target);
