@@ -18,8 +18,8 @@
 use crate::animate::{Action, Update, Upkeep};
 use crate::backend::{Backend, Change, Load, Output, Shot, Source, TreeSize, TreesOf};
 use crate::reduce::{Hierarchies, Plan, PlanConfig, Planner, Survey, Work};
-use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages};
-use std::time::{Duration, Instant};
+use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages, Stopwatch};
+use std::time::Duration;
 
 /// How frames are planned, built and updated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -155,7 +155,7 @@ impl<B: Backend> Frames<B> {
         if change == Change::Scene {
             planner.survey::<B::Error>(scene, settings)?;
         }
-        let begin = Instant::now();
+        let begin = Stopwatch::start();
         // A backend that records measures the components itself.
         if change == Change::Vertices && !B::RECORDS {
             planner.follow(&scene.mesh);
@@ -197,7 +197,7 @@ impl<B: Backend> Frames<B> {
         request: &FrameRequest,
         output: Output,
     ) -> Result<FrameReport<B>, B::Error> {
-        let begin = Instant::now();
+        let begin = Stopwatch::start();
         let FrameRequest {
             scene,
             plan,

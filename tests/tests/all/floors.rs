@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 const HOST: &[&str] = &[
     "dvec3",
     "text",
+    "stopwatch",
     "stages",
     "mesh",
     "analysis",
