@@ -16,6 +16,7 @@ pub mod gpu;
 #[doc(hidden)]
 pub mod internals;
 mod mesh;
+mod parallel;
 mod picture;
 pub mod reduce;
 pub mod scene;
