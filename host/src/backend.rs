@@ -5,13 +5,13 @@
 
 use crate::topology::Topology;
 use crate::{
-    BuildConfig, Mesh, MeshError, Picture, RenderReport, RenderSettings, Scene, Stages, ViewError,
+    BuildConfig, Mesh, MeshError, Picture, RenderReport, RenderSettings, Scene, Stages, Stopwatch,
+    ViewError,
 };
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use std::borrow::Cow;
 use std::fmt::Debug;
-use std::time::Instant;
 
 /// A hierarchy for rays of one kind.
 #[derive(Debug)]
@@ -186,7 +186,7 @@ pub struct Shot<'a, 't, B: Backend> {
     /// How the picture is made.
     pub settings: &'a RenderSettings,
     /// The start of the frame.
-    pub begin: Instant,
+    pub begin: Stopwatch,
 }
 
 /// Where the picture and the progress go.

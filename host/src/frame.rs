@@ -19,8 +19,8 @@ use crate::animate::{Action, Update};
 use crate::backend::{Backend, Change, Output, Shot, Source, TreeSize, Trees, TreesOf};
 use crate::reduce::{Hierarchies, Plan, PlanConfig, Still, Views};
 use crate::views::ViewSets;
-use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages, ViewError};
-use std::time::{Duration, Instant};
+use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages, Stopwatch, ViewError};
+use std::time::Duration;
 
 /// How frames are planned, built and updated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -180,7 +180,7 @@ impl<B: Backend> Frames<B> {
         request: &FrameRequest,
         output: Output,
     ) -> Result<FrameReport<B>, B::Error> {
-        let begin = Instant::now();
+        let begin = Stopwatch::start();
         let FrameRequest {
             scene,
             plan,

@@ -16,10 +16,12 @@ pub mod gpu;
 #[doc(hidden)]
 pub mod internals;
 mod mesh;
+mod parallel;
 mod picture;
 pub mod reduce;
 pub mod scene;
 mod stages;
+mod stopwatch;
 mod text;
 mod tolerance;
 pub mod topology;
@@ -44,6 +46,7 @@ pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError
 pub use slimbvh_core::tile::Tiles;
 pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
 pub use stages::Stages;
+pub use stopwatch::Stopwatch;
 pub use tolerance::Tolerance;
 #[cfg(feature = "lab")]
 pub use tree::LatticeBits;

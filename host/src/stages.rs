@@ -1,16 +1,17 @@
 //! The time of each stage of a frame.
 
+use crate::Stopwatch;
 use std::fmt;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-/// Times by stage, in the order in which the stages ran.
+/// Times by stage, in the order in which the stages ran. All are zero where [`Stopwatch`] has no clock.
 #[derive(Clone, Debug, Default)]
 pub struct Stages(Vec<(&'static str, Duration)>);
 
 impl Stages {
     /// Runs a stage and adds its time to the stage's entry.
     pub fn time<R>(&mut self, stage: &'static str, run: impl FnOnce() -> R) -> R {
-        let begin = Instant::now();
+        let begin = Stopwatch::start();
         let result = run();
         self.add(stage, begin.elapsed());
         result
@@ -47,7 +48,10 @@ impl fmt::Display for Stages {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         for (i, (stage, time)) in self.iter().enumerate() {
             let separator = if i == 0 { "" } else { " · " };
-            write!(f, "{separator}{stage} {:.2} ms", time.as_secs_f64() * 1e3)?;
+            write!(f, "{separator}{stage}")?;
+            if Stopwatch::HAS_CLOCK {
+                write!(f, " {:.2} ms", time.as_secs_f64() * 1e3)?;
+            }
         }
         Ok(())
     }

@@ -6,9 +6,9 @@ use crate::frame::{FrameConfig, FrameSizes};
 #[cfg(feature = "gpu")]
 use crate::gpu::{DecisionsDownload, Frame, Geometry, Gpu, GpuError};
 use crate::reduce::{Hierarchies, Plan, Planner, Survey, ViewTarget, Views, Work};
-use crate::{Cpu, CpuError, Mesh, Stages};
+use crate::{Cpu, CpuError, Mesh, Stages, Stopwatch};
 use std::borrow::Cow;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The trees that the rays of a list of [`ViewTarget`]s need. Each update decides what each tree leaves out, builds, refits or
 /// keeps it, and reuses all memory. No answer depends on the decisions.
@@ -129,7 +129,7 @@ impl<B: Backend> ViewSets<B> {
                 self.surveyed = Some(mesh);
             }
         }
-        let begin = Instant::now();
+        let begin = Stopwatch::start();
         let plan = match (&self.surveyed, self.planner.surveyed()) {
             (_, None) => self.planner.plain(count, views),
             (Some(mesh), Some(_)) => self.planner.plan(mesh, views),

@@ -3,7 +3,7 @@
 use super::anchor::Anchor;
 use super::turn::{Turn, narrow};
 use crate::dvec3::{cross, dot, normalized};
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use std::f64::consts::TAU;
 
 /// How a mesh deforms. Points on the scene's floor stay in place.

@@ -14,7 +14,7 @@ use std::borrow::Cow;
 use std::convert::Infallible;
 use thiserror::Error;
 
-/// This machine's cores: the threads of the current rayon pool.
+/// This machine's cores: the threads of the current rayon pool, or the calling thread without feature `parallel`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cpu;
 

@@ -2,7 +2,7 @@
 
 use super::BLOCK;
 use crate::Mesh;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::bounds::run_bounds;
 use slimbvh_core::{Aabb, IndexedTriangles};
 
@@ -15,7 +15,8 @@ pub fn scene_bounds(triangles: &IndexedTriangles) -> Aabb {
             let first = block * BLOCK;
             run_bounds(first as u32, BLOCK.min(count - first) as u32, triangles)
         })
-        .reduce(|| Aabb::EMPTY, Aabb::union)
+        .reduce_with(Aabb::union)
+        .unwrap_or(Aabb::EMPTY)
 }
 
 impl Mesh {

@@ -1,8 +1,8 @@
 //! Stage `camera` on the CPU: rays from samples, and pixels from samples.
 
 use super::render::{BLOCK, Prepared, Renderer};
+use crate::parallel::prelude::*;
 use crate::picture::{Picture, RenderReport};
-use rayon::prelude::*;
 use slimbvh_core::Vec3;
 use slimbvh_core::ray::Hit;
 use slimbvh_core::shade::{Path, mean_radiance};

@@ -3,7 +3,7 @@
 use super::BLOCK;
 use super::compact::Selection;
 use super::topology::Connections;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::LeafTriangle;
 use slimbvh_core::cluster::{
     Active, Change, Merged, Merges, NO_CLUSTER, Place, PlacedNode, Round, Size, merge,
@@ -299,7 +299,7 @@ impl Part<'_> {
             left.fill(merges);
             right.fill(merges);
         } else {
-            rayon::join(|| left.fill(merges), || right.fill(merges));
+            crate::parallel::join(|| left.fill(merges), || right.fill(merges));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::BLOCK;
 use super::scan::scan;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::compact::is_set;
 
 /// Words in a parallel task.

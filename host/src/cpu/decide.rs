@@ -1,8 +1,8 @@
 //! Stage `decide` on the CPU.
 
+use crate::parallel::prelude::*;
 use crate::topology::{Runs, Topology};
 use crate::{Aabb, Mesh};
-use rayon::prelude::*;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Sides;
 use slimbvh_core::decide::{

@@ -1,4 +1,4 @@
-//! The CPU backend: core's kernels under rayon. Results do not depend on the number of threads.
+//! The CPU backend: core's kernels, over all cores with feature `parallel`. Results do not depend on the number of threads.
 
 mod backend;
 mod bounds;

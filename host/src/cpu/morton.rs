@@ -3,7 +3,7 @@
 use super::BLOCK;
 use super::compact::Selection;
 use super::sort::Sorter;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::{Aabb, IndexedTriangles};
 
 /// Computes the codes of all triangles.

@@ -2,7 +2,7 @@
 
 use super::BLOCK;
 use super::topology::Connections;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::refit::{
     Level, PyramidBox, group_bounds, parent_bounds, pyramid_size, refit_node,
 };

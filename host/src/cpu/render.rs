@@ -8,13 +8,12 @@ use crate::backend::{DeferredTrees, Output, Shot};
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::ViewError;
 use crate::tree::Bvh;
-use crate::{CpuError, Scene, Stages};
+use crate::{CpuError, Scene, Stages, Stopwatch};
 use slimbvh_core::camera::Camera as CoreCamera;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::ray::Hit;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Material as CoreMaterial, Path};
 use slimbvh_core::view;
-use std::time::Instant;
 
 /// Samples in flight.
 const WAVE: u32 = 1 << 18;
@@ -90,7 +89,7 @@ impl Renderer {
             held: &(),
             trees,
             settings,
-            begin: Instant::now(),
+            begin: Stopwatch::start(),
         };
         let output = Output {
             picture,

@@ -4,9 +4,9 @@ use super::render::{BLOCK, Deferred, Prepared, Renderer};
 use super::trees::Tree;
 use crate::CpuError;
 use crate::backend::Deferral;
+use crate::parallel::prelude::*;
 use crate::picture::RenderReport;
 use crate::tree::Question;
-use rayon::prelude::*;
 use slimbvh_core::ray::Hit;
 use slimbvh_core::sampling::Draw;
 use slimbvh_core::shade::{

@@ -3,7 +3,7 @@
 use super::BLOCK;
 use super::compact::Selection;
 use super::sort::Item;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_core::{IndexedTriangles, LeafTriangle};

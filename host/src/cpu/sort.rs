@@ -1,7 +1,7 @@
 //! Stage `sort`: core's radix sort, with one tile a task.
 
 use super::scan::scan;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::sort::{digit, total_place};
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
@@ -101,7 +101,7 @@ impl<const W: usize> Sorter<W> {
     fn pass(&mut self, word: usize, shift: u32) -> bool {
         let count = self.items.len();
         let tile = count
-            .div_ceil(4 * rayon::current_num_threads())
+            .div_ceil(4 * crate::parallel::current_num_threads())
             .max(SMALLEST_TILE);
         let item_digit = |item: &Item<W>| digit::<DIGITS>(item.key[word].load(Relaxed), shift);
 

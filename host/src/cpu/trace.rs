@@ -2,9 +2,9 @@
 
 use super::render::{BLOCK, Prepared, Renderer};
 use super::trees::Tree;
+use crate::parallel::prelude::*;
 use crate::picture::RenderReport;
 use crate::tree::Question;
-use rayon::prelude::*;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};
 

@@ -3,8 +3,8 @@
 use super::camera::paint;
 use super::render::{BLOCK, Prepared, Renderer};
 use crate::Picture;
+use crate::parallel::prelude::*;
 use crate::picture::{RenderReport, View};
-use rayon::prelude::*;
 use slimbvh_core::view::{
     depth_range, heat_range, mean_depth_color, mean_heat_color, normal_color, primitive_color,
 };

@@ -9,10 +9,10 @@ use self::place::{Placing, place_again};
 use self::store::{Exact, Full, Mixed, MixedItem, Store};
 use super::BLOCK;
 use super::encode::Tree;
+use crate::parallel::prelude::*;
 use crate::tree::lattice::LatticeMesh;
 use crate::tree::wide::{WideConnection, WideList, WideTree};
 use crate::tree::{MeshCodec, WideStore};
-use rayon::prelude::*;
 use slimbvh_core::encode::{
     FINEST_STEP, FullWideNode, LeafWidth, PackedWideNode, RoundedChildren, WideNode,
     number_corners, scaled_step,

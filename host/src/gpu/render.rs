@@ -11,17 +11,16 @@ use super::trace::overflow::{groups_range, groups_slot, list_bytes};
 use super::trees::{DeferralRange, Tree, Trees, TreesRanges};
 use super::work::Work;
 use super::{Bvh, Frame, Gpu, GpuError, Misfit, Scene};
-use crate::Stages;
 use crate::backend::DeferredTrees;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
+use crate::{Stages, Stopwatch};
 pub use counters::Counters;
 pub(super) use image::{Image, check_view};
 use slimbvh_core::classify::SIDES_PER_WORD;
 use slimbvh_core::launch::row_texels;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
-use std::time::Instant;
 pub(super) use wave::Wave;
 use wave::waves;
 use wgpu::BufferUsages;
@@ -345,7 +344,7 @@ impl Renderer {
         &mut self,
         mut frame: Frame,
         mut stages: Stages,
-        begin: Instant,
+        begin: Stopwatch,
         picture: &mut Picture,
     ) -> Result<(Stages, RenderReport), GpuError> {
         let gpu = frame.gpu();

@@ -1,7 +1,7 @@
 //! Snapping of vertices to a lattice.
 
 use super::{Mesh, MeshError};
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;

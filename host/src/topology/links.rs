@@ -2,7 +2,7 @@
 
 use crate::Mesh;
 use crate::analysis::{Edges, Side};
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 /// Two vertices of a closed component that weld to one. While all its links hold, every directed edge of the component
 /// meets its reverse; if every edge has two triangles, as in most meshes, only while they hold.

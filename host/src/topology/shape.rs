@@ -3,8 +3,8 @@
 use super::Facts;
 use crate::Mesh;
 use crate::analysis::{NONE, Volume, middle, seen_from};
+use crate::parallel::prelude::*;
 use glam::Vec3;
-use rayon::prelude::*;
 use slimbvh_core::Aabb;
 use std::ops::Range;
 

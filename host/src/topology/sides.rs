@@ -4,7 +4,7 @@ use super::Topology;
 use super::distance::is_clear;
 use super::shape::{Shape, Span};
 use super::solid_angle::SolidAngle;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 
 /// Where rays come from or lead to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,8 +53,8 @@ impl Topology {
     /// Whether the target is certainly outside of every closed component, reducible or not.
     #[must_use]
     pub fn is_outside_all(&self, target: &Target) -> bool {
-        let closed = self.shapes.par_iter().filter(|shape| shape.closed);
-        closed.all(|shape| self.is_outside(shape, target))
+        let is_clear = |shape: &Shape| !shape.closed || self.is_outside(shape, target);
+        self.shapes.par_iter().all(is_clear)
     }
 
     /// Whether the target is certainly outside of a closed component.

@@ -3,7 +3,7 @@
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
 use super::visitor::Together;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};

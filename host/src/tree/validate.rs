@@ -9,7 +9,7 @@ use super::error::TreeError;
 use super::sources::{LeafOrder, LeafPlace, NodeOrder, StoredNodes, StoredTriangles, is_in_scene};
 use super::visitor::TreeVisitor;
 use crate::Mesh;
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::node::LEAF_SIZE;

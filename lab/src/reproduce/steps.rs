@@ -6,8 +6,9 @@ use slimbvh::backend::{Load, Shot, Source, TargetSet, Tree, Trees};
 use slimbvh::topology::Topology;
 use slimbvh::{
     Backend, BuildConfig, Change, Division, Mesh, Output, Picture, RenderSettings, Scene, Stages,
+    Stopwatch,
 };
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A GPU times pictures of up to this many samples in one submission, and larger pictures wave by wave.
 const MOST_TIMED_SAMPLES: u64 = 1 << 26;
@@ -231,7 +232,7 @@ impl<'a, B: Backend> Steps<'a, B> {
             held: &self.held,
             trees: &trees,
             settings,
-            begin: Instant::now(),
+            begin: Stopwatch::start(),
         };
         let [width, height] = settings.size.map(u64::from);
         let sample_count = width * height * u64::from(settings.sample_count);

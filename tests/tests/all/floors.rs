@@ -8,6 +8,8 @@ use std::path::{Path, PathBuf};
 const HOST: &[&str] = &[
     "dvec3",
     "text",
+    "parallel",
+    "stopwatch",
     "stages",
     "mesh",
     "analysis",

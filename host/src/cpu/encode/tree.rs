@@ -97,6 +97,6 @@ pub(super) fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P)
         code(left);
         code(right);
     } else {
-        rayon::join(|| code(left), || code(right));
+        crate::parallel::join(|| code(left), || code(right));
     }
 }

@@ -6,7 +6,7 @@
 use super::super::encode::{TASK, Tree};
 use super::store::Store;
 use super::{Corners, Places, Triangles, leaves_of};
-use rayon::prelude::*;
+use crate::parallel::prelude::*;
 use slimbvh_core::encode::LeafWidth;
 use slimbvh_core::wide::{Collapse, Origin, WideChildren, collapsed};
 use slimbvh_core::{Node, NodeRef};
@@ -141,7 +141,7 @@ impl Collapsing<'_> {
     /// The number of the first runs that are encoded together. On one thread that is one, as a rule: what it reads is then still in
     /// the processor's cache. Several threads need many, so that all have as much to do.
     pub(super) fn group(&self, runs: &[Run]) -> usize {
-        let threads = rayon::current_num_threads() as u32;
+        let threads = crate::parallel::current_num_threads() as u32;
         let enough = if threads == 1 {
             TASK / 2
         } else {

@@ -3,10 +3,9 @@
 use super::{Renderer, check, waves};
 use crate::gpu::{Bvh, Frame, Gpu, GpuError, Scene, Trees};
 use crate::scene::{Camera, Light, ViewError};
-use crate::{Picture, RenderReport, RenderSettings, Stages};
+use crate::{Picture, RenderReport, RenderSettings, Stages, Stopwatch};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
-use std::time::Instant;
 
 impl Renderer {
     /// Uploads a scene, renders it through its first camera with a hierarchy over its mesh, and waits for the picture.
@@ -22,7 +21,7 @@ impl Renderer {
         picture: &mut Picture,
         progress: impl FnMut(f64),
     ) -> Result<RenderReport, GpuError> {
-        let begin = Instant::now();
+        let begin = Stopwatch::start();
         scene.mesh.validate()?;
         let camera = check_view(gpu, scene, settings)?;
         let uploaded = Scene::upload(gpu, scene)?;
@@ -59,7 +58,7 @@ pub struct Image<'a, 't> {
     pub trees: &'a Trees<'t>,
     pub view: (&'a Camera, &'a [Light]),
     pub settings: &'a RenderSettings,
-    pub begin: Instant,
+    pub begin: Stopwatch,
 }
 
 impl Image<'_, '_> {
