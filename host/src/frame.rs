@@ -127,6 +127,7 @@ impl<B: Backend> Frames<B> {
         change: Change,
         output: Output,
     ) -> Result<FrameReport<B>, B::Error> {
+        let change = self.views.seen((&scene.mesh).into(), change);
         let plan = self.plan(scene, settings, change)?;
         let request = FrameRequest {
             scene,
@@ -192,7 +193,6 @@ impl<B: Backend> Frames<B> {
         } = self;
         let backend = views.backend;
         let geometry = B::Geometry::from(&scene.mesh);
-        let change = views.seen(geometry, change);
         backend.check_picture(scene, settings)?;
         let mut recording = backend.begin();
         let action = views.record_planned(&mut recording, geometry, plan, change)?;

@@ -18,9 +18,9 @@ use std::time::Duration;
 /// ```
 /// use slimbvh::{Camera, Change, Cpu, FrameConfig, Ray, ViewSets, ViewTarget, generate};
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let mesh = generate::teapot();
+/// let mesh = generate::torus_knot(&generate::TorusKnot::default());
 /// let bounds = mesh.bounds().ok_or("no triangles")?;
-/// let (camera, size, lamp) = (Camera::facing(&bounds, 16.0 / 9.0), [1280, 720], [30.0, 90.0, 60.0]);
+/// let (camera, size, lamp) = (Camera::facing(&bounds, 16.0 / 9.0), [1280, 720], [3.0, 9.0, 6.0]);
 /// let targets = [
 ///     ViewTarget::camera(&camera, size)?,
 ///     ViewTarget::rays_to(lamp, 0.0)?.from_hits().named("lamp"),
