@@ -1,6 +1,7 @@
 //! Which of the triangles that a ray meets are hits.
 
-use crate::geometry::ray::NO_PRIMITIVE;
+use crate::geometry::ends::RayEnds;
+use crate::geometry::ray::{NO_PRIMITIVE, PreparedRay};
 
 /// Which triangles count for a ray.
 pub trait HitFilter {
@@ -22,6 +23,44 @@ impl HitFilter for Skip {
     #[inline(always)]
     fn accepts(&self, primitive: u32, _: &[[f32; 3]; 3], _: [u32; 3]) -> bool {
         primitive != self.0
+    }
+}
+
+/// Where a filter finds a ray and its ends, asked for each triangle that the ray meets: nothing of them need be held while the ray
+/// walks the tree.
+pub trait EndsSource {
+    /// What is no hit because the ray's ends lie on it.
+    fn ends(&self) -> RayEnds;
+
+    /// The ray, at the scene's magnitude. Asked only for ends with errors.
+    fn ray(&self) -> PreparedRay;
+
+    /// Coordinates at the scene's magnitude are the caller's, times two to this power.
+    fn scene_exponent(&self) -> i32;
+
+    /// Always 0. A kernel hides that from the compiler, so that it cannot fuse products and sums.
+    #[inline(always)]
+    fn opaque_zero(&self) -> u32 {
+        0
+    }
+}
+
+/// Accepts all triangles except those that the ray's ends lie on ([`RayEnds`]).
+#[derive(Clone, Copy, Debug)]
+pub struct EndsFilter<S>(pub S);
+
+impl<S: EndsSource> HitFilter for EndsFilter<S> {
+    #[inline(always)]
+    fn accepts(&self, primitive: u32, corners: &[[f32; 3]; 3], _: [u32; 3]) -> bool {
+        let ends = self.0.ends();
+        if ends.skips(primitive) {
+            return false;
+        }
+        if !ends.have_errors() {
+            return true;
+        }
+        let (exponent, opaque_zero) = (self.0.scene_exponent(), self.0.opaque_zero());
+        ends.are_separated(&self.0.ray(), exponent, corners, opaque_zero)
     }
 }
 
