@@ -28,7 +28,8 @@ pub use geometry::{
     watertight,
 };
 pub use reduce::{classify, decide};
-pub use shade::{camera, color, light, material, sampling, surface, tile, view};
+pub use shade::surface_point::SurfacePoint;
+pub use shade::{camera, color, light, material, sampling, surface, surface_point, tile, view};
 
 pub use build::node::{Node, NodeRef};
 pub use geometry::aabb::Aabb;

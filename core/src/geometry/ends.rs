@@ -28,8 +28,8 @@ pub struct RayEnds {
 
 const _: () = assert!(size_of::<RayEnds>() == 16);
 
-/// More than scaling a point by a power of two may take from it, where coordinates leave the normal range.
-const LOST_BITS: f32 = 4.0 * f32::MIN_POSITIVE;
+/// More than a point loses where coordinates leave the normal range, on its way to the scene's magnitude and in computations there.
+pub(crate) const LOST_BITS: f32 = 4.0 * f32::MIN_POSITIVE;
 
 impl RayEnds {
     /// All triangles that the ray meets are hits.
