@@ -1,25 +1,30 @@
-//! Renders a scene, on a hardware GPU if there is one, else on the CPU: `cargo run --example render -- FILE.png`
+//! Renders a file with reduced sets and compressed trees, on a hardware GPU if there is one, else on the CPU:
+//! `cargo run --release --example render -- PICTURE.png [FILE]`
 
 use slimbvh::gpu::{AdapterChoice, Gpu};
+use slimbvh::reduce::Reduce;
+use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{
-    Backend, Change, Cpu, FrameConfig, Frames, Output, Picture, RenderSettings, Scene, generate,
+    Backend, Change, Cpu, FrameConfig, Frames, Output, Picture, Processor, RenderSettings, Scene,
+    Tolerance, generate,
 };
 use std::error::Error;
+use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).unwrap_or("render.png".into());
-    let scene = generate::default_scene();
+    let mut arguments = std::env::args().skip(1);
+    let path = arguments.next().unwrap_or("render.png".into());
+    let mut scene = match arguments.next() {
+        Some(file) => load(Path::new(&file), &LoadOptions::default())?,
+        None => generate::default_scene(),
+    };
     let picture = match Gpu::open(&AdapterChoice::Hardware) {
-        Ok(gpu) => {
-            println!("on {}", gpu.name());
-            render(&gpu, &scene)?
-        }
+        Ok(gpu) => render(&gpu, Processor::Gpu, &mut scene)?,
         Err(reason) => {
             println!("on the CPU: {reason}");
-            render(Cpu, &scene)?
+            render(Cpu, Processor::Cpu, &mut scene)?
         }
     };
-
     let mut encoder =
         png::Encoder::new(std::fs::File::create(&path)?, picture.width, picture.height);
     encoder.set_color(png::ColorType::Rgb);
@@ -30,22 +35,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Plans which triangles may be left out, builds the trees, and renders.
-fn render<B: Backend>(backend: B, scene: &Scene) -> Result<Picture, B::Error> {
-    let settings = RenderSettings {
-        size: [640, 360],
-        sample_count: 4,
-        ..RenderSettings::default()
-    };
-    let mut frames = Frames::new(backend, FrameConfig::default());
-    let mut picture = Picture::default();
-    let output = Output::new(&mut picture);
-    let report = frames.render(scene, &settings, Change::Scene, output)?;
-    println!("build: {}", report.build);
-    println!(
-        "{} rays: {}",
-        report.render.ray_count(),
-        report.render.stages
-    );
+/// Vertices move by at most half a pixel; each tree holds only the triangles that its rays may hit.
+fn render<B: Backend>(
+    backend: B,
+    processor: Processor,
+    scene: &mut Scene,
+) -> Result<Picture, B::Error> {
+    let settings = RenderSettings { size: [640, 360], sample_count: 4, ..RenderSettings::default() };
+    scene.complete(scene.mesh.bounds(), settings.size);
+    let mut config = FrameConfig::default();
+    config.build = scene.compress(Tolerance::Pixels(0.5), &settings, processor);
+    config.plan.switches.reduce = Reduce::On;
+    let (mut frames, mut picture) = (Frames::new(backend, config), Picture::default());
+    let report = frames.render(scene, &settings, Change::Scene, Output::new(&mut picture))?;
+    println!("{}\nbuild: {}", frames.views().explain(), report.build);
+    println!("{} rays: {}", report.render.ray_count(), report.render.stages);
     Ok(picture)
 }

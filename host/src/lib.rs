@@ -4,6 +4,7 @@
 pub mod analysis;
 pub mod animate;
 pub mod backend;
+pub mod collect;
 mod config;
 mod cpu;
 mod dvec3;
@@ -43,8 +44,12 @@ pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use reduce::ViewTarget;
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
+pub use slimbvh_core::ray::PreparedRay;
 pub use slimbvh_core::tile::Tiles;
-pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
+pub use slimbvh_core::trace::Collector;
+pub use slimbvh_core::{
+    Aabb, Hit, LeafTriangle, NO_PRIMITIVE, Node, Ray, RayEnd, RayEnds, SurfacePoint, SurfaceRay,
+};
 pub use stages::Stages;
 pub use stopwatch::Stopwatch;
 pub use tolerance::Tolerance;

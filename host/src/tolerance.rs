@@ -1,6 +1,6 @@
 //! How far vertices may move, and the lattice step that follows.
 
-use crate::{Aabb, Projection, RenderSettings, Scene};
+use crate::{Aabb, BuildConfig, MeshCodec, Processor, Projection, RenderSettings, Scene};
 use glam::Vec3;
 
 /// How far a vertex may move.
@@ -45,6 +45,40 @@ impl Tolerance {
             step
         };
         (step >= finest).then_some(step)
+    }
+}
+
+impl Scene {
+    /// Moves the vertices onto the coarsest lattice on which none moves further than the tolerance, seen in pictures with these
+    /// settings. Returns settings of builds that store triangles on that lattice, and nodes as suits the processor. Where the
+    /// lattice would be finer than floats resolve, nothing moves, and the settings store both in full.
+    ///
+    /// ```
+    /// use slimbvh::{Processor, RenderSettings, Scene, Tolerance, generate};
+    /// let mut scene = Scene { mesh: generate::teapot(), ..Scene::default() };
+    /// let settings = RenderSettings::default();
+    /// scene.complete(scene.mesh.bounds(), settings.size);
+    /// let build = scene.compress(Tolerance::Pixels(0.5), &settings, Processor::Cpu);
+    /// assert_eq!(build.nodes.name(), "w4-48");
+    /// ```
+    pub fn compress(
+        &mut self,
+        tolerance: Tolerance,
+        settings: &RenderSettings,
+        processor: Processor,
+    ) -> BuildConfig {
+        let mesh = match tolerance.step_exponent(self, settings) {
+            Some(step_exponent) => {
+                self.mesh.snap(step_exponent);
+                MeshCodec::Lattice { step_exponent }
+            }
+            None => MeshCodec::F32,
+        };
+        BuildConfig {
+            nodes: mesh.nodes_for(processor),
+            mesh,
+            ..BuildConfig::default()
+        }
     }
 }
 
