@@ -17,25 +17,50 @@ fn main() -> Result<(), Box<dyn Error>> {
     let ray = camera.ray([36, 18], SIZE)?;
     let hit = bvh.closest_hit(&ray);
     let point = bvh.surface(&mesh, &ray, &hit).ok_or("nothing is there")?;
-    let part = mesh.part_of(hit.primitive).map_or("no part", |part| &part.name);
-    println!("pixel (36, 18): triangle {} of {part:?} at {:?}", hit.primitive, point.position);
+    let part = mesh
+        .part_of(hit.primitive)
+        .map_or("no part", |part| &part.name);
+    println!(
+        "pixel (36, 18): triangle {} of {part:?} at {:?}",
+        hit.primitive, point.position
+    );
 
     // Line of sight, from a surface to a place: no offset is needed at either end.
     let sees = |place: [f32; 3]| !bvh.any_hit(Ray::between(&point, place));
-    println!("it sees the eye: {}, what is under the floor: {}", sees(camera.eye), sees([0.0, -9.0, 0.0]));
+    println!(
+        "it sees the eye: {}, what is under the floor: {}",
+        sees(camera.eye),
+        sees([0.0, -9.0, 0.0])
+    );
 
     // Layers: the same ray without the floor. All hits along it, in order.
-    let knot = |hit: &slimbvh::Hit| mesh.part_of(hit.primitive).is_none_or(|part| part.name != "floor");
-    println!("its knot: {}, its hits: {}", bvh.closest_hit_where(&ray, knot).is_hit(), bvh.all_hits(&ray).len());
+    let knot = |hit: &slimbvh::Hit| {
+        mesh.part_of(hit.primitive)
+            .is_none_or(|part| part.name != "floor")
+    };
+    println!(
+        "its knot: {}, its hits: {}",
+        bvh.closest_hit_where(&ray, knot).is_hit(),
+        bvh.all_hits(&ray).len()
+    );
 
     // Ambient occlusion: the share of 64 directions around the normal that meet nothing.
-    let tiles = Tiles { width: SIZE[0], height: SIZE[1] };
-    let rays: Vec<Ray> = tiles.pixels_from(0).take(72 * 36).map(|pixel| camera.ray(pixel, SIZE)).collect::<Result<_, _>>()?;
+    let tiles = Tiles {
+        width: SIZE[0],
+        height: SIZE[1],
+    };
+    let rays: Vec<Ray> = tiles
+        .pixels_from(0)
+        .take(72 * 36)
+        .map(|pixel| camera.ray(pixel, SIZE))
+        .collect::<Result<_, _>>()?;
     let mut hits = Vec::new();
     bvh.closest_hits(&rays, &mut hits);
     let mut picture = vec![b' '; 72 * 36];
     for (i, (ray, hit)) in rays.iter().zip(&hits).enumerate() {
-        let Some(point) = bvh.surface(&mesh, ray, hit) else { continue };
+        let Some(point) = bvh.surface(&mesh, ray, hit) else {
+            continue;
+        };
         let around = (0..64).map(|k| point.ray(around(point.normal, k)));
         let free = around.filter(|ray| !bvh.any_hit(ray)).count();
         let [x, y] = tiles.pixel(i as u32);

@@ -41,7 +41,11 @@ fn render<B: Backend>(
     processor: Processor,
     scene: &mut Scene,
 ) -> Result<Picture, B::Error> {
-    let settings = RenderSettings { size: [640, 360], sample_count: 4, ..RenderSettings::default() };
+    let settings = RenderSettings {
+        size: [640, 360],
+        sample_count: 4,
+        ..RenderSettings::default()
+    };
     scene.complete(scene.mesh.bounds(), settings.size);
     let mut config = FrameConfig::default();
     config.build = scene.compress(Tolerance::Pixels(0.5), &settings, processor);
@@ -49,6 +53,10 @@ fn render<B: Backend>(
     let (mut frames, mut picture) = (Frames::new(backend, config), Picture::default());
     let report = frames.render(scene, &settings, Change::Scene, Output::new(&mut picture))?;
     println!("{}\nbuild: {}", frames.views().explain(), report.build);
-    println!("{} rays: {}", report.render.ray_count(), report.render.stages);
+    println!(
+        "{} rays: {}",
+        report.render.ray_count(),
+        report.render.stages
+    );
     Ok(picture)
 }

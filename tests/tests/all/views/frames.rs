@@ -59,7 +59,9 @@ fn targets_may_change_from_frame_to_frame() {
 /// A caller who forgets to say that the mesh is another one gets its trees all the same, where the counts tell.
 #[test]
 fn another_mesh_is_noticed_by_its_counts() {
-    let [first, .., last] = &meshes()[..] else { unreachable!() };
+    let [first, .., last] = &meshes()[..] else {
+        unreachable!()
+    };
     let mut views = ViewSets::new(Cpu, config(Reduce::On));
     done(views.update(first, &targets(), Change::Scene));
     done(views.update(last, &targets(), Change::View));

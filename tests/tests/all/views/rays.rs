@@ -34,8 +34,14 @@ pub fn rays_of(mesh: &Mesh, views: &ViewSets<Cpu>) -> Rays {
     let others = (0..500).map(|_| Ray::new(direction().map(|x| 2.0 * x), direction()));
     Rays {
         to: [
-            points.iter().map(|point| point.ray(SUN.map(|x| -x))).collect(),
-            points.iter().map(|point| Ray::between(point, LAMP)).collect(),
+            points
+                .iter()
+                .map(|point| point.ray(SUN.map(|x| -x)))
+                .collect(),
+            points
+                .iter()
+                .map(|point| Ray::between(point, LAMP))
+                .collect(),
         ],
         others: others.collect(),
         from: [primary, probe],
@@ -54,7 +60,9 @@ pub struct Answers {
 pub fn answers(views: &ViewSets<Cpu>, rays: &Rays) -> Answers {
     let trees = views.trees();
     let closest = |place: usize, rays: &[Ray]| -> Vec<Hit> {
-        rays.iter().map(|ray| trees[place].closest_hit(ray)).collect()
+        rays.iter()
+            .map(|ray| trees[place].closest_hit(ray))
+            .collect()
     };
     let any = |place: usize, rays: &[SurfaceRay]| -> Vec<bool> {
         rays.iter().map(|ray| trees[place].any_hit(ray)).collect()
