@@ -5,6 +5,7 @@ mod image;
 mod wave;
 
 use super::buffer::{Download, Range, Slot};
+use super::frame::COMPILE;
 use super::program::{Program, Recorder};
 use super::sort::Sort;
 use super::trace::overflow::{groups_range, groups_slot, list_bytes};
@@ -336,8 +337,8 @@ impl Renderer {
     }
 
     /// Submits the frame that ends a picture, waits, and reads the picture. Returns the times of the build and the report
-    /// of the render. `stages`, the times of earlier frames, are added. Without timestamps, the only time is that since
-    /// `begin`.
+    /// of the render. `stages`, the times of earlier frames, are added. Without timestamps, the only times are those of
+    /// compiling and the rest since `begin`.
     ///
     /// # Errors
     /// If nothing was rendered, the device refuses a command, memory is exhausted, or the device was lost.
@@ -354,8 +355,8 @@ impl Renderer {
         stages.merge(&frame.submit()?.wait()?);
         texels.read(gpu, picture)?;
         let mut report = counters.read(gpu)?;
-        if stages.iter().next().is_none() {
-            stages.add("all", begin.elapsed());
+        if stages.iter().all(|(stage, _)| stage == COMPILE) {
+            stages.add("all", begin.elapsed().saturating_sub(stages.total()));
         }
         let mut build = Stages::default();
         for (stage, time) in stages.iter() {

@@ -3,8 +3,9 @@
 
 use slimbvh_shaders::{
     bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*,
-    morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*,
-    trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*, view::*, wide::*,
+    gather::*, morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*,
+    trace::called::*, trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*, view::*,
+    wide::*,
 };
 
 macro_rules! kernels {

@@ -13,8 +13,9 @@ use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
 
 impl Builder {
-    /// Stages `bounds`, `morton` and `sort`.
+    /// Stages `gather`, `bounds`, `morton` and `sort`.
     pub(super) fn record_sort(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) {
+        mesh.record_gather(recorder);
         let grid = &self.record_bounds(gpu, recorder, mesh);
         let items = self.record_morton(gpu, recorder, mesh, grid);
         recorder.stage("sort");
@@ -72,6 +73,7 @@ impl Builder {
         mesh: &Mesh,
         bvh: &Built,
     ) {
+        mesh.record_gather(recorder);
         self.record_bounds(gpu, recorder, mesh);
         self.record_snap_again(gpu, recorder, mesh, bvh);
         self.record_boxes(gpu, recorder, bvh, true);
