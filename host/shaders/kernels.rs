@@ -27,6 +27,8 @@ kernels! {
         encode_w4_48_lattice,
         encode_w4_64_f32,
         encode_w4_64_lattice,
+        gather_indices,
+        gather_positions,
         morton_30,
         morton_63,
         refit_groups,
