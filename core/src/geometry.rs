@@ -1,6 +1,7 @@
 //! Numbers, boxes, rays and triangles, and the exact tests between them. No tree is known here.
 
 pub mod aabb;
+pub mod ends;
 pub mod float;
 pub mod frustum;
 pub mod lanes;

@@ -26,13 +26,16 @@ pub use build::{
 };
 pub use codec as encode;
 pub use geometry::{
-    aabb, float, frustum, lanes, lattice, orientation, planes, ray, slab, triangle, watertight,
+    aabb, ends, float, frustum, lanes, lattice, orientation, planes, ray, slab, triangle,
+    watertight,
 };
 pub use reduce::{classify, decide};
-pub use shade::{camera, color, light, material, sampling, surface, tile, view};
+pub use shade::surface_point::SurfacePoint;
+pub use shade::{camera, color, light, material, sampling, surface, surface_point, tile, view};
 
 pub use build::node::{Node, NodeRef};
 pub use geometry::aabb::Aabb;
+pub use geometry::ends::{RayEnd, RayEnds, SurfaceRay};
 pub use geometry::ray::{Hit, NO_PRIMITIVE, Ray};
 pub use geometry::triangle::{IndexedTriangles, LeafTriangle, Triangle};
 pub use glam::Vec3;

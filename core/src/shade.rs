@@ -9,6 +9,7 @@ pub mod light;
 pub mod material;
 pub mod sampling;
 pub mod surface;
+pub mod surface_point;
 pub mod tile;
 pub mod view;
 

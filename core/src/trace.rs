@@ -22,8 +22,8 @@ mod wide_stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits, UpTo};
 #[cfg(not(target_arch = "spirv"))]
-pub use filter::SkipAnd;
-pub use filter::{HitFilter, Skip};
+pub use filter::{EndsAnd, GivenEnds};
+pub use filter::{EndsFilter, EndsSource, HitFilter, PreparedEnds, Skip};
 pub use lane_stack::{LANE_BOX_ROWS, LANE_ROWS, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords};
 #[cfg(not(target_arch = "spirv"))]
 pub use packet::{Lane, PacketStacks, trace_alone, trace_packet};

@@ -140,6 +140,13 @@ impl Orientation {
     pub fn is_certainly_on(&self, side: f32) -> bool {
         self.volume * side > self.error
     }
+
+    /// The side that all of the target is certainly on: 1 for the front, −1 for the back, 0 where none is certain.
+    #[inline(always)]
+    #[must_use]
+    pub fn certain_side(&self) -> i32 {
+        self.is_certainly_on(1.0) as i32 - self.is_certainly_on(-1.0) as i32
+    }
 }
 
 /// A product that no compiler fuses with a sum: `opaque_zero` is always 0, hidden from the compiler.
@@ -205,6 +212,8 @@ mod tests {
                 let sign = exact_sign(t, p);
                 prop_assert!(!orientation.is_certainly_on(1.0) || sign > 0);
                 prop_assert!(!orientation.is_certainly_on(-1.0) || sign < 0);
+                let certain = i64::from(orientation.certain_side());
+                prop_assert!(certain == sign || (certain == 0 && !orientation.is_certainly_on(sign as f32)));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Triangles, as the caller indexes them and as leaves store them.
 
 use crate::geometry::aabb::{Aabb, greater, lesser};
+use crate::geometry::float::{abs, max};
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
@@ -32,6 +33,24 @@ impl Triangle {
     #[must_use]
     pub fn normal(&self) -> Vec3 {
         (self.v1 - self.v0).cross(self.v2 - self.v0)
+    }
+
+    /// The same triangle, turned so that it begins at the corner opposite its longest side: the normal of the two shortest sides is
+    /// the one with the least rounding. Lengths are compared by their largest component.
+    #[inline(always)]
+    #[must_use]
+    pub fn from_widest_corner(&self) -> Self {
+        let size = |v: Vec3| max(max(abs(v.x), abs(v.y)), abs(v.z));
+        let Self { v0, v1, v2 } = *self;
+        let (opposite_0, opposite_1, opposite_2) = (size(v2 - v1), size(v0 - v2), size(v1 - v0));
+        let (v0, v1, v2) = if (opposite_0 >= opposite_1) & (opposite_0 >= opposite_2) {
+            (v0, v1, v2)
+        } else if opposite_1 >= opposite_2 {
+            (v1, v2, v0)
+        } else {
+            (v2, v0, v1)
+        };
+        Self { v0, v1, v2 }
     }
 }
 
@@ -110,5 +129,32 @@ mod tests {
         assert_eq!(t.bounds().min, Vec3::new(1.0, 4.0, -2.0));
         assert_eq!(t.bounds().max, Vec3::new(3.0, 9.0, -2.0));
         assert_eq!(t.normal(), Vec3::new(0.0, 0.0, 9.0));
+    }
+
+    #[test]
+    fn the_widest_corner_is_opposite_the_longest_side() {
+        let [a, b, c] = [[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [9.0, 0.0, 2.0]].map(Vec3::from_array);
+        let expected = Triangle {
+            v0: b,
+            v1: c,
+            v2: a,
+        };
+        for (v0, v1, v2) in [(a, b, c), (b, c, a), (c, a, b)] {
+            assert_eq!(Triangle { v0, v1, v2 }.from_widest_corner(), expected);
+        }
+        let other_way = Triangle {
+            v0: c,
+            v1: b,
+            v2: a,
+        }
+        .from_widest_corner();
+        assert_eq!(
+            other_way,
+            Triangle {
+                v0: b,
+                v1: a,
+                v2: c
+            }
+        );
     }
 }

@@ -65,29 +65,29 @@ impl Surface {
     #[inline]
     #[must_use]
     pub fn leave(&self) -> Vec3 {
-        self.beside(self.normal)
+        beside(self.position, self.error, self.normal)
     }
 
     /// Where a ray leaves the surface on the other side, which it passed to: [`Self::leave`] against the normal.
     #[inline]
     #[must_use]
     pub fn enter(&self) -> Vec3 {
-        self.beside(-self.normal)
+        beside(self.position, self.error, -self.normal)
     }
+}
 
-    /// Off the surface, on the side of one of its two normals.
-    #[inline]
-    fn beside(&self, normal: Vec3) -> Vec3 {
-        // The largest error counts for all axes: on an axis-aligned plane through 0 its own would be 0.
-        let error = max(max(self.error.x, self.error.y), self.error.z);
-        let sizes = absolute(normal);
-        let origin = self.position + normal * (error * (sizes.x + sizes.y + sizes.z));
-        Vec3::new(
-            away(origin.x, normal.x),
-            away(origin.y, normal.y),
-            away(origin.z, normal.z),
-        )
-    }
+/// Off a surface, on the side of one of its two unit normals: beyond everything within the error, by axis, around the position.
+#[inline]
+pub(crate) fn beside(position: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
+    // The largest error counts for all axes: on an axis-aligned plane through 0 its own would be 0.
+    let error = max(max(error.x, error.y), error.z);
+    let sizes = absolute(normal);
+    let origin = position + normal * (error * (sizes.x + sizes.y + sizes.z));
+    Vec3::new(
+        away(origin.x, normal.x),
+        away(origin.y, normal.y),
+        away(origin.z, normal.z),
+    )
 }
 
 /// Rounds on in a direction.
@@ -122,7 +122,7 @@ pub fn normalize(v: Vec3) -> Vec3 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use proptest::prelude::*;
 
@@ -132,6 +132,26 @@ mod tests {
         assert!((unit - Vec3::new(0.6, -0.8, 0.0)).length() < 1e-6);
         assert_eq!(normalize(Vec3::ZERO), Vec3::ZERO);
         assert!((normalize(Vec3::splat(3e38)).length() - 1.0).abs() < 1e-6);
+    }
+
+    fn wide(v: Vec3) -> [f64; 3] {
+        v.to_array().map(f64::from)
+    }
+
+    /// How far a point is in front of a triangle's plane, times twice its area.
+    pub(crate) fn height(corners: &[[f64; 3]; 3], point: [f64; 3]) -> f64 {
+        let from_first = |p: [f64; 3]| core::array::from_fn(|axis| p[axis] - corners[0][axis]);
+        let (a, b, r): ([f64; 3], [f64; 3], [f64; 3]) = (
+            from_first(corners[1]),
+            from_first(corners[2]),
+            from_first(point),
+        );
+        let normal = [
+            a[1] * b[2] - a[2] * b[1],
+            a[2] * b[0] - a[0] * b[2],
+            a[0] * b[1] - a[1] * b[0],
+        ];
+        normal[0] * r[0] + normal[1] * r[1] + normal[2] * r[2]
     }
 
     fn vector() -> impl Strategy<Value = Vec3> {
@@ -147,16 +167,8 @@ mod tests {
             let hit = Hit { t: 1.0, u, v, primitive: 0 };
             let surface = Surface::new(triangle, &hit, d, [Vec3::ZERO; 3]);
             prop_assert!(surface.normal.dot(d) <= 1e-6);
-            // The exact plane, in f64.
-            let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
-            let (a, b, c) = (wide(v0), wide(v1), wide(v2));
-            let e = |q: [f64; 3]| [q[0] - a[0], q[1] - a[1], q[2] - a[2]];
-            let (e1, e2) = (e(b), e(c));
-            let n = [e1[1] * e2[2] - e1[2] * e2[1], e1[2] * e2[0] - e1[0] * e2[2], e1[0] * e2[1] - e1[1] * e2[0]];
-            let height = |p: Vec3| {
-                let r = e(wide(p));
-                (n[0] * r[0] + n[1] * r[1] + n[2] * r[2]) * f64::from(surface.side)
-            };
+            let corners = [v0, v1, v2].map(wide);
+            let height = |p: Vec3| height(&corners, wide(p)) * f64::from(surface.side);
             let (left, entered) = (height(surface.leave()), height(surface.enter()));
             prop_assert!(left > 0.0 && entered < 0.0, "{left} {entered}");
         }

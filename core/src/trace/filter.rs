@@ -1,6 +1,9 @@
 //! Which of the triangles that a ray meets are hits.
 
-use crate::geometry::ray::NO_PRIMITIVE;
+use crate::geometry::ends::RayEnds;
+#[cfg(not(target_arch = "spirv"))]
+use crate::geometry::ray::Ray;
+use crate::geometry::ray::{NO_PRIMITIVE, PreparedRay};
 
 /// Which triangles count for a ray.
 pub trait HitFilter {
@@ -25,33 +28,116 @@ impl HitFilter for Skip {
     }
 }
 
-/// Accepts what a filter that several rays share accepts, but for one triangle of each ray.
+/// Where a filter finds a ray and its ends, asked for each triangle that the ray meets: nothing of them need be held while the ray
+/// walks the tree.
+pub trait EndsSource {
+    /// What is no hit because the ray's ends lie on it.
+    fn ends(&self) -> RayEnds;
+
+    /// The ray, at the scene's magnitude. Asked only for ends with errors.
+    fn ray(&self) -> PreparedRay;
+
+    /// Coordinates at the scene's magnitude are the caller's, times two to this power.
+    fn scene_exponent(&self) -> i32;
+
+    /// Always 0. A kernel hides that from the compiler, so that it cannot fuse products and sums.
+    #[inline(always)]
+    fn opaque_zero(&self) -> u32 {
+        0
+    }
+}
+
+/// Accepts all triangles except those that the ray's ends lie on ([`RayEnds`]).
+#[derive(Clone, Copy, Debug)]
+pub struct EndsFilter<S>(pub S);
+
+impl<S: EndsSource> HitFilter for EndsFilter<S> {
+    #[inline(always)]
+    fn accepts(&self, primitive: u32, corners: &[[f32; 3]; 3], _: [u32; 3]) -> bool {
+        let ends = self.0.ends();
+        if ends.skips(primitive) {
+            return false;
+        }
+        if !ends.have_errors() {
+            return true;
+        }
+        let (exponent, opaque_zero) = (self.0.scene_exponent(), self.0.opaque_zero());
+        ends.are_separated(&self.0.ray(), exponent, corners, opaque_zero)
+    }
+}
+
+/// A ray as the tracer uses it, and its ends.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedEnds<'a> {
+    /// The ray.
+    pub ray: &'a PreparedRay,
+    /// Its ends.
+    pub ends: &'a RayEnds,
+    /// The exponent that the ray was prepared with.
+    pub scene_exponent: i32,
+}
+
+impl EndsSource for PreparedEnds<'_> {
+    #[inline(always)]
+    fn ends(&self) -> RayEnds {
+        *self.ends
+    }
+
+    #[inline(always)]
+    fn ray(&self) -> PreparedRay {
+        *self.ray
+    }
+
+    #[inline(always)]
+    fn scene_exponent(&self) -> i32 {
+        self.scene_exponent
+    }
+}
+
+/// A ray of a packet as its caller gives it, and its ends: prepared again where its ends have errors, for each triangle that it meets.
 #[cfg(not(target_arch = "spirv"))]
 #[derive(Clone, Copy, Debug)]
-pub struct SkipAnd<'a, F> {
-    /// This ray's triangle.
-    pub skip: Skip,
+pub struct GivenEnds<'a> {
+    /// The ray.
+    pub ray: &'a Ray,
+    /// Its ends.
+    pub ends: &'a RayEnds,
+    /// The exponent that the ray is prepared with.
+    pub scene_exponent: i32,
+}
+
+#[cfg(not(target_arch = "spirv"))]
+impl EndsSource for GivenEnds<'_> {
+    #[inline(always)]
+    fn ends(&self) -> RayEnds {
+        *self.ends
+    }
+
+    #[inline(never)]
+    fn ray(&self) -> PreparedRay {
+        PreparedRay::new(self.ray, self.scene_exponent)
+    }
+
+    #[inline(always)]
+    fn scene_exponent(&self) -> i32 {
+        self.scene_exponent
+    }
+}
+
+/// Accepts what a filter that several rays share accepts, except the triangles that this ray's ends lie on.
+#[cfg(not(target_arch = "spirv"))]
+#[derive(Clone, Copy, Debug)]
+pub struct EndsAnd<'a, S, F> {
+    /// This ray's ends.
+    pub ends: EndsFilter<S>,
     /// All rays' filter.
     pub filter: &'a F,
 }
 
 #[cfg(not(target_arch = "spirv"))]
-impl<'a, F: HitFilter> SkipAnd<'a, F> {
-    /// Skips one primitive, [`NO_PRIMITIVE`] for none.
-    #[inline(always)]
-    #[must_use]
-    pub const fn new(filter: &'a F, skip: u32) -> Self {
-        Self {
-            skip: Skip(skip),
-            filter,
-        }
-    }
-}
-
-#[cfg(not(target_arch = "spirv"))]
-impl<F: HitFilter> HitFilter for SkipAnd<'_, F> {
+impl<S: EndsSource, F: HitFilter> HitFilter for EndsAnd<'_, S, F> {
     #[inline(always)]
     fn accepts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
-        self.skip.accepts(primitive, corners, axes) && self.filter.accepts(primitive, corners, axes)
+        self.ends.accepts(primitive, corners, axes) && self.filter.accepts(primitive, corners, axes)
     }
 }

@@ -1,0 +1,250 @@
+//! Rays that leave surfaces or lead to surfaces: which triangles the ends of a ray lie on, and so are no hits.
+//!
+//! A triangle whose plane contains an end of a segment does not separate the two ends, so it does not block it. That holds for the
+//! face that an end lies on, for the faces at its edge or corner, and for coplanar neighbours: no distance has to be guessed.
+
+use crate::geometry::float::{UNIT_ROUNDOFF, abs, gamma, magnitude_bits, scale_by_power_of_two};
+use crate::geometry::orientation::{Orientation, Target, product};
+use crate::geometry::ray::{NO_PRIMITIVE, PreparedRay, Ray};
+use crate::geometry::triangle::Triangle;
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+/// What is no hit for a ray because an end of the ray lies on it. 16 bytes.
+///
+/// Index 0 is the ray's origin, index 1 its end, `origin + t_max · direction`. A triangle is no hit
+/// - if its primitive is in `skip`;
+/// - if an error is given, unless the ball of that radius around that end is certainly on one side of the triangle's plane;
+/// - if both errors are given, unless the two balls are on different sides.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct RayEnds {
+    /// Bytes 0–7: the primitives that the ends lie on, or [`NO_PRIMITIVE`].
+    pub skip: [u32; 2],
+    /// Bytes 8–15: bounds on the distances between the ends and the points that they stand for, in the unit of the ray's origin.
+    /// Negative: none is given. An error of the end needs a finite `t_max`.
+    pub error: [f32; 2],
+}
+
+const _: () = assert!(size_of::<RayEnds>() == 16);
+
+/// More than a point loses where coordinates leave the normal range, on its way to the scene's magnitude and in computations there.
+pub(crate) const LOST_BITS: f32 = 4.0 * f32::MIN_POSITIVE;
+
+impl RayEnds {
+    /// All triangles that the ray meets are hits.
+    pub const NONE: Self = Self::skipping(NO_PRIMITIVE);
+
+    /// All triangles that the ray meets are hits, except one primitive.
+    #[inline(always)]
+    #[must_use]
+    pub const fn skipping(primitive: u32) -> Self {
+        Self {
+            skip: [primitive, NO_PRIMITIVE],
+            error: [-1.0; 2],
+        }
+    }
+
+    /// Whether the ends lie on this primitive.
+    #[inline(always)]
+    #[must_use]
+    pub const fn skips(&self, primitive: u32) -> bool {
+        (primitive == self.skip[0]) | (primitive == self.skip[1])
+    }
+
+    /// Whether an error is given: then [`Self::are_separated`] is asked.
+    #[inline(always)]
+    #[must_use]
+    pub const fn have_errors(&self) -> bool {
+        is_given(self.error[0]) | is_given(self.error[1])
+    }
+
+    /// Whether a triangle's plane certainly separates the ends of the ray: each end whose error is given is certainly on one side, and
+    /// two of them are on different sides.
+    ///
+    /// `corners` are at the scene's magnitude, coordinates in the order of the ray's axes. The errors are multiplied by
+    /// `2^scene_exponent`. `opaque_zero` is always 0; a kernel hides that from the compiler, so that it cannot fuse products and sums.
+    #[inline(always)]
+    #[must_use]
+    pub fn are_separated(
+        &self,
+        ray: &PreparedRay,
+        scene_exponent: i32,
+        corners: &[[f32; 3]; 3],
+        opaque_zero: u32,
+    ) -> bool {
+        let triangle = Triangle {
+            v0: Vec3::from_array(corners[0]),
+            v1: Vec3::from_array(corners[1]),
+            v2: Vec3::from_array(corners[2]),
+        };
+        // The two shortest sides give the best normal.
+        let triangle = triangle.from_widest_corner();
+        let side = |point: [f32; 3], error: f32, rounding: f32| {
+            let error = scale_by_power_of_two(error, scene_exponent);
+            let target = Target {
+                padding: [opaque_zero; 3],
+                ..Target::ball(point, error + rounding + LOST_BITS)
+            };
+            Orientation::new(&triangle, &target).certain_side()
+        };
+
+        // Ends without an error are on no side that the other end could be on.
+        let (mut start_side, mut end_side) = (2, 3);
+        if is_given(self.error[0]) {
+            start_side = side(ray.origin, self.error[0], 0.0);
+        }
+        if is_given(self.error[1]) {
+            let (end, rounding) = end_of(ray, opaque_zero);
+            end_side = side(end, self.error[1], rounding);
+        }
+        (start_side != 0) & (end_side != 0) & (start_side != end_side)
+    }
+}
+
+impl Default for RayEnds {
+    /// [`Self::NONE`].
+    fn default() -> Self {
+        Self::NONE
+    }
+}
+
+/// Whether an error is given, by its sign.
+#[inline(always)]
+const fn is_given(error: f32) -> bool {
+    error.to_bits() >> 31 == 0
+}
+
+/// A prepared ray's point at `t_max`, and a bound on its rounding: one product and one sum on each axis, and what
+/// [`PreparedRay::new`] takes from a direction that is almost parallel to a plane of the axes.
+#[inline(always)]
+fn end_of(ray: &PreparedRay, opaque_zero: u32) -> ([f32; 3], f32) {
+    let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
+    let way = |d: f32| product(d, ray.t_max, opaque_zero);
+    let (wx, wy, wz) = (way(dx), way(dy), way(dz));
+    let end = [ox + wx, oy + wy, oz + wz];
+    let ways = abs(wx) + abs(wy) + abs(wz);
+    let sums = abs(end[0]) + abs(end[1]) + abs(end[2]);
+    (end, product(gamma(2), ways + sums, opaque_zero))
+}
+
+/// A ray, and what is no hit for it because its ends lie on it. 48 bytes.
+///
+/// A [`Ray`] alone becomes one without such triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct SurfaceRay {
+    /// Bytes 0–31: the ray.
+    pub ray: Ray,
+    /// Bytes 32–47: what its ends lie on.
+    pub ends: RayEnds,
+}
+
+const _: () = assert!(size_of::<SurfaceRay>() == 48);
+
+impl From<Ray> for SurfaceRay {
+    #[inline(always)]
+    fn from(ray: Ray) -> Self {
+        Self {
+            ray,
+            ends: RayEnds::NONE,
+        }
+    }
+}
+
+impl From<&Ray> for SurfaceRay {
+    #[inline(always)]
+    fn from(ray: &Ray) -> Self {
+        Self::from(*ray)
+    }
+}
+
+impl From<&SurfaceRay> for SurfaceRay {
+    #[inline(always)]
+    fn from(ray: &SurfaceRay) -> Self {
+        *ray
+    }
+}
+
+/// A point that a ray leaves or leads to: on a surface, or anywhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayEnd {
+    /// The position, rounded.
+    pub position: [f32; 3],
+    /// Bound on the distance between the position and the point that it stands for.
+    pub error: f32,
+    /// The primitive that the point lies on, [`NO_PRIMITIVE`] for none.
+    pub primitive: u32,
+}
+
+impl From<[f32; 3]> for RayEnd {
+    /// The point at exactly this position.
+    #[inline]
+    fn from(position: [f32; 3]) -> Self {
+        Self {
+            position,
+            error: 0.0,
+            primitive: NO_PRIMITIVE,
+        }
+    }
+}
+
+impl RayEnd {
+    /// The ray from here in a direction: the surface here is no hit, whichever side the ray leaves it on.
+    #[inline]
+    #[must_use]
+    pub fn ray(&self, direction: [f32; 3]) -> SurfaceRay {
+        SurfaceRay {
+            ray: Ray::new(self.position, direction),
+            ends: RayEnds {
+                skip: [self.primitive, NO_PRIMITIVE],
+                error: [self.error, -1.0],
+            },
+        }
+    }
+}
+
+impl Ray {
+    /// The segment between two points, t from 0 to 1: any hit on it blocks the line of sight. Surfaces that an end lies on do not: the
+    /// primitives of the ends are skipped, and a triangle is a hit only if its plane certainly separates the ends
+    /// ([`RayEnds`]). Plain positions count as exact.
+    ///
+    /// Where the difference of the points overflows, t is from 0 to 2.
+    #[must_use]
+    pub fn between(a: impl Into<RayEnd>, b: impl Into<RayEnd>) -> SurfaceRay {
+        let (a, b) = (a.into(), b.into());
+        let [mut dx, mut dy, mut dz] = difference(b.position, a.position, 1.0);
+        let mut t_max = 1.0;
+        if magnitude_bits(dx)
+            .max(magnitude_bits(dy))
+            .max(magnitude_bits(dz))
+            > f32::MAX.to_bits()
+        {
+            [dx, dy, dz] = difference(b.position, a.position, 0.5);
+            t_max = 2.0;
+        }
+        // On each axis one rounding: half a unit in the last place of the difference, and where it was halved, two of the halves.
+        let step = 4.0 * UNIT_ROUNDOFF * t_max;
+        let rounding = step * abs(dx) + step * abs(dy) + step * abs(dz);
+        SurfaceRay {
+            ray: Ray {
+                t_max,
+                ..Ray::new(a.position, [dx, dy, dz])
+            },
+            ends: RayEnds {
+                skip: [a.primitive, b.primitive],
+                error: [a.error, b.error + rounding],
+            },
+        }
+    }
+}
+
+/// The difference of two positions times a factor, each multiplied first.
+#[inline]
+fn difference([ax, ay, az]: [f32; 3], [bx, by, bz]: [f32; 3], factor: f32) -> [f32; 3] {
+    [
+        ax * factor - bx * factor,
+        ay * factor - by * factor,
+        az * factor - bz * factor,
+    ]
+}
