@@ -1,5 +1,6 @@
 //! A device with its compiled kernels and its reported errors.
 
+use super::buffer::Range;
 use super::frame::COMPILE;
 use super::kernel::{Kernel, Pipelines, compile};
 use super::timer::TimerPool;
@@ -8,7 +9,7 @@ use super::{AdapterChoice, Frame, GpuError, adapter};
 use crate::Stages;
 use pollster::block_on;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// An open GPU: its own device, or one that the caller opened.
 ///
@@ -196,8 +197,21 @@ impl Gpu {
 
     /// The list of a trace of this many rays, which is recorded next.
     pub(super) fn overflow(&self, ray_count: u64) -> Overflow {
-        let mut lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
-        lists.overflow(self, ray_count)
+        self.lists().overflow(self, ray_count)
+    }
+
+    /// [`Lists::ray_groups`].
+    pub(super) fn ray_groups(&self) -> Range {
+        self.lists().ray_groups(self)
+    }
+
+    /// [`Lists::no_ends`].
+    pub(super) fn no_ends(&self) -> wgpu::Buffer {
+        self.lists().no_ends(self)
+    }
+
+    fn lists(&self) -> MutexGuard<'_, Lists> {
+        self.lists.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Runs commands, and turns what the driver objects to into an error.

@@ -1,9 +1,10 @@
 //! Stage `gather` on the GPU: meshes in buffers of any layout.
 
 use super::buffer::Range;
+use super::mesh::check_words;
 use super::program::{Recorder, Uniform, threads};
 use super::{Gpu, GpuError, Kernel, Mesh, Misfit};
-use wgpu::{BufferSlice, BufferUsages, IndexFormat};
+use wgpu::{BufferSlice, IndexFormat};
 
 /// Bytes of a position, and of a triangle's three indices as kernels read them.
 pub const ELEMENT_BYTES: u64 = 12;
@@ -64,7 +65,7 @@ impl VertexLayout<'_> {
         }
         let range = Range::of_slice(self.slice);
         check_whole(NAME, &range, ("vertices", stride))?;
-        let (words, skipped_bytes) = words(gpu, NAME, &range, 4)?;
+        let (words, skipped_bytes) = check_words(gpu, NAME, &range, 4)?;
         let first = (skipped_bytes + offset) / 4;
         Ok(Source {
             count: range.size / stride,
@@ -93,7 +94,7 @@ impl IndexLayout<'_> {
         if !index_count.is_multiple_of(3) {
             return Err(Misfit::PartialTriangle { index_count }.of(NAME));
         }
-        let (words, skipped_bytes) = words(gpu, NAME, &range, index_bytes)?;
+        let (words, skipped_bytes) = check_words(gpu, NAME, &range, index_bytes)?;
         let first = skipped_bytes / index_bytes;
         Ok(Source {
             count: index_count / 3,
@@ -126,35 +127,6 @@ fn check_whole(
         return Err(fault.of(what));
     }
     Ok(())
-}
-
-/// The words that hold a range, as a storage binding, and how many bytes of them are before the range.
-fn words(
-    gpu: &Gpu,
-    what: &'static str,
-    range: &Range,
-    unit_bytes: u64,
-) -> Result<(Range, u64), GpuError> {
-    if !range.buffer.usage().contains(BufferUsages::STORAGE) {
-        return Err(Misfit::MissingUsage { usage: "STORAGE" }.of(what));
-    }
-    if !range.offset.is_multiple_of(unit_bytes) {
-        let fault = Misfit::MisalignedOffset {
-            offset: range.offset,
-            alignment: unit_bytes,
-        };
-        return Err(fault.of(what));
-    }
-    let end = range.offset + range.size;
-    let whole_end = end.next_multiple_of(4);
-    if whole_end > range.buffer.size() {
-        return Err(Misfit::EndsWithinWord { end }.of(what));
-    }
-    let alignment = u64::from(gpu.limits().min_storage_buffer_offset_alignment).max(4);
-    let begin = range.offset / alignment * alignment;
-    let words = Range::whole(&range.buffer).part(begin, whole_end - begin);
-    gpu.check_sizes(&[(what, words.size)], "take a part of it")?;
-    Ok((words, range.offset - begin))
 }
 
 impl Mesh {

@@ -217,3 +217,33 @@ pub fn check_parts(
     }
     Ok(())
 }
+
+/// Refuses a range of the caller's whose words cannot be bound. Returns a range of words that can be and holds it, and how many bytes
+/// of that are before the given one, which begins at any multiple of `unit_bytes`.
+pub fn check_words(
+    gpu: &Gpu,
+    what: &'static str,
+    range: &Range,
+    unit_bytes: u64,
+) -> Result<(Range, u64), GpuError> {
+    if !range.buffer.usage().contains(BufferUsages::STORAGE) {
+        return Err(Misfit::MissingUsage { usage: "STORAGE" }.of(what));
+    }
+    if !range.offset.is_multiple_of(unit_bytes) {
+        let fault = Misfit::MisalignedOffset {
+            offset: range.offset,
+            alignment: unit_bytes,
+        };
+        return Err(fault.of(what));
+    }
+    let end = range.offset + range.size;
+    let whole_end = end.next_multiple_of(4);
+    if whole_end > range.buffer.size() {
+        return Err(Misfit::EndsWithinWord { end }.of(what));
+    }
+    let alignment = u64::from(gpu.limits().min_storage_buffer_offset_alignment).max(4);
+    let begin = range.offset / alignment * alignment;
+    let words = Range::whole(&range.buffer).part(begin, whole_end - begin);
+    gpu.check_sizes(&[(what, words.size)], "take a part of it")?;
+    Ok((words, range.offset - begin))
+}

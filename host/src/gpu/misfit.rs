@@ -86,6 +86,20 @@ pub enum Misfit {
         /// Size of the answer to a ray.
         answer_bytes: u64,
     },
+    /// The ends of all rays are not there.
+    #[error("has {bytes} bytes, but {ray_count} rays have ends of 16 bytes each")]
+    TooFewEnds {
+        /// The buffer's size.
+        bytes: u64,
+        /// Rays.
+        ray_count: u64,
+    },
+    /// A number is not one word.
+    #[error("has {bytes} bytes; pass a slice of one `u32`")]
+    NotOneWord {
+        /// The slice's size.
+        bytes: u64,
+    },
     /// More bits than indices can number.
     #[error("take {bytes} bytes; fewer than {limit_bytes} can be numbered")]
     TooManyBits {
@@ -134,6 +148,9 @@ pub enum Misfit {
         /// Entries that are needed.
         needs: u64,
     },
+    /// A rule's sides were set or decided for the components of another mesh.
+    #[error("has sides of other components; set or decide them for these")]
+    OthersSides,
     /// A frame is in an encoder that only the caller can finish.
     #[error("is in the caller's encoder; end it, and submit that encoder's commands")]
     CallersEncoder,

@@ -86,7 +86,7 @@ pub use scan::Scan;
 pub use scene::Scene;
 pub use sides::{Components, Subset, TargetSides};
 pub use sort::{Keys, Sort};
-pub use trace::Query;
+pub use trace::{Query, Rays};
 pub use trees::{Tree, Trees};
 pub use warm_up::WarmUp;
 /// The version of wgpu in this crate's interface.

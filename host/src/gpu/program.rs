@@ -21,12 +21,6 @@ pub fn threads(item_count: u32) -> Groups {
     Groups::Direct(dispatch(item_count.div_ceil(LANES as u32)))
 }
 
-/// A number of items, and the workgroups for a thread each, in the form of an indirect dispatch.
-pub fn counted(item_count: u32) -> [u32; 4] {
-    let [x, y, z] = dispatch(item_count.div_ceil(LANES as u32));
-    [item_count, x, y, z]
-}
-
 /// This many workgroups.
 pub fn groups(group_count: u32) -> Groups {
     Groups::Direct(dispatch(group_count))

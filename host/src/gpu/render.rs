@@ -18,7 +18,6 @@ use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 pub use counters::Counters;
 pub(super) use image::{Image, check_view};
-use slimbvh_core::classify::SIDES_PER_WORD;
 use slimbvh_core::launch::row_texels;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
@@ -58,7 +57,6 @@ pub struct Renderer {
     /// The counters, and the list of rays to trace again.
     counters: Slot,
     groups: Slot,
-    packed: Vec<Slot>,
     picture: Slot,
     pub(super) texels: Slot,
     kept: Option<(Key, Vec<Program>)>,
@@ -125,7 +123,6 @@ impl Renderer {
             range: Slot::new("slimbvh range", copied_to.union(BufferUsages::UNIFORM)),
             counters: Slot::new("slimbvh counters", copied_to),
             groups: groups_slot(),
-            packed: Vec::new(),
             picture: Slot::new("slimbvh picture", copied_to),
             texels: Slot::storage("slimbvh texels"),
             kept: None,
@@ -205,7 +202,7 @@ impl Renderer {
     ) -> Result<PicturePlan<'a>, GpuError> {
         let gpu = frame.gpu();
         assert_eq!(trees.lights.len(), lights.len(), "a tree for each light");
-        let mut trees = trees.ranges()?;
+        let trees = trees.ranges()?;
         for built in trees.all() {
             if scene.mesh.triangle_count != built.triangle_count {
                 return Err(GpuError::View(ViewError::OtherMesh {
@@ -228,7 +225,6 @@ impl Renderer {
             0
         };
         let planned = gpu.checked(|| {
-            self.make_room_for_sides(gpu, &mut trees);
             let buffers = self.reserve(gpu, settings, core_lights.len(), &waves);
             let environment = crate::Scene::environment(camera.up);
             upload_view(
@@ -385,7 +381,7 @@ impl Renderer {
             &self.picture,
             &self.texels,
         ];
-        let all = slots.into_iter().chain([&self.groups]).chain(&self.packed);
+        let all = slots.into_iter().chain([&self.groups]);
         all.map(Slot::bytes).sum::<u64>() + self.sort.bytes()
     }
 
@@ -401,19 +397,6 @@ impl Renderer {
             return Err(Misfit::NotRendered.of("the picture"));
         }
         Ok(self.picture.range(gpu, picture_bytes(self.size)))
-    }
-
-    /// A range for the packed sides of each tree with a filter.
-    fn make_room_for_sides(&mut self, gpu: &Gpu, trees: &mut TreesRanges) {
-        let rules = trees.filtered_mut().filter_map(|tree| tree.rule.as_mut());
-        for (i, rule) in rules.enumerate() {
-            if self.packed.len() == i {
-                self.packed.push(Slot::storage("slimbvh packed sides"));
-            }
-            let primitives = rule.components.0.size / 4;
-            let bytes = 4 * primitives.div_ceil(SIDES_PER_WORD.into()).max(1);
-            rule.packed = Some(self.packed[i].range(gpu, bytes));
-        }
     }
 
     fn key(&self, plan: &PicturePlan) -> Key {

@@ -106,8 +106,9 @@ impl<'a> WarmUp<'a> {
         let components = match sets {
             Sets::Set => {
                 let all = vec![1; topology.component_count() as usize];
-                sides.set(frame, target.0, target.1, &all)?;
-                Components::upload(gpu, topology.components())?
+                let components = Components::upload(gpu, topology.components())?;
+                sides.set(frame, &components, target, &all)?;
+                components
             }
             Sets::Decided => {
                 let mut decisions = Decisions::new(gpu, &topology)?;
@@ -150,8 +151,7 @@ impl<'a> WarmUp<'a> {
         })?;
         for tree in trees {
             for &query in self.queries {
-                tree.bvh
-                    .trace(frame, query, rays.slice(..), answers.slice(..))?;
+                tree.trace(frame, query, rays.slice(..), answers.slice(..))?;
             }
         }
         let Some(picture) = self.picture else {

@@ -14,6 +14,7 @@ macro_rules! kernels {
         const ADDRESSES: &[fn() -> *const ()] = &[
             $(|| $shipped as *const (),)*
             $(|| $lab as *const (),)*
+            || call_surface as *const (),
             || call_trace as *const (),
             || call_trace_in_group as *const (),
             || call_trace_w4_f32 as *const (),
