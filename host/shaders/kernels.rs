@@ -62,6 +62,7 @@ kernels! {
         trace_closest_w4_64_f32,
         trace_closest_w4_64_lattice,
         trace_closest_w4_f32,
+        trace_count,
         trace_counted,
         trace_groups,
         trace_nearest,
