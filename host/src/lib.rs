@@ -4,6 +4,7 @@
 pub mod analysis;
 pub mod animate;
 pub mod backend;
+pub mod collect;
 mod config;
 mod cpu;
 mod dvec3;
@@ -39,8 +40,12 @@ pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
+pub use slimbvh_core::ray::PreparedRay;
 pub use slimbvh_core::tile::Tiles;
-pub use slimbvh_core::{Aabb, Hit, LeafTriangle, Node, Ray};
+pub use slimbvh_core::trace::Collector;
+pub use slimbvh_core::{
+    Aabb, Hit, LeafTriangle, NO_PRIMITIVE, Node, Ray, RayEnd, RayEnds, SurfacePoint, SurfaceRay,
+};
 pub use stages::Stages;
 pub use tolerance::Tolerance;
 #[cfg(feature = "lab")]

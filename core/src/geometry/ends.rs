@@ -166,6 +166,21 @@ impl From<&SurfaceRay> for SurfaceRay {
     }
 }
 
+// What closures of iterators over references get.
+impl From<&&Ray> for SurfaceRay {
+    #[inline(always)]
+    fn from(ray: &&Ray) -> Self {
+        Self::from(**ray)
+    }
+}
+
+impl From<&&SurfaceRay> for SurfaceRay {
+    #[inline(always)]
+    fn from(ray: &&SurfaceRay) -> Self {
+        **ray
+    }
+}
+
 /// A point that a ray leaves or leads to: on a surface, or anywhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayEnd {

@@ -1,11 +1,11 @@
 //! Stage `shade` on the CPU: light, shadow rays, mirrors and glass.
 
 use super::render::{BLOCK, Deferred, Prepared, Renderer};
-use super::trees::Tree;
+use super::trees::{Tree, skipping};
 use crate::CpuError;
 use crate::backend::Deferral;
 use crate::picture::RenderReport;
-use crate::tree::Question;
+use crate::tree::{Question, surface_at};
 use rayon::prelude::*;
 use slimbvh_core::ray::Hit;
 use slimbvh_core::sampling::Draw;
@@ -98,7 +98,8 @@ impl Renderer {
                 }
             }
             let numbered = shadows.iter().enumerate();
-            let rays = numbered.map(|(number, (_, shadow))| (number, shadow.ray, shadow.skip));
+            let rays =
+                numbered.map(|(number, (_, shadow))| (number, skipping(shadow.ray, shadow.skip)));
             tree.ask(Question::Any, rays, |number, hit| {
                 if !hit.is_hit() {
                     let (i, shadow) = &shadows[number];
@@ -159,13 +160,6 @@ impl Prepared<'_> {
     pub(super) fn surface(&self, path: &Path, hit: &Hit) -> (Surface, CoreMaterial) {
         let mesh = &self.scene.mesh;
         let triangle = leaf_triangle(hit.primitive, &mesh.triangles(), &self.scale).triangle();
-        let corners = mesh.indices.get(hit.primitive as usize);
-        let corners = corners.copied().unwrap_or_default();
-        let normals = corners.map(|corner| {
-            mesh.normals
-                .get(corner as usize)
-                .map_or(glam::Vec3::ZERO, |&n| glam::Vec3::from_array(n))
-        });
         let material = mesh
             .materials
             .get(hit.primitive as usize)
@@ -173,7 +167,7 @@ impl Prepared<'_> {
         let material = self.materials.get(material).or(self.materials.first());
         let direction = glam::Vec3::from_array(path.ray.direction);
         (
-            Surface::new(triangle, hit, direction, normals),
+            surface_at(mesh, triangle, hit, direction),
             material.copied().unwrap_or(DEFAULT_MATERIAL),
         )
     }

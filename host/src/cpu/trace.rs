@@ -1,10 +1,11 @@
 //! Stage `trace` on the CPU: the hits of a wave's rays.
 
 use super::render::{BLOCK, Prepared, Renderer};
-use super::trees::Tree;
+use super::trees::{Tree, skipping};
 use crate::picture::RenderReport;
 use crate::tree::Question;
 use rayon::prelude::*;
+use slimbvh_core::RayEnds;
 use slimbvh_core::ray::{Hit, PreparedRay};
 use slimbvh_core::trace::{ClosestHit, Counted};
 
@@ -27,7 +28,7 @@ impl Renderer {
         blocks.for_each(|(hits, paths)| {
             hits.fill(Hit::MISS);
             let alive = paths.iter().enumerate().filter(|(_, path)| path.is_alive());
-            let rays = alive.map(|(i, path)| (i, path.ray, path.skip));
+            let rays = alive.map(|(i, path)| (i, skipping(path.ray, path.skip)));
             tree.ask(Question::Closest, rays, |i, hit| hits[i] = hit);
         });
     }
@@ -47,7 +48,7 @@ impl Renderer {
                     for (count, path) in heat.iter_mut().zip(paths) {
                         let ray = PreparedRay::new(&path.ray, 0);
                         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-                        bvh.collect(&ray, path.skip, &mut collector);
+                        bvh.collect(&ray, &RayEnds::skipping(path.skip), &mut collector);
                         *count = collector.node_count;
                         hits += u64::from(collector.inner.hit.is_hit());
                     }

@@ -1,21 +1,16 @@
-//! A built hierarchy and its ray queries.
+//! A built hierarchy.
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::meter::{Meter, Reads};
-use super::packets::filter_of;
 use super::sah_cost;
-use super::stored::{Stacks, StoredTree, with_stacks};
-use super::visitor::{Alone, Shared, Watched};
+use super::stored::StoredTree;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::classify::Sides;
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::orientation::Target;
-use slimbvh_core::ray::{Hit, NO_PRIMITIVE, PreparedRay, Ray};
-use slimbvh_core::trace::{
-    self, AnyHit, ClosestHit, ClosestOrAny, Collector, Lane, LeafTriangles, NearestHits,
-    PlainNodes, Skip, SkipAnd, traverse,
-};
+use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::trace::{Collector, LeafTriangles, PlainNodes};
 use slimbvh_core::{LeafTriangle, Node};
 
 /// A bounding volume hierarchy over a mesh. A [`crate::Builder`] fills it, and can fill it again without allocating.
@@ -29,92 +24,6 @@ pub struct Bvh {
 }
 
 impl Bvh {
-    /// The hit with the smallest t; among equals, the smallest primitive index. [`Hit::MISS`] if there is no hit.
-    ///
-    /// Rays are in the mesh's unit. A ray with a zero direction, or with a NaN or infinite component (except an infinite
-    /// `t_max`), hits nothing.
-    #[must_use]
-    pub fn closest_hit(&self, ray: &Ray) -> Hit {
-        let prepared = PreparedRay::new(ray, self.scene_exponent);
-        // Plain trees use a specialised collector, which is the fastest.
-        let Some(plain) = self.stored.as_plain() else {
-            let hit = self.trace_alone(&prepared, ClosestOrAny::closest(prepared.t_max));
-            return prepared.restore(hit);
-        };
-        let mut collector = ClosestHit::new(prepared.t_max);
-        plain.trace(&prepared, &mut collector);
-        prepared.restore(collector.hit)
-    }
-
-    /// Whether the ray hits any triangle; stops at the first hit found.
-    #[doc(alias = "occluded")]
-    #[must_use]
-    pub fn any_hit(&self, ray: &Ray) -> bool {
-        let prepared = PreparedRay::new(ray, self.scene_exponent);
-        let Some(plain) = self.stored.as_plain() else {
-            let collector = ClosestOrAny::any(prepared.t_max);
-            return self.trace_alone(&prepared, collector).is_hit();
-        };
-        let mut collector = AnyHit::new(prepared.t_max);
-        plain.trace(&prepared, &mut collector);
-        collector.found
-    }
-
-    /// The K hits with the smallest `(t, primitive)`, in order, padded with [`Hit::MISS`].
-    #[must_use]
-    pub fn nearest_hits<const K: usize>(&self, ray: &Ray) -> [Hit; K] {
-        if let Some(plain) = self.stored.as_plain() {
-            let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
-            return trace::nearest_hits(&nodes, &triangles, ray, self.scene_exponent);
-        }
-        let prepared = PreparedRay::new(ray, self.scene_exponent);
-        let mut collector = NearestHits::<K>::new(prepared.t_max);
-        with_stacks(|stacks| self.watch(stacks, &prepared, NO_PRIMITIVE, &mut collector));
-        collector.hits.map(|hit| prepared.restore(hit))
-    }
-
-    #[inline(never)]
-    fn trace_alone(&self, ray: &PreparedRay, collector: ClosestOrAny) -> Hit {
-        let all = filter_of(None);
-        let mut lane = Lane {
-            filter: SkipAnd::new(&all, NO_PRIMITIVE),
-            collector,
-        };
-        self.stored.visit(Alone {
-            ray,
-            lane: &mut lane,
-        });
-        lane.collector.closest.hit
-    }
-
-    fn watch(
-        &self,
-        stacks: &mut Stacks,
-        ray: &PreparedRay,
-        skip: u32,
-        collector: &mut dyn Collector,
-    ) {
-        let all = filter_of(None);
-        self.stored.visit(Watched {
-            stacks,
-            ray,
-            filter: SkipAnd::new(&all, skip),
-            collector,
-        });
-    }
-
-    /// Traces one ray with any collector, for example one that counts nodes and triangles. Slower than the other queries.
-    pub fn collect(&self, ray: &PreparedRay, skip: u32, collector: &mut dyn Collector) {
-        // The collector may use this thread's stacks itself.
-        if let Some(plain) = self.stored.as_plain() {
-            let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
-            let collector = &mut Shared(collector);
-            traverse(&nodes, &triangles, ray, &Skip(skip), collector);
-        } else {
-            self.watch(&mut { Stacks::EMPTY }, ray, skip, collector);
-        }
-    }
-
     /// As [`Self::collect`], for triangles that a rule accepts ([`crate::Tree::rule`], in the scene's magnitude) or for all. Returns
     /// what the ray tests and reads beside the nodes that it opens.
     pub fn meter(

@@ -3,10 +3,13 @@
 use super::packets::filter_of;
 use super::sources::{LeafOrder, StoredNodes, StoredTriangles};
 use super::visitor::{Shared, TreeVisitor};
+use slimbvh_core::RayEnds;
 use slimbvh_core::classify::Sides;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::PreparedRay;
-use slimbvh_core::trace::{Collector, LeafSlot, SkipAnd, TriangleSource, traverse};
+use slimbvh_core::trace::{
+    Collector, EndsAnd, EndsFilter, LeafSlot, PreparedEnds, TriangleSource, traverse,
+};
 use std::cell::Cell;
 use std::marker::PhantomData;
 
@@ -35,7 +38,16 @@ impl TreeVisitor for Meter<'_> {
 
     fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) -> Reads {
         let rule = filter_of(self.rule);
-        let filter = SkipAnd::new(&rule, self.skip);
+        let ends = PreparedEnds {
+            ray: self.ray,
+            ends: &RayEnds::skipping(self.skip),
+            // Of errors, and there are none.
+            scene_exponent: 0,
+        };
+        let filter = EndsAnd {
+            ends: EndsFilter(ends),
+            filter: &rule,
+        };
         let metered = Metered {
             triangles,
             reads: Cell::new(Reads {
@@ -77,6 +89,7 @@ impl<N: StoredNodes, T: StoredTriangles<N>> TriangleSource<N::Bounds> for Metere
 mod tests {
     use crate::tree::{MeshCodec, check_codecs};
     use crate::{BuildConfig, Builder, Bvh, Mesh, NodeCodec};
+    use slimbvh_core::RayEnds;
     use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay, Ray};
     use slimbvh_core::trace::{ClosestOrAny, Counted, NearestHits};
 
@@ -152,7 +165,7 @@ mod tests {
             let ray = PreparedRay::new(&ray, bvh.scene_exponent());
             let new = || Counted::new(ClosestOrAny::closest(ray.t_max));
             let (mut plain, mut metered) = (new(), new());
-            bvh.collect(&ray, 0, &mut plain);
+            bvh.collect(&ray, &RayEnds::skipping(0), &mut plain);
             bvh.meter(&ray, 0, None, &mut metered);
             let of = |it: &Counted<ClosestOrAny>| {
                 let hit = it.inner.closest.hit;

@@ -17,8 +17,11 @@ pub(crate) mod paper10;
 #[cfg(feature = "lab")]
 pub(crate) mod parent_frame;
 pub(crate) mod plain;
+mod query;
+mod rays;
 mod sources;
 mod stored;
+mod surface;
 mod validate;
 mod visitor;
 pub(crate) mod wide;
@@ -36,8 +39,10 @@ pub use meter::Reads;
 pub(crate) use packets::{PacketQuery, Question};
 #[cfg(feature = "lab")]
 pub use parent_frame::LatticeBits;
+pub(crate) use query::Query;
 #[cfg(feature = "scenes")]
 pub(crate) use stored::List;
 #[cfg(any(feature = "gpu", feature = "scenes"))]
 pub(crate) use stored::ListReader;
 pub(crate) use stored::StoredTree;
+pub(crate) use surface::surface_at;

@@ -2,12 +2,15 @@
 
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
+use super::query::Query;
 use super::visitor::Together;
 use rayon::prelude::*;
 use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays, Skip, SkipAnd};
+use slimbvh_core::trace::{ClosestOrAny, EndsAnd, EndsFilter, GivenEnds, Lane, PreparedRays};
+use slimbvh_core::{RayEnds, SurfaceRay};
+use std::array::from_fn;
 
 /// The filter of a query's rays. Without a target it accepts all triangles.
 pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter<Sides> {
@@ -23,8 +26,14 @@ pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter<Sides> {
     }
 }
 
+/// The filter of a query's rays, except the triangles that one ray's ends lie on.
+pub type RayFilter<'a> = EndsAnd<'a, GivenEnds<'a>, FacingFilter<Sides<'a>>>;
+
+/// The filter and the collector of one ray.
+pub type RayLane<'a> = Lane<RayFilter<'a>, ClosestOrAny>;
+
 /// The filters and collectors of a packet's rays.
-pub type Packet<'a> = [Lane<SkipAnd<'a, FacingFilter<Sides<'a>>>, ClosestOrAny>; LANES];
+pub type Packet<'a> = [RayLane<'a>; LANES];
 
 /// Rays a parallel task.
 const BLOCK: usize = 512;
@@ -34,6 +43,17 @@ const BLOCK: usize = 512;
 pub enum Question {
     Closest,
     Any,
+}
+
+impl Question {
+    /// The collector of a ray that ends here.
+    #[inline(always)]
+    pub fn collector(self, t_max: f32) -> ClosestOrAny {
+        match self {
+            Self::Closest => ClosestOrAny::closest(t_max),
+            Self::Any => ClosestOrAny::any(t_max),
+        }
+    }
 }
 
 /// What all rays of a query share.
@@ -46,82 +66,87 @@ pub struct PacketQuery<'a> {
     pub target: Option<(Sides<'a>, Target)>,
 }
 
-impl Bvh {
-    /// [`Bvh::closest_hit`] of many rays, in parallel. `hits` is resized to the number of rays.
-    ///
-    /// Neighbouring rays should be adjacent in the list: the rays of a packet share node reads. [`crate::Tiles`]
-    /// is such an order of a picture's rays.
-    pub fn closest_hits(&self, rays: &[Ray], hits: &mut Vec<Hit>) {
+impl Query<'_> {
+    pub fn closest_hits<R: Sync>(&self, rays: &[R], hits: &mut Vec<Hit>)
+    where
+        for<'r> &'r R: Into<SurfaceRay>,
+    {
         hits.resize(rays.len(), Hit::MISS);
         let blocks = hits.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
         blocks.for_each(|(hits, rays)| self.closest_hits_of_block(rays, hits));
     }
 
-    /// [`Bvh::any_hit`] of many rays, as [`Bvh::closest_hits`].
-    pub fn any_hits(&self, rays: &[Ray], found: &mut Vec<bool>) {
+    pub fn any_hits<R: Sync>(&self, rays: &[R], found: &mut Vec<bool>)
+    where
+        for<'r> &'r R: Into<SurfaceRay>,
+    {
         found.resize(rays.len(), false);
         let blocks = found.par_chunks_mut(BLOCK).zip(rays.par_chunks(BLOCK));
         blocks.for_each(|(found, rays)| self.any_hits_of_block(rays, found));
     }
 
-    /// [`Bvh::closest_hits`] on this thread, for callers with their own threads.
-    ///
-    /// # Panics
-    /// If `hits` is shorter than `rays`.
-    pub fn closest_hits_of_block(&self, rays: &[Ray], hits: &mut [Hit]) {
-        let query = self.query(Question::Closest);
-        self.trace_rays(&query, numbered(rays), |i, hit| hits[i] = hit);
+    pub fn closest_hits_of_block<R>(&self, rays: &[R], hits: &mut [Hit])
+    where
+        for<'r> &'r R: Into<SurfaceRay>,
+    {
+        let query = self.of_packets(Question::Closest);
+        let rays = rays.iter().map(Into::into).enumerate();
+        self.bvh.trace_rays(&query, rays, |i, hit| hits[i] = hit);
     }
 
-    /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
-    ///
-    /// # Panics
-    /// If `found` is shorter than `rays`.
-    pub fn any_hits_of_block(&self, rays: &[Ray], found: &mut [bool]) {
-        let query = self.query(Question::Any);
-        self.trace_rays(&query, numbered(rays), |i, hit| found[i] = hit.is_hit());
+    pub fn any_hits_of_block<R>(&self, rays: &[R], found: &mut [bool])
+    where
+        for<'r> &'r R: Into<SurfaceRay>,
+    {
+        let query = self.of_packets(Question::Any);
+        let rays = rays.iter().map(Into::into).enumerate();
+        let answer = |i: usize, hit: Hit| found[i] = hit.is_hit();
+        self.bvh.trace_rays(&query, rays, answer);
     }
 
-    fn query(&self, question: Question) -> PacketQuery<'static> {
+    fn of_packets(&self, question: Question) -> PacketQuery<'_> {
         PacketQuery {
             question,
-            exponent: self.scene_exponent(),
-            target: None,
+            exponent: self.bvh.scene_exponent(),
+            target: self.rule,
         }
     }
+}
 
-    /// Traces rays, each with a number and a primitive to skip, and calls back with each ray's number and hit.
+impl Bvh {
+    /// Traces rays, each with a number, and calls back with each ray's number and hit.
     pub(crate) fn trace_rays(
         &self,
         query: &PacketQuery,
-        rays: impl Iterator<Item = (usize, Ray, u32)>,
+        rays: impl Iterator<Item = (usize, SurfaceRay)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
         let filter = filter_of(query.target);
-        let idle = Lane {
-            filter: SkipAnd::new(&filter, NO_PRIMITIVE),
-            collector: ClosestOrAny::any(0.0),
-        };
-        let mut packet = [idle; LANES];
         let mut numbers = [0; LANES];
         let mut prepared = PreparedRays::EMPTY;
         let mut rays = rays.peekable();
         while rays.peek().is_some() {
             let mut asked = [Ray::EMPTY; LANES];
+            let mut ends = [RayEnds::NONE; LANES];
             let mut count = 0;
-            for (i, (number, ray, skip)) in rays.by_ref().take(LANES).enumerate() {
-                asked[i] = ray;
-                packet[i].filter.skip = Skip(skip);
+            for (i, (number, ray)) in rays.by_ref().take(LANES).enumerate() {
+                asked[i] = ray.ray;
+                ends[i] = ray.ends;
                 numbers[i] = number;
                 count += 1;
             }
             prepared.prepare(&asked, query.exponent);
-            for (lane, t_max) in packet.iter_mut().zip(prepared.t_max()) {
-                lane.collector = match query.question {
-                    Question::Closest => ClosestOrAny::closest(*t_max),
-                    Question::Any => ClosestOrAny::any(*t_max),
-                };
-            }
+            let mut packet = from_fn(|i| Lane {
+                filter: EndsAnd {
+                    ends: EndsFilter(GivenEnds {
+                        ray: &asked[i],
+                        ends: &ends[i],
+                        scene_exponent: query.exponent,
+                    }),
+                    filter: &filter,
+                },
+                collector: query.question.collector(prepared.t_max()[i]),
+            });
             self.trace(&mut prepared, &mut packet);
             for (i, lane) in packet.iter().enumerate().take(count) {
                 answer(numbers[i], prepared.restore(i, lane.collector.closest.hit));
@@ -132,11 +157,6 @@ impl Bvh {
     fn trace(&self, rays: &mut PreparedRays<Numbers, LANES>, packet: &mut Packet) {
         self.stored.visit(Together { rays, packet });
     }
-}
-
-fn numbered(rays: &[Ray]) -> impl Iterator<Item = (usize, Ray, u32)> {
-    let rays = rays.iter().enumerate();
-    rays.map(|(i, ray)| (i, *ray, NO_PRIMITIVE))
 }
 
 #[cfg(test)]

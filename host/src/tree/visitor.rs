@@ -1,14 +1,13 @@
 //! Visitors of a stored tree: code compiled once for each way to store nodes and triangles.
 
 use super::lanes::{LANES, Numbers};
-use super::packets::Packet;
+use super::packets::{Packet, RayLane};
 use super::sources::{StoredNodes, StoredTriangles};
-use super::stored::{Stacks, with_stacks};
+use super::stored::with_stacks;
 use slimbvh_core::Hit;
-use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Collector, Lane, PreparedRays, SkipAnd, trace_alone, trace_packet, traverse_with,
+    Collector, HitFilter, PreparedRays, trace_alone, trace_packet, traverse,
 };
 
 /// Called with the concrete sources of nodes and triangles: [`StoredTree::visit`](super::StoredTree::visit).
@@ -26,7 +25,7 @@ pub trait TreeVisitor {
 /// Traces one ray with the thread's own stack, for the closest hit or any, as its collector asks.
 pub struct Alone<'a, 'b> {
     pub ray: &'a PreparedRay,
-    pub lane: &'a mut Lane<SkipAnd<'b, FacingFilter<Sides<'b>>>, ClosestOrAny>,
+    pub lane: &'a mut RayLane<'b>,
 }
 
 impl TreeVisitor for Alone<'_, '_> {
@@ -59,22 +58,20 @@ impl TreeVisitor for Together<'_, '_> {
     }
 }
 
-/// Traces one ray for any collector, at the cost of a virtual call for each node.
-pub struct Watched<'a, 'b> {
-    pub stacks: &'a mut Stacks,
+/// Traces one ray for any collector, at the cost of a virtual call for each node. The stack is its own: the collector may use this
+/// thread's.
+pub struct Watched<'a, F> {
     pub ray: &'a PreparedRay,
-    pub filter: SkipAnd<'b, FacingFilter<Sides<'b>>>,
+    pub filter: &'a F,
     pub collector: &'a mut dyn Collector,
 }
 
-impl TreeVisitor for Watched<'_, '_> {
+impl<F: HitFilter> TreeVisitor for Watched<'_, F> {
     type Output = ();
 
-    #[inline(always)]
     fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
-        let stack = &mut N::stacks(self.stacks).alone;
         let collector = &mut Shared(self.collector);
-        traverse_with(stack, nodes, triangles, self.ray, &self.filter, collector);
+        traverse(nodes, triangles, self.ray, self.filter, collector);
     }
 }
 

@@ -3,7 +3,8 @@
 use glam::Vec3;
 use slimbvh::generate::terrain;
 use slimbvh::{Bvh, CodeBits};
-use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::RayEnds;
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{AnyHit, Collector, Counted};
 use slimbvh_core::{Hit, Ray};
 use slimbvh_tests::build;
@@ -32,7 +33,7 @@ fn counted<C: Collector>(
     for ray in rays {
         let ray = PreparedRay::new(ray, bvh.scene_exponent());
         let mut collector = Counted::new(new(ray.t_max));
-        bvh.collect(&ray, NO_PRIMITIVE, &mut collector);
+        bvh.collect(&ray, &RayEnds::NONE, &mut collector);
         sum[0] += u32::from(found(&collector.inner));
         sum[1] += collector.node_count;
         sum[2] += collector.triangle_count;

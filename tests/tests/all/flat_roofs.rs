@@ -3,7 +3,8 @@
 use slimbvh::internals::Random;
 use slimbvh::{BuildConfig, Builder, Bvh, Mesh, MeshCodec, NodeCodec, WideStore};
 use slimbvh_core::Ray;
-use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::RayEnds;
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{ClosestHit, Counted};
 
 /// Sides of the roof's square, and how high it is: no multiple of any lattice's step.
@@ -77,7 +78,7 @@ fn work(bvh: &Bvh) -> [u32; 2] {
     for ray in sun_rays() {
         let ray = PreparedRay::new(&ray, bvh.scene_exponent());
         let mut counted = Counted::new(ClosestHit::new(ray.t_max));
-        bvh.collect(&ray, NO_PRIMITIVE, &mut counted);
+        bvh.collect(&ray, &RayEnds::NONE, &mut counted);
         assert!(!counted.inner.hit.is_hit());
         sums[0] += counted.node_count;
         sums[1] += counted.triangle_count;

@@ -19,6 +19,7 @@ mod gpu;
 mod instructions;
 mod meshes;
 mod negative_controls;
+mod next_rays;
 mod odd_rays;
 mod packets;
 mod reduced;

@@ -7,8 +7,9 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use slimbvh::generate::{icosphere, terrain};
 use slimbvh::{BuildConfig, Bvh, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec, TreeKind};
+use slimbvh_core::RayEnds;
 use slimbvh_core::lanes::Each;
-use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
     Children, ClosestHit, Collector, Lane, LeafRun, LeafTriangles, NodeSource, Order, PacketStacks,
     PlainNodes, PreparedRays, Skip, trace_alone, trace_packet,
@@ -214,7 +215,7 @@ fn a_collector_may_ask_the_same_tree() {
         let ask = |ray: &Ray| {
             let mut asking = Asking(&bvh, 0);
             let ray = PreparedRay::new(ray, bvh.scene_exponent());
-            bvh.collect(&ray, NO_PRIMITIVE, &mut asking);
+            bvh.collect(&ray, &RayEnds::NONE, &mut asking);
             asking.1
         };
         assert!(ask(&across()) >= 2);

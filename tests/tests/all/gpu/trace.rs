@@ -4,8 +4,9 @@ use proptest::prelude::*;
 use slimbvh::generate::soup;
 use slimbvh::gpu::{self, Frame, Gpu, GpuError, Query, wgpu};
 use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh};
+use slimbvh_core::RayEnds;
 use slimbvh_core::launch::NEAREST_COUNT;
-use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{ClosestHit, Counted};
 use slimbvh_core::{Hit, Ray};
 use slimbvh_lab::stress::BOUND_ULPS;
@@ -63,7 +64,7 @@ impl Answers {
         let counted = |ray: &Ray| {
             let ray = PreparedRay::new(ray, bvh.scene_exponent());
             let mut counted = Counted::new(ClosestHit::new(ray.t_max));
-            bvh.collect(&ray, NO_PRIMITIVE, &mut counted);
+            bvh.collect(&ray, &RayEnds::NONE, &mut counted);
             [counted.node_count, counted.triangle_count]
         };
         Self {

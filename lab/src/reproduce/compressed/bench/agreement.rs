@@ -6,7 +6,8 @@ use crate::reproduce::steps::Steps;
 use anyhow::{Context, Result, ensure};
 use slimbvh::gpu::{Bvh, Gpu, Query, wgpu};
 use slimbvh::{Cpu, Ray, RenderSettings, Scene};
-use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
+use slimbvh_core::RayEnds;
+use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{ClosestHit, Counted};
 use wgpu::BufferUsages;
 
@@ -88,7 +89,7 @@ fn count(bvh: &slimbvh::Bvh, rays: &[Ray]) -> Vec<[u32; 2]> {
     let count = |ray: &Ray| {
         let ray = PreparedRay::new(ray, bvh.scene_exponent());
         let mut counted = Counted::new(ClosestHit::new(ray.t_max));
-        bvh.collect(&ray, NO_PRIMITIVE, &mut counted);
+        bvh.collect(&ray, &RayEnds::NONE, &mut counted);
         [counted.node_count, counted.triangle_count]
     };
     rays.iter().map(count).collect()
