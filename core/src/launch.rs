@@ -36,6 +36,27 @@ pub const fn dispatch(group_count: u32) -> [u32; 3] {
     [row, group_count.div_ceil(GROUPS_PER_ROW), 1]
 }
 
+/// A number of items, and the [`dispatch`] of a thread for each: the form of an indirect dispatch.
+#[inline(always)]
+#[must_use]
+pub const fn dispatch_each(item_count: u32) -> [u32; 4] {
+    let [x, y, z] = dispatch(item_count.div_ceil(LANES as u32));
+    [item_count, x, y, z]
+}
+
+/// How many of `count` items are in the part that begins at the item `first` and holds at most `most`.
+#[inline(always)]
+#[must_use]
+pub const fn count_in_part(count: u32, first: u32, most: u32) -> u32 {
+    if first >= count {
+        0
+    } else if count - first < most {
+        count - first
+    } else {
+        most
+    }
+}
+
 /// Values that a lane takes in a `scan` of `value_count`: [`SCAN_RUN`], or more where there would be over [`MOST_SCAN_BLOCKS`].
 #[inline(always)]
 #[must_use]
@@ -112,6 +133,14 @@ mod tests {
         assert_eq!(dispatch(GROUPS_PER_ROW + 1), [GROUPS_PER_ROW, 2, 1]);
         assert_eq!(group_index(3, 1), GROUPS_PER_ROW + 3);
         assert_eq!(thread_index(7, 1), GROUPS_PER_ROW * LANES as u32 + 7);
+    }
+
+    #[test]
+    fn parts_hold_every_item_once() {
+        let parts = [0, 64, 128, 192].map(|first| count_in_part(130, first, 64));
+        assert_eq!(parts, [64, 64, 2, 0]);
+        assert_eq!(dispatch_each(65), [65, 2, 1, 1]);
+        assert_eq!(dispatch_each(0), [0, 0, 0, 1]);
     }
 
     #[test]

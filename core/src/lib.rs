@@ -21,7 +21,9 @@ pub mod reduce;
 pub mod shade;
 pub mod trace;
 
-pub use build::{bounds, cluster, compact, morton, node, refit, scan, snap, sort, topology, wide};
+pub use build::{
+    bounds, cluster, compact, gather, morton, node, refit, scan, snap, sort, topology, wide,
+};
 pub use codec as encode;
 pub use geometry::{
     aabb, ends, float, frustum, lanes, lattice, orientation, planes, ray, slab, triangle,

@@ -37,6 +37,8 @@ pub mod compact;
 pub mod decide;
 #[cfg(feature = "plain")]
 pub mod encode;
+#[cfg(feature = "plain")]
+pub mod gather;
 mod group;
 #[cfg(feature = "plain")]
 pub mod morton;

@@ -17,6 +17,7 @@ pub mod overflow;
 pub mod paper10;
 #[cfg(feature = "plain")]
 pub mod plain;
+mod rays;
 mod store;
 #[cfg(feature = "wide")]
 pub mod wide;

@@ -14,958 +14,1110 @@
 //
 // trace nothing again: where overflowed is true, hit is a miss and found is false, and mean nothing. A shader that calls
 // only these needs no private stack: it can list the rays that overflowed for a second dispatch.
+//
+// Each of the four has a variant for rays that leave a surface, with _from behind hit and a last argument skip, as in the
+// first text: slimbvh_closest_hit_from_in_group, slimbvh_try_any_hit_from.
+
+struct SlimbvhTypeR {
+    member: u32,
+}
 
 var<workgroup> slimbvh_stacks: array<u32, 2048>;
 
-var<private> slimbvh_lane: SlimbvhTypeJ;
+var<private> slimbvh_lane: SlimbvhTypeR;
 
-var<private> slimbvh_overflowed: SlimbvhTypeJ;
+var<private> slimbvh_overflowed: SlimbvhTypeR;
 
 fn slimbvh_trace_in_group() {
-    var phi_400_: u32;
-    var phi_406_: u32;
-    var phi_412_: u32;
-    var phi_677_: i32;
-    var phi_688_: i32;
-    var phi_802_: i32;
-    var phi_931_: i32;
-    var phi_953_: u32;
-    var phi_954_: u32;
-    var phi_955_: bool;
-    var phi_989_: i32;
-    var phi_1011_: u32;
-    var phi_1012_: u32;
-    var phi_1013_: bool;
-    var phi_574_: i32;
-    var phi_580_: u32;
-    var phi_599_: u32;
-    var phi_600_: u32;
-    var phi_601_: bool;
-    var phi_619_: i32;
-    var phi_625_: u32;
-    var phi_644_: u32;
-    var phi_645_: u32;
-    var phi_646_: bool;
-    var phi_1023_: SlimbvhTypeC;
-    var phi_1225_: SlimbvhTypeK;
-    var phi_1240_: SlimbvhTypeK;
-    var phi_1243_: u32;
-    var phi_1245_: u32;
-    var phi_1247_: u32;
-    var phi_1256_: u32;
-    var phi_1259_: u32;
-    var phi_1261_: u32;
-    var phi_1525_: u32;
-    var phi_1541_: u32;
-    var phi_1542_: u32;
-    var phi_1257_: u32;
-    var phi_1260_: u32;
-    var phi_1262_: u32;
+    var phi_434_: u32;
+    var phi_440_: u32;
+    var phi_446_: u32;
+    var phi_711_: i32;
+    var phi_722_: i32;
+    var phi_836_: i32;
+    var phi_965_: i32;
+    var phi_987_: u32;
+    var phi_988_: u32;
+    var phi_989_: bool;
+    var phi_1023_: i32;
+    var phi_1045_: u32;
+    var phi_1046_: u32;
+    var phi_1047_: bool;
+    var phi_608_: i32;
+    var phi_614_: u32;
+    var phi_633_: u32;
+    var phi_634_: u32;
+    var phi_635_: bool;
+    var phi_653_: i32;
+    var phi_659_: u32;
+    var phi_678_: u32;
+    var phi_679_: u32;
+    var phi_680_: bool;
+    var phi_1057_: SlimbvhTypeE;
+    var phi_1269_: SlimbvhTypeN;
+    var phi_1284_: SlimbvhTypeN;
+    var phi_1287_: u32;
+    var phi_1289_: u32;
+    var phi_1291_: u32;
+    var phi_1300_: u32;
+    var phi_1303_: u32;
+    var phi_1305_: u32;
+    var phi_1569_: u32;
+    var phi_1585_: u32;
+    var phi_1586_: u32;
+    var phi_1301_: u32;
+    var phi_1304_: u32;
+    var phi_1306_: u32;
     var local: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_1558_: SlimbvhTypeK;
-    var phi_1561_: SlimbvhTypeD;
-    var phi_1562_: SlimbvhTypeD;
-    var phi_1584_: SlimbvhTypeD;
-    var phi_1663_: array<vec4<f32>, 3>;
-    var phi_1664_: array<vec4<f32>, 3>;
-    var phi_1738_: array<vec4<f32>, 3>;
-    var phi_1739_: array<vec4<f32>, 3>;
-    var phi_1762_: array<f32, 3>;
-    var phi_1763_: array<f32, 3>;
-    var phi_1777_: array<f32, 3>;
-    var phi_1778_: array<f32, 3>;
-    var phi_1792_: array<f32, 3>;
-    var phi_1793_: array<f32, 3>;
-    var phi_2126_: f32;
-    var phi_2127_: f32;
-    var phi_2128_: f32;
-    var phi_2129_: f32;
-    var phi_2130_: vec3<f32>;
-    var phi_2131_: vec3<f32>;
-    var phi_2132_: vec3<f32>;
-    var phi_2133_: vec3<f32>;
-    var phi_2312_: f32;
-    var phi_2338_: SlimbvhTypeE;
-    var phi_2339_: SlimbvhTypeE;
-    var phi_2342_: SlimbvhTypeE;
-    var phi_2343_: SlimbvhTypeE;
-    var phi_2344_: bool;
-    var phi_2348_: SlimbvhTypeE;
-    var phi_2357_: SlimbvhTypeF;
-    var phi_2382_: bool;
-    var phi_2383_: bool;
-    var phi_2390_: SlimbvhTypeK;
-    var phi_2396_: SlimbvhTypeK;
-    var phi_2397_: SlimbvhTypeK;
-    var phi_2398_: SlimbvhTypeK;
-    var phi_1559_: SlimbvhTypeK;
+    var phi_1602_: SlimbvhTypeN;
+    var phi_1605_: SlimbvhTypeF;
+    var phi_1606_: SlimbvhTypeF;
+    var phi_1628_: SlimbvhTypeF;
+    var phi_1707_: array<vec4<f32>, 3>;
+    var phi_1708_: array<vec4<f32>, 3>;
+    var phi_1782_: array<vec4<f32>, 3>;
+    var phi_1783_: array<vec4<f32>, 3>;
+    var phi_1806_: array<f32, 3>;
+    var phi_1807_: array<f32, 3>;
+    var phi_1821_: array<f32, 3>;
+    var phi_1822_: array<f32, 3>;
+    var phi_1836_: array<f32, 3>;
+    var phi_1837_: array<f32, 3>;
+    var phi_2170_: f32;
+    var phi_2171_: f32;
+    var phi_2172_: f32;
+    var phi_2173_: f32;
+    var phi_2174_: vec3<f32>;
+    var phi_2175_: vec3<f32>;
+    var phi_2176_: vec3<f32>;
+    var phi_2177_: vec3<f32>;
+    var phi_2356_: f32;
+    var phi_2382_: SlimbvhTypeG;
+    var phi_2383_: SlimbvhTypeG;
+    var phi_2386_: SlimbvhTypeG;
+    var phi_2387_: SlimbvhTypeG;
+    var phi_2388_: bool;
+    var phi_2392_: SlimbvhTypeG;
+    var phi_2401_: SlimbvhTypeH;
+    var phi_2448_: i32;
+    var phi_2588_: SlimbvhTypeI;
+    var phi_2612_: u32;
+    var phi_2640_: vec3<f32>;
+    var phi_2641_: vec3<f32>;
+    var phi_2658_: vec3<f32>;
+    var phi_2659_: vec3<f32>;
+    var phi_2676_: vec3<f32>;
+    var phi_2677_: vec3<f32>;
+    var phi_2713_: vec3<f32>;
+    var phi_2895_: f32;
+    var phi_2913_: bool;
+    var phi_2914_: bool;
+    var phi_2933_: bool;
+    var phi_2934_: bool;
+    var phi_2941_: SlimbvhTypeN;
+    var phi_2947_: SlimbvhTypeN;
+    var phi_2948_: SlimbvhTypeN;
+    var phi_2949_: SlimbvhTypeN;
+    var phi_1603_: SlimbvhTypeN;
     var local_3: u32;
-    var local_4: SlimbvhTypeK;
-    var phi_2420_: SlimbvhTypeK;
-    var phi_2421_: u32;
-    var phi_2422_: u32;
-    var phi_1241_: SlimbvhTypeK;
-    var phi_1244_: u32;
-    var phi_1246_: u32;
-    var phi_1248_: u32;
+    var local_4: SlimbvhTypeN;
+    var phi_2971_: SlimbvhTypeN;
+    var phi_2972_: u32;
+    var phi_2973_: u32;
+    var phi_1285_: SlimbvhTypeN;
+    var phi_1288_: u32;
+    var phi_1290_: u32;
+    var phi_1292_: u32;
     var local_5: u32;
-    var local_6: SlimbvhTypeK;
-    var phi_2457_: f32;
-    var phi_2459_: f32;
-    var phi_2460_: bool;
-    var phi_2461_: f32;
-    var phi_2462_: bool;
-    var phi_2865_: u32;
-    var phi_2883_: bool;
-    var phi_2886_: bool;
-    var phi_2899_: f32;
-    var phi_2900_: f32;
-    var phi_2905_: f32;
-    var phi_2906_: f32;
-    var phi_2907_: bool;
-    var phi_2915_: f32;
-    var phi_2477_: f32;
-    var phi_2478_: f32;
-    var phi_2490_: f32;
-    var phi_2495_: SlimbvhTypeF;
-    var phi_2508_: bool;
-    var phi_2509_: bool;
-    var phi_2510_: bool;
-    var local_7: SlimbvhTypeK;
+    var local_6: SlimbvhTypeN;
+    var phi_3008_: f32;
+    var phi_3010_: f32;
+    var phi_3011_: bool;
+    var phi_3012_: f32;
+    var phi_3013_: bool;
+    var phi_3416_: u32;
+    var phi_3434_: bool;
+    var phi_3437_: bool;
+    var phi_3450_: f32;
+    var phi_3451_: f32;
+    var phi_3456_: f32;
+    var phi_3457_: f32;
+    var phi_3458_: bool;
+    var phi_3466_: f32;
+    var phi_3028_: f32;
+    var phi_3029_: f32;
+    var phi_3041_: f32;
+    var phi_3046_: SlimbvhTypeH;
+    var phi_3059_: bool;
+    var phi_3060_: bool;
+    var phi_3061_: bool;
+    var local_7: SlimbvhTypeN;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
 
-    let _e76 = SlimbvhTypeF(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e79 = arrayLength((&slimbvh_nodes.member));
-    let _e88 = slimbvh_origin.member;
-    let _e94 = slimbvh_origin.member[3u];
-    let _e95 = slimbvh_direction.member;
-    let _e101 = slimbvh_direction.member[3u];
-    let _e104 = slimbvh_exponent.member[0u];
-    let _e105 = bitcast<i32>(_e104);
-    let _e107 = (bitcast<u32>(_e88.x) & 2147483647u);
-    let _e109 = (bitcast<u32>(_e88.y) & 2147483647u);
-    let _e111 = (bitcast<u32>(_e88.z) & 2147483647u);
-    let _e112 = bitcast<u32>(_e94);
-    let _e113 = (_e112 & 2147483647u);
-    let _e115 = (bitcast<u32>(_e95.x) & 2147483647u);
-    let _e117 = (bitcast<u32>(_e95.y) & 2147483647u);
-    let _e119 = (bitcast<u32>(_e95.z) & 2147483647u);
-    let _e120 = bitcast<u32>(_e101);
-    let _e121 = (_e120 & 2147483647u);
-    let _e123 = select(_e117, _e115, (_e117 < _e115));
-    let _e125 = select(_e119, _e123, (_e119 < _e123));
-    let _e127 = select(_e107, _e125, (_e107 < _e125));
-    let _e129 = select(_e109, _e127, (_e109 < _e127));
-    let _e131 = select(_e111, _e129, (_e111 < _e129));
-    let _e138 = (((select(_e113, _e131, (_e113 < _e131)) < 2139095040u) && (_e121 <= 2139095040u)) && (_e125 > 0u));
-    if (_e115 == _e125) {
-        phi_400_ = 0u;
+    let _e87 = SlimbvhTypeH(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e90 = arrayLength((&slimbvh_nodes.member));
+    let _e101 = slimbvh_origin.member;
+    let _e107 = slimbvh_origin.member[3u];
+    let _e108 = slimbvh_direction.member;
+    let _e114 = slimbvh_direction.member[3u];
+    let _e117 = slimbvh_exponent.member[0u];
+    let _e118 = bitcast<i32>(_e117);
+    let _e120 = (bitcast<u32>(_e101.x) & 2147483647u);
+    let _e122 = (bitcast<u32>(_e101.y) & 2147483647u);
+    let _e124 = (bitcast<u32>(_e101.z) & 2147483647u);
+    let _e125 = bitcast<u32>(_e107);
+    let _e126 = (_e125 & 2147483647u);
+    let _e128 = (bitcast<u32>(_e108.x) & 2147483647u);
+    let _e130 = (bitcast<u32>(_e108.y) & 2147483647u);
+    let _e132 = (bitcast<u32>(_e108.z) & 2147483647u);
+    let _e133 = bitcast<u32>(_e114);
+    let _e134 = (_e133 & 2147483647u);
+    let _e136 = select(_e130, _e128, (_e130 < _e128));
+    let _e138 = select(_e132, _e136, (_e132 < _e136));
+    let _e140 = select(_e120, _e138, (_e120 < _e138));
+    let _e142 = select(_e122, _e140, (_e122 < _e140));
+    let _e144 = select(_e124, _e142, (_e124 < _e142));
+    let _e151 = (((select(_e126, _e144, (_e126 < _e144)) < 2139095040u) && (_e134 <= 2139095040u)) && (_e138 > 0u));
+    if (_e128 == _e138) {
+        phi_434_ = 0u;
     } else {
-        phi_400_ = select(2u, 1u, (_e117 == _e125));
+        phi_434_ = select(2u, 1u, (_e130 == _e138));
     }
-    let _e143 = phi_400_;
-    let _e144 = (_e143 == 2u);
-    if _e144 {
-        phi_406_ = 0u;
+    let _e156 = phi_434_;
+    let _e157 = (_e156 == 2u);
+    if _e157 {
+        phi_440_ = 0u;
     } else {
-        phi_406_ = (_e143 + 1u);
+        phi_440_ = (_e156 + 1u);
     }
-    let _e147 = phi_406_;
-    let _e148 = (_e147 == 2u);
-    if _e148 {
-        phi_412_ = 0u;
+    let _e160 = phi_440_;
+    let _e161 = (_e160 == 2u);
+    if _e161 {
+        phi_446_ = 0u;
     } else {
-        phi_412_ = (_e147 + 1u);
+        phi_446_ = (_e160 + 1u);
     }
-    let _e151 = phi_412_;
-    let _e152 = (_e147 == 0u);
-    let _e154 = select(select(_e88.y, _e88.x, _e152), _e88.z, _e148);
-    let _e155 = (_e151 == 0u);
-    let _e157 = (_e151 == 2u);
-    let _e158 = select(select(_e88.y, _e88.x, _e155), _e88.z, _e157);
-    let _e159 = (_e143 == 0u);
-    let _e161 = select(select(_e88.y, _e88.x, _e159), _e88.z, _e144);
-    let _e163 = select(select(_e95.y, _e95.x, _e152), _e95.z, _e148);
-    let _e165 = select(select(_e95.y, _e95.x, _e155), _e95.z, _e157);
-    let _e167 = select(select(_e95.y, _e95.x, _e159), _e95.z, _e144);
-    let _e168 = (_e113 - 1u);
-    let _e169 = (_e121 - 1u);
-    let _e171 = select(_e168, _e169, (_e169 < _e168));
-    let _e172 = (_e107 - 1u);
-    let _e173 = (_e109 - 1u);
-    let _e175 = select(_e172, _e173, (_e173 < _e172));
-    let _e176 = (_e111 - 1u);
-    let _e178 = select(_e175, _e176, (_e176 < _e175));
-    let _e179 = (_e115 - 1u);
-    let _e180 = (_e117 - 1u);
-    let _e182 = select(_e179, _e180, (_e180 < _e179));
-    let _e183 = (_e119 - 1u);
-    let _e185 = select(_e182, _e183, (_e183 < _e182));
-    let _e187 = select(_e178, _e185, (_e185 < _e178));
-    if (((select(_e187, _e171, (_e171 < _e187)) >= 8388607u) && (_e125 < 2130706432u)) && (bitcast<u32>((_e105 + 126i)) <= 253u)) {
-        let _e452 = bitcast<i32>((_e125 >> bitcast<u32>(23i)));
-        let _e453 = (_e452 - 127i);
-        let _e454 = (_e105 + _e453);
-        let _e459 = bitcast<f32>((bitcast<u32>((_e105 + 127i)) << bitcast<u32>(23i)));
-        let _e464 = bitcast<f32>((bitcast<u32>((254i - _e452)) << bitcast<u32>(23i)));
-        if (_e113 >= 2139095040u) {
-            phi_574_ = 255i;
+    let _e164 = phi_446_;
+    let _e165 = (_e160 == 0u);
+    let _e167 = select(select(_e101.y, _e101.x, _e165), _e101.z, _e161);
+    let _e168 = (_e164 == 0u);
+    let _e170 = (_e164 == 2u);
+    let _e171 = select(select(_e101.y, _e101.x, _e168), _e101.z, _e170);
+    let _e172 = (_e156 == 0u);
+    let _e174 = select(select(_e101.y, _e101.x, _e172), _e101.z, _e157);
+    let _e176 = select(select(_e108.y, _e108.x, _e165), _e108.z, _e161);
+    let _e178 = select(select(_e108.y, _e108.x, _e168), _e108.z, _e170);
+    let _e180 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e157);
+    let _e181 = (_e126 - 1u);
+    let _e182 = (_e134 - 1u);
+    let _e184 = select(_e181, _e182, (_e182 < _e181));
+    let _e185 = (_e120 - 1u);
+    let _e186 = (_e122 - 1u);
+    let _e188 = select(_e185, _e186, (_e186 < _e185));
+    let _e189 = (_e124 - 1u);
+    let _e191 = select(_e188, _e189, (_e189 < _e188));
+    let _e192 = (_e128 - 1u);
+    let _e193 = (_e130 - 1u);
+    let _e195 = select(_e192, _e193, (_e193 < _e192));
+    let _e196 = (_e132 - 1u);
+    let _e198 = select(_e195, _e196, (_e196 < _e195));
+    let _e200 = select(_e191, _e198, (_e198 < _e191));
+    if (((select(_e200, _e184, (_e184 < _e200)) >= 8388607u) && (_e138 < 2130706432u)) && (bitcast<u32>((_e118 + 126i)) <= 253u)) {
+        let _e465 = bitcast<i32>((_e138 >> bitcast<u32>(23i)));
+        let _e466 = (_e465 - 127i);
+        let _e467 = (_e118 + _e466);
+        let _e472 = bitcast<f32>((bitcast<u32>((_e118 + 127i)) << bitcast<u32>(23i)));
+        let _e477 = bitcast<f32>((bitcast<u32>((254i - _e465)) << bitcast<u32>(23i)));
+        if (_e126 >= 2139095040u) {
+            phi_608_ = 255i;
         } else {
-            phi_574_ = (bitcast<i32>((_e113 >> bitcast<u32>(23i))) + _e454);
+            phi_608_ = (bitcast<i32>((_e126 >> bitcast<u32>(23i))) + _e467);
         }
-        let _e479 = phi_574_;
-        if (_e113 == 0u) {
-            phi_580_ = 0u;
+        let _e492 = phi_608_;
+        if (_e126 == 0u) {
+            phi_614_ = 0u;
         } else {
-            phi_580_ = (_e113 | 8388608u);
+            phi_614_ = (_e126 | 8388608u);
         }
-        let _e483 = phi_580_;
-        if (_e479 <= 0i) {
-            phi_600_ = u32();
-            phi_601_ = true;
+        let _e496 = phi_614_;
+        if (_e492 <= 0i) {
+            phi_634_ = u32();
+            phi_635_ = true;
         } else {
-            let _e490 = (_e483 == 0u);
-            if _e490 {
-                phi_599_ = u32();
+            let _e503 = (_e496 == 0u);
+            if _e503 {
+                phi_633_ = u32();
             } else {
-                phi_599_ = select(((bitcast<u32>(_e479) << bitcast<u32>(23i)) | (_e483 & 8388607u)), 2139095039u, (_e479 >= 255i));
+                phi_633_ = select(((bitcast<u32>(_e492) << bitcast<u32>(23i)) | (_e496 & 8388607u)), 2139095039u, (_e492 >= 255i));
             }
-            let _e494 = phi_599_;
-            phi_600_ = _e494;
-            phi_601_ = _e490;
+            let _e507 = phi_633_;
+            phi_634_ = _e507;
+            phi_635_ = _e503;
         }
-        let _e496 = phi_600_;
-        let _e498 = phi_601_;
-        if (_e121 >= 2139095040u) {
-            phi_619_ = 255i;
+        let _e509 = phi_634_;
+        let _e511 = phi_635_;
+        if (_e134 >= 2139095040u) {
+            phi_653_ = 255i;
         } else {
-            phi_619_ = (bitcast<i32>((_e121 >> bitcast<u32>(23i))) + _e454);
+            phi_653_ = (bitcast<i32>((_e134 >> bitcast<u32>(23i))) + _e467);
         }
-        let _e509 = phi_619_;
-        if (_e121 == 0u) {
-            phi_625_ = 0u;
+        let _e522 = phi_653_;
+        if (_e134 == 0u) {
+            phi_659_ = 0u;
         } else {
-            phi_625_ = (_e121 | 8388608u);
+            phi_659_ = (_e134 | 8388608u);
         }
-        let _e513 = phi_625_;
-        if (_e509 <= 0i) {
-            phi_645_ = u32();
-            phi_646_ = true;
+        let _e526 = phi_659_;
+        if (_e522 <= 0i) {
+            phi_679_ = u32();
+            phi_680_ = true;
         } else {
-            let _e520 = (_e513 == 0u);
-            if _e520 {
-                phi_644_ = u32();
+            let _e533 = (_e526 == 0u);
+            if _e533 {
+                phi_678_ = u32();
             } else {
-                phi_644_ = select(((bitcast<u32>(_e509) << bitcast<u32>(23i)) | (_e513 & 8388607u)), 2139095039u, (_e509 >= 255i));
+                phi_678_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | (_e526 & 8388607u)), 2139095039u, (_e522 >= 255i));
             }
-            let _e524 = phi_644_;
-            phi_645_ = _e524;
-            phi_646_ = _e520;
+            let _e537 = phi_678_;
+            phi_679_ = _e537;
+            phi_680_ = _e533;
         }
-        let _e526 = phi_645_;
-        let _e528 = phi_646_;
-        phi_1023_ = SlimbvhTypeC(array<f32, 3>((_e154 * _e459), (_e158 * _e459), (_e161 * _e459)), array<f32, 3>((_e163 * _e464), (_e165 * _e464), (_e167 * _e464)), bitcast<f32>(((_e112 & 2147483648u) | select(_e496, 0u, _e498))), bitcast<f32>(((_e120 & 2147483648u) | select(_e526, 0u, _e528))), _e453);
+        let _e539 = phi_679_;
+        let _e541 = phi_680_;
+        phi_1057_ = SlimbvhTypeE(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
     } else {
-        let _e200 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e125, _e138))) & 2147483647u);
-        if (_e200 >= 8388608u) {
-            phi_677_ = (bitcast<i32>((_e200 >> bitcast<u32>(23i))) - 127i);
+        let _e213 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e138, _e151))) & 2147483647u);
+        if (_e213 >= 8388608u) {
+            phi_711_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_677_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e200)), 32u, (_e200 == 0u))));
+            phi_711_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
         }
-        let _e214 = phi_677_;
-        let _e215 = (_e105 + _e214);
-        if (_e105 < -126i) {
-            phi_688_ = -126i;
+        let _e227 = phi_711_;
+        let _e228 = (_e118 + _e227);
+        if (_e118 < -126i) {
+            phi_722_ = -126i;
         } else {
-            phi_688_ = select(_e105, 127i, (_e105 > 127i));
+            phi_722_ = select(_e118, 127i, (_e118 > 127i));
         }
-        let _e220 = phi_688_;
-        let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
-        let _e231 = bitcast<f32>((bitcast<u32>(((_e105 - _e220) + 127i)) << bitcast<u32>(23i)));
-        let _e232 = bitcast<u32>(_e154);
-        let _e234 = ((_e232 & 2139095040u) != 0u);
-        let _e249 = bitcast<u32>(_e158);
-        let _e251 = ((_e249 & 2139095040u) != 0u);
-        let _e266 = bitcast<u32>(_e161);
-        let _e268 = ((_e266 & 2139095040u) != 0u);
-        let _e284 = -(_e214);
-        if (_e284 < -126i) {
-            phi_802_ = -126i;
+        let _e233 = phi_722_;
+        let _e238 = bitcast<f32>((bitcast<u32>((_e233 + 127i)) << bitcast<u32>(23i)));
+        let _e244 = bitcast<f32>((bitcast<u32>(((_e118 - _e233) + 127i)) << bitcast<u32>(23i)));
+        let _e245 = bitcast<u32>(_e167);
+        let _e247 = ((_e245 & 2139095040u) != 0u);
+        let _e262 = bitcast<u32>(_e171);
+        let _e264 = ((_e262 & 2139095040u) != 0u);
+        let _e279 = bitcast<u32>(_e174);
+        let _e281 = ((_e279 & 2139095040u) != 0u);
+        let _e297 = -(_e227);
+        if (_e297 < -126i) {
+            phi_836_ = -126i;
         } else {
-            phi_802_ = select(_e284, 127i, (_e284 > 127i));
+            phi_836_ = select(_e297, 127i, (_e297 > 127i));
         }
-        let _e289 = phi_802_;
-        let _e294 = bitcast<f32>((bitcast<u32>((_e289 + 127i)) << bitcast<u32>(23i)));
-        let _e300 = bitcast<f32>((bitcast<u32>(((_e284 - _e289) + 127i)) << bitcast<u32>(23i)));
-        let _e301 = bitcast<u32>(_e163);
-        let _e303 = ((_e301 & 2139095040u) != 0u);
-        let _e318 = bitcast<u32>(_e165);
-        let _e320 = ((_e318 & 2139095040u) != 0u);
-        let _e335 = bitcast<u32>(_e167);
-        let _e337 = ((_e335 & 2139095040u) != 0u);
-        let _e359 = ((_e113 & 8388607u) | (select(0u, 1u, ((_e113 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e362 = bitcast<i32>((_e113 >> bitcast<u32>(23i)));
-        let _e369 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e359)), 32u, (_e359 == 0u))) - 8i);
-        if (_e362 == 255i) {
-            phi_931_ = 255i;
+        let _e302 = phi_836_;
+        let _e307 = bitcast<f32>((bitcast<u32>((_e302 + 127i)) << bitcast<u32>(23i)));
+        let _e313 = bitcast<f32>((bitcast<u32>(((_e297 - _e302) + 127i)) << bitcast<u32>(23i)));
+        let _e314 = bitcast<u32>(_e176);
+        let _e316 = ((_e314 & 2139095040u) != 0u);
+        let _e331 = bitcast<u32>(_e178);
+        let _e333 = ((_e331 & 2139095040u) != 0u);
+        let _e348 = bitcast<u32>(_e180);
+        let _e350 = ((_e348 & 2139095040u) != 0u);
+        let _e372 = ((_e126 & 8388607u) | (select(0u, 1u, ((_e126 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e375 = bitcast<i32>((_e126 >> bitcast<u32>(23i)));
+        let _e382 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e372)), 32u, (_e372 == 0u))) - 8i);
+        if (_e375 == 255i) {
+            phi_965_ = 255i;
         } else {
-            phi_931_ = (((_e362 + select(0i, 1i, (_e362 == 0i))) - _e369) + _e215);
+            phi_965_ = (((_e375 + select(0i, 1i, (_e375 == 0i))) - _e382) + _e228);
         }
-        let _e377 = phi_931_;
-        let _e381 = (_e359 << bitcast<u32>(((_e369 & 31i) & 31i)));
-        if (_e377 <= 0i) {
-            phi_954_ = u32();
-            phi_955_ = true;
+        let _e390 = phi_965_;
+        let _e394 = (_e372 << bitcast<u32>(((_e382 & 31i) & 31i)));
+        if (_e390 <= 0i) {
+            phi_988_ = u32();
+            phi_989_ = true;
         } else {
-            let _e388 = (_e381 == 0u);
-            if _e388 {
-                phi_953_ = u32();
+            let _e401 = (_e394 == 0u);
+            if _e401 {
+                phi_987_ = u32();
             } else {
-                phi_953_ = select(((bitcast<u32>(_e377) << bitcast<u32>(23i)) | (_e381 & 8388607u)), 2139095039u, (_e377 >= 255i));
+                phi_987_ = select(((bitcast<u32>(_e390) << bitcast<u32>(23i)) | (_e394 & 8388607u)), 2139095039u, (_e390 >= 255i));
             }
-            let _e392 = phi_953_;
-            phi_954_ = _e392;
-            phi_955_ = _e388;
+            let _e405 = phi_987_;
+            phi_988_ = _e405;
+            phi_989_ = _e401;
         }
-        let _e394 = phi_954_;
-        let _e396 = phi_955_;
-        let _e407 = ((_e121 & 8388607u) | (select(0u, 1u, ((_e121 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e410 = bitcast<i32>((_e121 >> bitcast<u32>(23i)));
-        let _e417 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e407)), 32u, (_e407 == 0u))) - 8i);
-        if (_e410 == 255i) {
-            phi_989_ = 255i;
+        let _e407 = phi_988_;
+        let _e409 = phi_989_;
+        let _e420 = ((_e134 & 8388607u) | (select(0u, 1u, ((_e134 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e423 = bitcast<i32>((_e134 >> bitcast<u32>(23i)));
+        let _e430 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e420)), 32u, (_e420 == 0u))) - 8i);
+        if (_e423 == 255i) {
+            phi_1023_ = 255i;
         } else {
-            phi_989_ = (((_e410 + select(0i, 1i, (_e410 == 0i))) - _e417) + _e215);
+            phi_1023_ = (((_e423 + select(0i, 1i, (_e423 == 0i))) - _e430) + _e228);
         }
-        let _e425 = phi_989_;
-        let _e429 = (_e407 << bitcast<u32>(((_e417 & 31i) & 31i)));
-        if (_e425 <= 0i) {
-            phi_1012_ = u32();
-            phi_1013_ = true;
+        let _e438 = phi_1023_;
+        let _e442 = (_e420 << bitcast<u32>(((_e430 & 31i) & 31i)));
+        if (_e438 <= 0i) {
+            phi_1046_ = u32();
+            phi_1047_ = true;
         } else {
-            let _e436 = (_e429 == 0u);
-            if _e436 {
-                phi_1011_ = u32();
+            let _e449 = (_e442 == 0u);
+            if _e449 {
+                phi_1045_ = u32();
             } else {
-                phi_1011_ = select(((bitcast<u32>(_e425) << bitcast<u32>(23i)) | (_e429 & 8388607u)), 2139095039u, (_e425 >= 255i));
+                phi_1045_ = select(((bitcast<u32>(_e438) << bitcast<u32>(23i)) | (_e442 & 8388607u)), 2139095039u, (_e438 >= 255i));
             }
-            let _e440 = phi_1011_;
-            phi_1012_ = _e440;
-            phi_1013_ = _e436;
+            let _e453 = phi_1045_;
+            phi_1046_ = _e453;
+            phi_1047_ = _e449;
         }
-        let _e442 = phi_1012_;
-        let _e444 = phi_1013_;
-        phi_1023_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e232 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e232 & 2147483648u))), _e154, _e234) * _e225) * select(0.00000011920929f, 1f, _e234)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e249 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e249 & 2147483648u))), _e158, _e251) * _e225) * select(0.00000011920929f, 1f, _e251)) * _e231), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e266 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e266 & 2147483648u))), _e161, _e268) * _e225) * select(0.00000011920929f, 1f, _e268)) * _e231)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e301 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e301 & 2147483648u))), _e163, _e303) * _e294) * select(0.00000011920929f, 1f, _e303)) * _e300), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e318 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e318 & 2147483648u))), _e165, _e320) * _e294) * select(0.00000011920929f, 1f, _e320)) * _e300), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e335 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e335 & 2147483648u))), _e167, _e337) * _e294) * select(0.00000011920929f, 1f, _e337)) * _e300)), bitcast<f32>(((_e112 & 2147483648u) | select(_e394, 0u, _e396))), bitcast<f32>(((_e120 & 2147483648u) | select(_e442, 0u, _e444))), _e214);
+        let _e455 = phi_1046_;
+        let _e457 = phi_1047_;
+        phi_1057_ = SlimbvhTypeE(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
     }
-    let _e535 = phi_1023_;
-    let _e550 = (bitcast<f32>((bitcast<u32>(_e535.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e553 = bitcast<f32>((bitcast<u32>(_e535.member[0]) & 2147483647u));
-    let _e554 = (_e553 * 0.00000011920929f);
-    let _e557 = select(select(0.00000000000011368684f, _e554, (_e554 > 0.00000000000011368684f)), 0f, _e550);
-    let _e558 = select(0f, _e535.member_1[0], _e550);
-    let _e559 = (_e535.member[0] + _e557);
-    let _e560 = (_e535.member[0] - _e557);
-    let _e562 = select(38685626000000000000000000f, (1f / _e535.member_1[0]), _e550);
-    let _e566 = (bitcast<f32>((bitcast<u32>(_e535.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e569 = bitcast<f32>((bitcast<u32>(_e535.member[1]) & 2147483647u));
-    let _e570 = (_e569 * 0.00000011920929f);
-    let _e573 = select(select(0.00000000000011368684f, _e570, (_e570 > 0.00000000000011368684f)), 0f, _e566);
-    let _e574 = select(0f, _e535.member_1[1], _e566);
-    let _e575 = (_e535.member[1] + _e573);
-    let _e576 = (_e535.member[1] - _e573);
-    let _e578 = select(38685626000000000000000000f, (1f / _e535.member_1[1]), _e566);
-    let _e582 = (bitcast<f32>((bitcast<u32>(_e535.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e585 = bitcast<f32>((bitcast<u32>(_e535.member[2]) & 2147483647u));
-    let _e586 = (_e585 * 0.00000011920929f);
-    let _e589 = select(select(0.00000000000011368684f, _e586, (_e586 > 0.00000000000011368684f)), 0f, _e582);
-    let _e590 = select(0f, _e535.member_1[2], _e582);
-    let _e591 = (_e535.member[2] + _e589);
-    let _e592 = (_e535.member[2] - _e589);
-    let _e594 = select(38685626000000000000000000f, (1f / _e535.member_1[2]), _e582);
-    let _e596 = select(_e569, _e553, (_e553 > _e569));
-    let _e600 = (_e138 && (select(_e585, _e596, (_e596 > _e585)) <= 1099511600000f));
-    let _e601 = select(0f, _e535.member_3, _e600);
-    let _e602 = select(1f, _e535.member_2, _e600);
-    let _e604 = slimbvh_lane.member;
-    if (_e604 < 64u) {
-        let _e606 = (_e604 % 64u);
-        let _e607 = slimbvh_any_will_do.member;
-        if (_e607 == 1u) {
-            phi_1225_ = SlimbvhTypeK(SlimbvhTypeG(_e76, _e601), true);
+    let _e548 = phi_1057_;
+    let _e563 = (bitcast<f32>((bitcast<u32>(_e548.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e566 = bitcast<f32>((bitcast<u32>(_e548.member[0]) & 2147483647u));
+    let _e567 = (_e566 * 0.00000011920929f);
+    let _e570 = select(select(0.00000000000011368684f, _e567, (_e567 > 0.00000000000011368684f)), 0f, _e563);
+    let _e571 = select(0f, _e548.member_1[0], _e563);
+    let _e572 = (_e548.member[0] + _e570);
+    let _e573 = (_e548.member[0] - _e570);
+    let _e575 = select(38685626000000000000000000f, (1f / _e548.member_1[0]), _e563);
+    let _e579 = (bitcast<f32>((bitcast<u32>(_e548.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e582 = bitcast<f32>((bitcast<u32>(_e548.member[1]) & 2147483647u));
+    let _e583 = (_e582 * 0.00000011920929f);
+    let _e586 = select(select(0.00000000000011368684f, _e583, (_e583 > 0.00000000000011368684f)), 0f, _e579);
+    let _e587 = select(0f, _e548.member_1[1], _e579);
+    let _e588 = (_e548.member[1] + _e586);
+    let _e589 = (_e548.member[1] - _e586);
+    let _e591 = select(38685626000000000000000000f, (1f / _e548.member_1[1]), _e579);
+    let _e595 = (bitcast<f32>((bitcast<u32>(_e548.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e598 = bitcast<f32>((bitcast<u32>(_e548.member[2]) & 2147483647u));
+    let _e599 = (_e598 * 0.00000011920929f);
+    let _e602 = select(select(0.00000000000011368684f, _e599, (_e599 > 0.00000000000011368684f)), 0f, _e595);
+    let _e603 = select(0f, _e548.member_1[2], _e595);
+    let _e604 = (_e548.member[2] + _e602);
+    let _e605 = (_e548.member[2] - _e602);
+    let _e607 = select(38685626000000000000000000f, (1f / _e548.member_1[2]), _e595);
+    let _e609 = select(_e582, _e566, (_e566 > _e582));
+    let _e613 = (_e151 && (select(_e598, _e609, (_e609 > _e598)) <= 1099511600000f));
+    let _e614 = select(0f, _e548.member_3, _e613);
+    let _e615 = select(1f, _e548.member_2, _e613);
+    let _e619 = slimbvh_question.member[1u];
+    let _e620 = slimbvh_lane.member;
+    if (_e620 < 64u) {
+        let _e622 = (_e620 % 64u);
+        let _e625 = slimbvh_question.member[0u];
+        if (_e625 == 1u) {
+            phi_1269_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e614), true);
         } else {
-            phi_1225_ = SlimbvhTypeK(SlimbvhTypeG(_e76, _e601), false);
+            phi_1269_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e614), false);
         }
-        let _e614 = phi_1225_;
-        phi_1240_ = _e614;
-        phi_1243_ = select(4294967295u, 0u, (_e602 <= _e601));
-        phi_1245_ = 0u;
-        phi_1247_ = (_e79 + 1u);
+        let _e632 = phi_1269_;
+        phi_1284_ = _e632;
+        phi_1287_ = select(4294967295u, 0u, (_e615 <= _e614));
+        phi_1289_ = 0u;
+        phi_1291_ = (_e90 + 1u);
         loop {
-            let _e623 = phi_1240_;
-            let _e625 = phi_1243_;
-            let _e627 = phi_1245_;
-            let _e629 = phi_1247_;
-            local_5 = _e625;
-            local_6 = _e623;
-            let _e630 = (_e625 <= 32u);
-            if _e630 {
-                phi_1256_ = _e625;
-                phi_1259_ = _e627;
-                phi_1261_ = _e629;
+            let _e641 = phi_1284_;
+            let _e643 = phi_1287_;
+            let _e645 = phi_1289_;
+            let _e647 = phi_1291_;
+            local_5 = _e643;
+            local_6 = _e641;
+            let _e648 = (_e643 <= 32u);
+            if _e648 {
+                phi_1300_ = _e643;
+                phi_1303_ = _e645;
+                phi_1305_ = _e647;
                 loop {
-                    let _e632 = phi_1256_;
-                    let _e634 = phi_1259_;
-                    let _e636 = phi_1261_;
-                    local_1 = _e634;
-                    local_2 = _e634;
-                    local_3 = _e632;
-                    local_8 = _e632;
-                    local_9 = _e634;
-                    local_10 = _e636;
-                    let _e637 = (_e632 <= 32u);
-                    let _e640 = (_e637 && !((_e634 >= _e79)));
-                    local = _e637;
-                    if _e640 {
-                        let _e645 = slimbvh_nodes.member[_e634][3u][0u];
-                        let _e650 = slimbvh_nodes.member[_e634][3u][1u];
-                        let _e655 = slimbvh_nodes.member[_e634][((_e147 & 3u) % 4u)];
-                        let _e660 = slimbvh_nodes.member[_e634][((_e151 & 3u) % 4u)];
-                        let _e665 = slimbvh_nodes.member[_e634][((_e143 & 3u) % 4u)];
-                        let _e666 = bitcast<u32>(_e645);
-                        let _e667 = bitcast<u32>(_e650);
-                        let _e678 = ((_e655.x - _e559) * _e562);
-                        let _e679 = ((_e655.y - _e559) * _e562);
-                        let _e680 = ((_e655.z - _e560) * _e562);
-                        let _e681 = ((_e655.w - _e560) * _e562);
-                        let _e682 = vec4<f32>(_e678, _e679, _e680, _e681);
-                        let _e691 = ((_e660.x - _e575) * _e578);
-                        let _e692 = ((_e660.y - _e575) * _e578);
-                        let _e693 = ((_e660.z - _e576) * _e578);
-                        let _e694 = ((_e660.w - _e576) * _e578);
-                        let _e695 = vec4<f32>(_e691, _e692, _e693, _e694);
-                        let _e704 = ((_e665.x - _e591) * _e594);
-                        let _e705 = ((_e665.y - _e591) * _e594);
-                        let _e706 = ((_e665.z - _e592) * _e594);
-                        let _e707 = ((_e665.w - _e592) * _e594);
-                        let _e708 = vec4<f32>(_e704, _e705, _e706, _e707);
-                        let _e709 = vec4<f32>(_e680, _e681, _e678, _e679);
-                        let _e710 = min(_e682, _e709);
-                        let _e711 = vec4<f32>(_e693, _e694, _e691, _e692);
-                        let _e712 = min(_e695, _e711);
-                        let _e713 = vec4<f32>(_e706, _e707, _e704, _e705);
-                        let _e714 = min(_e708, _e713);
-                        let _e715 = max(_e682, _e709);
-                        let _e716 = max(_e695, _e711);
-                        let _e717 = max(_e708, _e713);
-                        let _e746 = max(max(max(_e710.x, _e712.x), _e714.x), _e602);
-                        let _e747 = max(max(max(_e710.y, _e712.y), _e714.y), _e602);
-                        let _e750 = (_e746 <= min((min(min(_e715.x, _e716.x), _e717.x) + (max(_e717.x, -(_e714.x)) * 0.0000019073523f)), _e623.member.member_1));
-                        let _e751 = (_e747 <= min((min(min(_e715.y, _e716.y), _e717.y) + (max(_e717.y, -(_e714.y)) * 0.0000019073523f)), _e623.member.member_1));
-                        if (_e750 || _e751) {
-                            let _e763 = (_e750 && (((_e746 <= _e747) != _e614.member_1) || !(_e751)));
-                            if (_e750 && _e751) {
-                                slimbvh_stacks[(((_e632 % 32u) * 64u) + _e606)] = select(_e666, _e667, _e763);
-                                phi_1525_ = (_e632 + 1u);
+                    let _e650 = phi_1300_;
+                    let _e652 = phi_1303_;
+                    let _e654 = phi_1305_;
+                    local_1 = _e652;
+                    local_2 = _e652;
+                    local_3 = _e650;
+                    local_8 = _e650;
+                    local_9 = _e652;
+                    local_10 = _e654;
+                    let _e655 = (_e650 <= 32u);
+                    let _e658 = (_e655 && !((_e652 >= _e90)));
+                    local = _e655;
+                    if _e658 {
+                        let _e663 = slimbvh_nodes.member[_e652][3u][0u];
+                        let _e668 = slimbvh_nodes.member[_e652][3u][1u];
+                        let _e673 = slimbvh_nodes.member[_e652][((_e160 & 3u) % 4u)];
+                        let _e678 = slimbvh_nodes.member[_e652][((_e164 & 3u) % 4u)];
+                        let _e683 = slimbvh_nodes.member[_e652][((_e156 & 3u) % 4u)];
+                        let _e684 = bitcast<u32>(_e663);
+                        let _e685 = bitcast<u32>(_e668);
+                        let _e696 = ((_e673.x - _e572) * _e575);
+                        let _e697 = ((_e673.y - _e572) * _e575);
+                        let _e698 = ((_e673.z - _e573) * _e575);
+                        let _e699 = ((_e673.w - _e573) * _e575);
+                        let _e700 = vec4<f32>(_e696, _e697, _e698, _e699);
+                        let _e709 = ((_e678.x - _e588) * _e591);
+                        let _e710 = ((_e678.y - _e588) * _e591);
+                        let _e711 = ((_e678.z - _e589) * _e591);
+                        let _e712 = ((_e678.w - _e589) * _e591);
+                        let _e713 = vec4<f32>(_e709, _e710, _e711, _e712);
+                        let _e722 = ((_e683.x - _e604) * _e607);
+                        let _e723 = ((_e683.y - _e604) * _e607);
+                        let _e724 = ((_e683.z - _e605) * _e607);
+                        let _e725 = ((_e683.w - _e605) * _e607);
+                        let _e726 = vec4<f32>(_e722, _e723, _e724, _e725);
+                        let _e727 = vec4<f32>(_e698, _e699, _e696, _e697);
+                        let _e728 = min(_e700, _e727);
+                        let _e729 = vec4<f32>(_e711, _e712, _e709, _e710);
+                        let _e730 = min(_e713, _e729);
+                        let _e731 = vec4<f32>(_e724, _e725, _e722, _e723);
+                        let _e732 = min(_e726, _e731);
+                        let _e733 = max(_e700, _e727);
+                        let _e734 = max(_e713, _e729);
+                        let _e735 = max(_e726, _e731);
+                        let _e764 = max(max(max(_e728.x, _e730.x), _e732.x), _e615);
+                        let _e765 = max(max(max(_e728.y, _e730.y), _e732.y), _e615);
+                        let _e768 = (_e764 <= min((min(min(_e733.x, _e734.x), _e735.x) + (max(_e735.x, -(_e732.x)) * 0.0000019073523f)), _e641.member.member_1));
+                        let _e769 = (_e765 <= min((min(min(_e733.y, _e734.y), _e735.y) + (max(_e735.y, -(_e732.y)) * 0.0000019073523f)), _e641.member.member_1));
+                        if (_e768 || _e769) {
+                            let _e781 = (_e768 && (((_e764 <= _e765) != _e632.member_1) || !(_e769)));
+                            if (_e768 && _e769) {
+                                slimbvh_stacks[(((_e650 % 32u) * 64u) + _e622)] = select(_e684, _e685, _e781);
+                                phi_1569_ = (_e650 + 1u);
                             } else {
-                                phi_1525_ = _e632;
+                                phi_1569_ = _e650;
                             }
-                            let _e773 = phi_1525_;
-                            phi_1541_ = _e773;
-                            phi_1542_ = select(_e667, _e666, _e763);
+                            let _e791 = phi_1569_;
+                            phi_1585_ = _e791;
+                            phi_1586_ = select(_e685, _e684, _e781);
                         } else {
-                            let _e755 = (_e632 - 1u);
-                            let _e760 = slimbvh_stacks[(((_e755 % 32u) * 64u) + _e606)];
-                            phi_1541_ = _e755;
-                            phi_1542_ = _e760;
+                            let _e773 = (_e650 - 1u);
+                            let _e778 = slimbvh_stacks[(((_e773 % 32u) * 64u) + _e622)];
+                            phi_1585_ = _e773;
+                            phi_1586_ = _e778;
                         }
-                        let _e775 = phi_1541_;
-                        let _e777 = phi_1542_;
-                        let _e778 = (_e636 - 1u);
-                        phi_1257_ = select(_e775, 4294967295u, (_e778 == 0u));
-                        phi_1260_ = _e777;
-                        phi_1262_ = _e778;
+                        let _e793 = phi_1585_;
+                        let _e795 = phi_1586_;
+                        let _e796 = (_e654 - 1u);
+                        phi_1301_ = select(_e793, 4294967295u, (_e796 == 0u));
+                        phi_1304_ = _e795;
+                        phi_1306_ = _e796;
                     } else {
-                        phi_1257_ = u32();
-                        phi_1260_ = u32();
-                        phi_1262_ = u32();
+                        phi_1301_ = u32();
+                        phi_1304_ = u32();
+                        phi_1306_ = u32();
                     }
-                    let _e782 = phi_1257_;
-                    let _e784 = phi_1260_;
-                    let _e786 = phi_1262_;
+                    let _e800 = phi_1301_;
+                    let _e802 = phi_1304_;
+                    let _e804 = phi_1306_;
                     continue;
                     continuing {
-                        phi_1256_ = _e782;
-                        phi_1259_ = _e784;
-                        phi_1261_ = _e786;
-                        break if !(_e640);
+                        phi_1300_ = _e800;
+                        phi_1303_ = _e802;
+                        phi_1305_ = _e804;
+                        break if !(_e658);
                     }
                 }
-                let _e789 = local;
-                if _e789 {
-                    let _e791 = local_1;
-                    let _e794 = local_2;
-                    phi_1558_ = _e623;
-                    phi_1561_ = SlimbvhTypeD(0u, ((_e794 >> bitcast<u32>(28u)) & 7u));
+                let _e807 = local;
+                if _e807 {
+                    let _e809 = local_1;
+                    let _e812 = local_2;
+                    phi_1602_ = _e641;
+                    phi_1605_ = SlimbvhTypeF(0u, ((_e812 >> bitcast<u32>(28u)) & 7u));
                     loop {
-                        let _e800 = phi_1558_;
-                        let _e802 = phi_1561_;
-                        local_4 = _e800;
-                        local_7 = _e800;
-                        if (_e802.member < _e802.member_1) {
-                            phi_1562_ = SlimbvhTypeD((_e802.member + 1u), _e802.member_1);
-                            phi_1584_ = SlimbvhTypeD(1u, _e802.member);
+                        let _e818 = phi_1602_;
+                        let _e820 = phi_1605_;
+                        local_4 = _e818;
+                        local_7 = _e818;
+                        if (_e820.member < _e820.member_1) {
+                            phi_1606_ = SlimbvhTypeF((_e820.member + 1u), _e820.member_1);
+                            phi_1628_ = SlimbvhTypeF(1u, _e820.member);
                         } else {
-                            phi_1562_ = _e802;
-                            phi_1584_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                            phi_1606_ = _e820;
+                            phi_1628_ = SlimbvhTypeF(0u, SlimbvhTypeF().member_1);
                         }
-                        let _e815 = phi_1562_;
-                        let _e817 = phi_1584_;
-                        let _e821 = (bitcast<i32>(_e817.member) != 0i);
-                        if _e821 {
-                            let _e822 = ((_e791 & 268435455u) + _e817.member_1);
-                            let _e823 = (_e822 / 2u);
-                            let _e824 = (_e822 % 2u);
-                            let _e825 = (_e823 >= arrayLength((&slimbvh_triangles.member)));
-                            if _e825 {
-                                phi_1664_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e833 = phi_1606_;
+                        let _e835 = phi_1628_;
+                        let _e839 = (bitcast<i32>(_e835.member) != 0i);
+                        if _e839 {
+                            let _e840 = ((_e809 & 268435455u) + _e835.member_1);
+                            let _e841 = (_e840 / 2u);
+                            let _e842 = (_e840 % 2u);
+                            let _e843 = (_e841 >= arrayLength((&slimbvh_triangles.member)));
+                            if _e843 {
+                                phi_1708_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
-                                let _e826 = (2u * _e824);
-                                let _e830 = slimbvh_triangles.member[_e823][_e826];
-                                let _e835 = slimbvh_triangles.member[_e823][(_e826 + 1u)];
-                                let _e840 = slimbvh_triangles.member[_e823][(_e826 + 2u)];
-                                if (_e824 == 0u) {
-                                    phi_1663_ = array<vec4<f32>, 3>(_e830, _e835, _e840);
+                                let _e844 = (2u * _e842);
+                                let _e848 = slimbvh_triangles.member[_e841][_e844];
+                                let _e853 = slimbvh_triangles.member[_e841][(_e844 + 1u)];
+                                let _e858 = slimbvh_triangles.member[_e841][(_e844 + 2u)];
+                                if (_e842 == 0u) {
+                                    phi_1707_ = array<vec4<f32>, 3>(_e848, _e853, _e858);
                                 } else {
-                                    phi_1663_ = array<vec4<f32>, 3>(vec4<f32>(_e830.z, _e830.w, _e835.x, _e835.y), vec4<f32>(_e835.z, _e835.w, _e840.x, _e840.y), vec4<f32>(_e840.z, _e840.w, 0f, 0f));
+                                    phi_1707_ = array<vec4<f32>, 3>(vec4<f32>(_e848.z, _e848.w, _e853.x, _e853.y), vec4<f32>(_e853.z, _e853.w, _e858.x, _e858.y), vec4<f32>(_e858.z, _e858.w, 0f, 0f));
                                 }
-                                let _e858 = phi_1663_;
-                                phi_1664_ = _e858;
+                                let _e876 = phi_1707_;
+                                phi_1708_ = _e876;
                             }
-                            let _e860 = phi_1664_;
-                            let _e863 = bitcast<u32>(_e860[2].y);
-                            if _e825 {
-                                phi_1739_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            let _e878 = phi_1708_;
+                            let _e881 = bitcast<u32>(_e878[2].y);
+                            if _e843 {
+                                phi_1783_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
-                                let _e864 = (2u * _e824);
-                                let _e868 = slimbvh_triangles.member[_e823][_e864];
-                                let _e873 = slimbvh_triangles.member[_e823][(_e864 + 1u)];
-                                let _e878 = slimbvh_triangles.member[_e823][(_e864 + 2u)];
-                                if (_e824 == 0u) {
-                                    phi_1738_ = array<vec4<f32>, 3>(_e868, _e873, _e878);
+                                let _e882 = (2u * _e842);
+                                let _e886 = slimbvh_triangles.member[_e841][_e882];
+                                let _e891 = slimbvh_triangles.member[_e841][(_e882 + 1u)];
+                                let _e896 = slimbvh_triangles.member[_e841][(_e882 + 2u)];
+                                if (_e842 == 0u) {
+                                    phi_1782_ = array<vec4<f32>, 3>(_e886, _e891, _e896);
                                 } else {
-                                    phi_1738_ = array<vec4<f32>, 3>(vec4<f32>(_e868.z, _e868.w, _e873.x, _e873.y), vec4<f32>(_e873.z, _e873.w, _e878.x, _e878.y), vec4<f32>(_e878.z, _e878.w, 0f, 0f));
+                                    phi_1782_ = array<vec4<f32>, 3>(vec4<f32>(_e886.z, _e886.w, _e891.x, _e891.y), vec4<f32>(_e891.z, _e891.w, _e896.x, _e896.y), vec4<f32>(_e896.z, _e896.w, 0f, 0f));
                                 }
-                                let _e896 = phi_1738_;
-                                phi_1739_ = _e896;
+                                let _e914 = phi_1782_;
+                                phi_1783_ = _e914;
                             }
-                            let _e898 = phi_1739_;
-                            if _e152 {
-                                phi_1763_ = array<f32, 3>(_e898[0].x, _e898[0].y, _e898[0].z);
+                            let _e916 = phi_1783_;
+                            if _e165 {
+                                phi_1807_ = array<f32, 3>(_e916[0].x, _e916[0].y, _e916[0].z);
                             } else {
-                                if (_e147 == 1u) {
-                                    phi_1762_ = array<f32, 3>(_e898[0].y, _e898[0].z, _e898[0].x);
+                                if (_e160 == 1u) {
+                                    phi_1806_ = array<f32, 3>(_e916[0].y, _e916[0].z, _e916[0].x);
                                 } else {
-                                    phi_1762_ = array<f32, 3>(_e898[0].z, _e898[0].x, _e898[0].y);
+                                    phi_1806_ = array<f32, 3>(_e916[0].z, _e916[0].x, _e916[0].y);
                                 }
-                                let _e921 = phi_1762_;
-                                phi_1763_ = _e921;
+                                let _e939 = phi_1806_;
+                                phi_1807_ = _e939;
                             }
-                            let _e924 = phi_1763_;
-                            if _e152 {
-                                phi_1778_ = array<f32, 3>(_e898[0].w, _e898[1].x, _e898[1].y);
+                            let _e942 = phi_1807_;
+                            if _e165 {
+                                phi_1822_ = array<f32, 3>(_e916[0].w, _e916[1].x, _e916[1].y);
                             } else {
-                                if (_e147 == 1u) {
-                                    phi_1777_ = array<f32, 3>(_e898[1].x, _e898[1].y, _e898[0].w);
+                                if (_e160 == 1u) {
+                                    phi_1821_ = array<f32, 3>(_e916[1].x, _e916[1].y, _e916[0].w);
                                 } else {
-                                    phi_1777_ = array<f32, 3>(_e898[1].y, _e898[0].w, _e898[1].x);
+                                    phi_1821_ = array<f32, 3>(_e916[1].y, _e916[0].w, _e916[1].x);
                                 }
-                                let _e929 = phi_1777_;
-                                phi_1778_ = _e929;
+                                let _e947 = phi_1821_;
+                                phi_1822_ = _e947;
                             }
-                            let _e932 = phi_1778_;
-                            if _e152 {
-                                phi_1793_ = array<f32, 3>(_e898[1].z, _e898[1].w, _e898[2].x);
+                            let _e950 = phi_1822_;
+                            if _e165 {
+                                phi_1837_ = array<f32, 3>(_e916[1].z, _e916[1].w, _e916[2].x);
                             } else {
-                                if (_e147 == 1u) {
-                                    phi_1792_ = array<f32, 3>(_e898[1].w, _e898[2].x, _e898[1].z);
+                                if (_e160 == 1u) {
+                                    phi_1836_ = array<f32, 3>(_e916[1].w, _e916[2].x, _e916[1].z);
                                 } else {
-                                    phi_1792_ = array<f32, 3>(_e898[2].x, _e898[1].z, _e898[1].w);
+                                    phi_1836_ = array<f32, 3>(_e916[2].x, _e916[1].z, _e916[1].w);
                                 }
-                                let _e937 = phi_1792_;
-                                phi_1793_ = _e937;
+                                let _e955 = phi_1836_;
+                                phi_1837_ = _e955;
                             }
-                            let _e940 = phi_1793_;
-                            let _e954 = (_e924[2] - _e535.member[2]);
-                            let _e957 = (((_e924[0] - _e535.member[0]) * _e590) - (_e954 * _e558));
-                            let _e960 = (((_e924[1] - _e535.member[1]) * _e590) - (_e954 * _e574));
-                            let _e963 = (_e932[2] - _e535.member[2]);
-                            let _e966 = (((_e932[0] - _e535.member[0]) * _e590) - (_e963 * _e558));
-                            let _e969 = (((_e932[1] - _e535.member[1]) * _e590) - (_e963 * _e574));
-                            let _e972 = (_e940[2] - _e535.member[2]);
-                            let _e975 = (((_e940[0] - _e535.member[0]) * _e590) - (_e972 * _e558));
-                            let _e978 = (((_e940[1] - _e535.member[1]) * _e590) - (_e972 * _e574));
-                            let _e979 = (_e975 * _e969);
-                            let _e980 = (_e978 * _e966);
-                            let _e981 = (_e957 * _e978);
-                            let _e982 = (_e960 * _e975);
-                            let _e983 = (_e966 * _e960);
-                            let _e984 = (_e969 * _e957);
-                            let _e989 = (((_e979 >= _e980) && (_e981 >= _e982)) && (_e983 >= _e984));
-                            let _e995 = (_e989 || (((_e979 <= _e980) && (_e981 <= _e982)) && (_e983 <= _e984)));
-                            if _e995 {
-                                let _e997 = select(-1f, 1f, _e989);
-                                let _e999 = ((_e979 - _e980) * _e997);
-                                let _e1001 = select(0f, _e999, (_e999 > 0f));
-                                let _e1003 = ((_e981 - _e982) * _e997);
-                                let _e1005 = select(0f, _e1003, (_e1003 > 0f));
-                                let _e1007 = ((_e983 - _e984) * _e997);
-                                let _e1009 = select(0f, _e1007, (_e1007 > 0f));
-                                let _e1011 = ((_e1001 + _e1005) + _e1009);
-                                let _e1026 = ((min(min(_e924[0], _e932[0]), _e940[0]) - _e559) * _e562);
-                                let _e1027 = ((max(max(_e924[0], _e932[0]), _e940[0]) - _e560) * _e562);
-                                let _e1028 = vec4<f32>(_e1026, f32(), _e1027, f32());
-                                let _e1031 = ((min(min(_e924[1], _e932[1]), _e940[1]) - _e575) * _e578);
-                                let _e1032 = ((max(max(_e924[1], _e932[1]), _e940[1]) - _e576) * _e578);
-                                let _e1033 = vec4<f32>(_e1031, f32(), _e1032, f32());
-                                let _e1036 = ((min(min(_e924[2], _e932[2]), _e940[2]) - _e591) * _e594);
-                                let _e1037 = ((max(max(_e924[2], _e932[2]), _e940[2]) - _e592) * _e594);
-                                let _e1038 = vec4<f32>(_e1036, f32(), _e1037, f32());
-                                let _e1039 = vec4<f32>(_e1027, f32(), _e1026, f32());
-                                let _e1041 = vec4<f32>(_e1032, f32(), _e1031, f32());
-                                let _e1043 = vec4<f32>(_e1037, f32(), _e1036, f32());
-                                let _e1052 = max(max(min(_e1028, _e1039).x, min(_e1033, _e1041).x), min(_e1038, _e1043).x);
-                                let _e1057 = min(min(max(_e1028, _e1039).x, max(_e1033, _e1041).x), max(_e1038, _e1043).x);
-                                let _e1062 = max(_e1052, _e602);
-                                let _e1084 = (((((_e995 && (_e1011 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e957, _e966), _e975) <= 0f) && (max(max(_e957, _e966), _e975) >= 0f))) && ((min(min(_e960, _e969), _e978) <= 0f) && (max(max(_e960, _e969), _e978) >= 0f))) && (_e1062 <= (_e1057 + (max(max(_e1038, _e1043).x, -(min(_e1038, _e1043).x)) * 0.0000019073523f)))) && (_e1062 <= _e800.member.member_1));
-                                if _e1084 {
-                                    let _e1089 = (_e932[0] - _e924[0]);
-                                    let _e1090 = (_e932[1] - _e924[1]);
-                                    let _e1091 = (_e932[2] - _e924[2]);
-                                    let _e1092 = vec3<f32>(_e1089, _e1090, _e1091);
-                                    let _e1093 = (_e940[0] - _e932[0]);
-                                    let _e1094 = (_e940[1] - _e932[1]);
-                                    let _e1095 = (_e940[2] - _e932[2]);
-                                    let _e1096 = vec3<f32>(_e1093, _e1094, _e1095);
-                                    let _e1097 = (_e924[0] - _e940[0]);
-                                    let _e1098 = (_e924[1] - _e940[1]);
-                                    let _e1099 = (_e924[2] - _e940[2]);
-                                    let _e1100 = vec3<f32>(_e1097, _e1098, _e1099);
-                                    let _e1111 = max(max(bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1090) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u)));
-                                    let _e1122 = max(max(bitcast<f32>((bitcast<u32>(_e1093) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1094) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1095) & 2147483647u)));
-                                    let _e1135 = max(max(_e1111, _e1122), max(max(bitcast<f32>((bitcast<u32>(_e1097) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1098) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u))));
-                                    if (_e1111 == _e1135) {
-                                        phi_2126_ = _e969;
-                                        phi_2127_ = _e966;
-                                        phi_2128_ = _e960;
-                                        phi_2129_ = _e957;
-                                        phi_2130_ = vec3<f32>(_e924[0], _e924[1], _e924[2]);
-                                        phi_2131_ = _e1100;
-                                        phi_2132_ = _e1096;
-                                        phi_2133_ = _e1092;
+                            let _e958 = phi_1837_;
+                            let _e972 = (_e942[2] - _e548.member[2]);
+                            let _e975 = (((_e942[0] - _e548.member[0]) * _e603) - (_e972 * _e571));
+                            let _e978 = (((_e942[1] - _e548.member[1]) * _e603) - (_e972 * _e587));
+                            let _e981 = (_e950[2] - _e548.member[2]);
+                            let _e984 = (((_e950[0] - _e548.member[0]) * _e603) - (_e981 * _e571));
+                            let _e987 = (((_e950[1] - _e548.member[1]) * _e603) - (_e981 * _e587));
+                            let _e990 = (_e958[2] - _e548.member[2]);
+                            let _e993 = (((_e958[0] - _e548.member[0]) * _e603) - (_e990 * _e571));
+                            let _e996 = (((_e958[1] - _e548.member[1]) * _e603) - (_e990 * _e587));
+                            let _e997 = (_e993 * _e987);
+                            let _e998 = (_e996 * _e984);
+                            let _e999 = (_e975 * _e996);
+                            let _e1000 = (_e978 * _e993);
+                            let _e1001 = (_e984 * _e978);
+                            let _e1002 = (_e987 * _e975);
+                            let _e1007 = (((_e997 >= _e998) && (_e999 >= _e1000)) && (_e1001 >= _e1002));
+                            let _e1013 = (_e1007 || (((_e997 <= _e998) && (_e999 <= _e1000)) && (_e1001 <= _e1002)));
+                            if _e1013 {
+                                let _e1015 = select(-1f, 1f, _e1007);
+                                let _e1017 = ((_e997 - _e998) * _e1015);
+                                let _e1019 = select(0f, _e1017, (_e1017 > 0f));
+                                let _e1021 = ((_e999 - _e1000) * _e1015);
+                                let _e1023 = select(0f, _e1021, (_e1021 > 0f));
+                                let _e1025 = ((_e1001 - _e1002) * _e1015);
+                                let _e1027 = select(0f, _e1025, (_e1025 > 0f));
+                                let _e1029 = ((_e1019 + _e1023) + _e1027);
+                                let _e1044 = ((min(min(_e942[0], _e950[0]), _e958[0]) - _e572) * _e575);
+                                let _e1045 = ((max(max(_e942[0], _e950[0]), _e958[0]) - _e573) * _e575);
+                                let _e1046 = vec4<f32>(_e1044, f32(), _e1045, f32());
+                                let _e1049 = ((min(min(_e942[1], _e950[1]), _e958[1]) - _e588) * _e591);
+                                let _e1050 = ((max(max(_e942[1], _e950[1]), _e958[1]) - _e589) * _e591);
+                                let _e1051 = vec4<f32>(_e1049, f32(), _e1050, f32());
+                                let _e1054 = ((min(min(_e942[2], _e950[2]), _e958[2]) - _e604) * _e607);
+                                let _e1055 = ((max(max(_e942[2], _e950[2]), _e958[2]) - _e605) * _e607);
+                                let _e1056 = vec4<f32>(_e1054, f32(), _e1055, f32());
+                                let _e1057 = vec4<f32>(_e1045, f32(), _e1044, f32());
+                                let _e1059 = vec4<f32>(_e1050, f32(), _e1049, f32());
+                                let _e1061 = vec4<f32>(_e1055, f32(), _e1054, f32());
+                                let _e1070 = max(max(min(_e1046, _e1057).x, min(_e1051, _e1059).x), min(_e1056, _e1061).x);
+                                let _e1075 = min(min(max(_e1046, _e1057).x, max(_e1051, _e1059).x), max(_e1056, _e1061).x);
+                                let _e1080 = max(_e1070, _e615);
+                                let _e1102 = (((((_e1013 && (_e1029 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e975, _e984), _e993) <= 0f) && (max(max(_e975, _e984), _e993) >= 0f))) && ((min(min(_e978, _e987), _e996) <= 0f) && (max(max(_e978, _e987), _e996) >= 0f))) && (_e1080 <= (_e1075 + (max(max(_e1056, _e1061).x, -(min(_e1056, _e1061).x)) * 0.0000019073523f)))) && (_e1080 <= _e818.member.member_1));
+                                if _e1102 {
+                                    let _e1107 = (_e950[0] - _e942[0]);
+                                    let _e1108 = (_e950[1] - _e942[1]);
+                                    let _e1109 = (_e950[2] - _e942[2]);
+                                    let _e1110 = vec3<f32>(_e1107, _e1108, _e1109);
+                                    let _e1111 = (_e958[0] - _e950[0]);
+                                    let _e1112 = (_e958[1] - _e950[1]);
+                                    let _e1113 = (_e958[2] - _e950[2]);
+                                    let _e1114 = vec3<f32>(_e1111, _e1112, _e1113);
+                                    let _e1115 = (_e942[0] - _e958[0]);
+                                    let _e1116 = (_e942[1] - _e958[1]);
+                                    let _e1117 = (_e942[2] - _e958[2]);
+                                    let _e1118 = vec3<f32>(_e1115, _e1116, _e1117);
+                                    let _e1129 = max(max(bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)));
+                                    let _e1140 = max(max(bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u)));
+                                    let _e1153 = max(max(_e1129, _e1140), max(max(bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u))));
+                                    if (_e1129 == _e1153) {
+                                        phi_2170_ = _e987;
+                                        phi_2171_ = _e984;
+                                        phi_2172_ = _e978;
+                                        phi_2173_ = _e975;
+                                        phi_2174_ = vec3<f32>(_e942[0], _e942[1], _e942[2]);
+                                        phi_2175_ = _e1118;
+                                        phi_2176_ = _e1114;
+                                        phi_2177_ = _e1110;
                                     } else {
-                                        let _e1137 = (_e1122 == _e1135);
-                                        let _e1142 = vec3(_e1137);
-                                        phi_2126_ = select(_e960, _e978, _e1137);
-                                        phi_2127_ = select(_e957, _e975, _e1137);
-                                        phi_2128_ = select(_e978, _e969, _e1137);
-                                        phi_2129_ = select(_e975, _e966, _e1137);
-                                        phi_2130_ = select(vec3<f32>(_e940[0], _e940[1], _e940[2]), vec3<f32>(_e932[0], _e932[1], _e932[2]), _e1142);
-                                        phi_2131_ = select(_e1096, _e1092, _e1142);
-                                        phi_2132_ = select(_e1092, _e1100, _e1142);
-                                        phi_2133_ = select(_e1100, _e1096, _e1142);
+                                        let _e1155 = (_e1140 == _e1153);
+                                        let _e1160 = vec3(_e1155);
+                                        phi_2170_ = select(_e978, _e996, _e1155);
+                                        phi_2171_ = select(_e975, _e993, _e1155);
+                                        phi_2172_ = select(_e996, _e987, _e1155);
+                                        phi_2173_ = select(_e993, _e984, _e1155);
+                                        phi_2174_ = select(vec3<f32>(_e958[0], _e958[1], _e958[2]), vec3<f32>(_e950[0], _e950[1], _e950[2]), _e1160);
+                                        phi_2175_ = select(_e1114, _e1110, _e1160);
+                                        phi_2176_ = select(_e1110, _e1118, _e1160);
+                                        phi_2177_ = select(_e1118, _e1114, _e1160);
                                     }
-                                    let _e1148 = phi_2126_;
-                                    let _e1150 = phi_2127_;
-                                    let _e1152 = phi_2128_;
-                                    let _e1154 = phi_2129_;
-                                    let _e1156 = phi_2130_;
-                                    let _e1158 = phi_2131_;
-                                    let _e1160 = phi_2132_;
-                                    let _e1162 = phi_2133_;
-                                    let _e1169 = ((_e1160.y * _e1158.z) - (_e1158.y * _e1160.z));
-                                    let _e1174 = ((_e1160.z * _e1158.x) - (_e1158.z * _e1160.x));
-                                    let _e1177 = ((_e1160.x * _e1158.y) - (_e1158.x * _e1160.y));
-                                    let _e1180 = ((_e1001 >= _e1005) && (_e1001 >= _e1009));
-                                    let _e1181 = (_e1005 >= _e1009);
-                                    let _e1195 = (((_e1169 * (select(select(_e940[0], _e932[0], _e1181), _e924[0], _e1180) - _e535.member[0])) + (_e1174 * (select(select(_e940[1], _e932[1], _e1181), _e924[1], _e1180) - _e535.member[1]))) + (_e1177 * (select(select(_e940[2], _e932[2], _e1181), _e924[2], _e1180) - _e535.member[2])));
-                                    let _e1200 = (((_e1169 * _e558) + (_e1174 * _e574)) + (_e1177 * _e590));
-                                    let _e1201 = (_e1150 - _e1154);
-                                    let _e1202 = (_e1148 - _e1152);
-                                    let _e1205 = ((_e1201 * _e1201) + (_e1202 * _e1202));
-                                    let _e1212 = (-(((_e1154 * _e1201) + (_e1152 * _e1202))) / select(0.000000000000000000000000000000000000011754944f, _e1205, (_e1205 > 0.000000000000000000000000000000000000011754944f)));
-                                    let _e1214 = select(1f, _e1212, (_e1212 < 1f));
-                                    let _e1216 = select(0f, _e1214, (_e1214 > 0f));
-                                    let _e1225 = ((_e1156.x + (_e1162.x * _e1216)) - _e535.member[0]);
-                                    let _e1228 = ((_e1156.y + (_e1162.y * _e1216)) - _e535.member[1]);
-                                    let _e1231 = ((_e1156.z + (_e1162.z * _e1216)) - _e535.member[2]);
-                                    let _e1296 = ((bitcast<f32>((bitcast<u32>(((((_e1169 * _e1225) + (_e1174 * _e1228)) + (_e1177 * _e1231)) - _e1195)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u))), _e1135)) * max(max(bitcast<f32>((bitcast<u32>(_e1169) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1174) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1177) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1160.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1160.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1160.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1158.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1158.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1158.z) & 2147483647u)))))));
-                                    let _e1297 = (_e1195 / _e1200);
-                                    if (_e1084 && !(_e1296)) {
-                                        let _e1300 = (_e1231 / _e590);
-                                        let _e1308 = (((_e1169 * (_e1225 - (_e558 * _e1300))) + (_e1174 * (_e1228 - (_e574 * _e1300)))) / _e1200);
-                                        phi_2312_ = select(select(_e1300, (_e1300 + _e1308), (bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u)) <= _e1135)), _e1297, _e1296);
+                                    let _e1166 = phi_2170_;
+                                    let _e1168 = phi_2171_;
+                                    let _e1170 = phi_2172_;
+                                    let _e1172 = phi_2173_;
+                                    let _e1174 = phi_2174_;
+                                    let _e1176 = phi_2175_;
+                                    let _e1178 = phi_2176_;
+                                    let _e1180 = phi_2177_;
+                                    let _e1187 = ((_e1178.y * _e1176.z) - (_e1176.y * _e1178.z));
+                                    let _e1192 = ((_e1178.z * _e1176.x) - (_e1176.z * _e1178.x));
+                                    let _e1195 = ((_e1178.x * _e1176.y) - (_e1176.x * _e1178.y));
+                                    let _e1198 = ((_e1019 >= _e1023) && (_e1019 >= _e1027));
+                                    let _e1199 = (_e1023 >= _e1027);
+                                    let _e1213 = (((_e1187 * (select(select(_e958[0], _e950[0], _e1199), _e942[0], _e1198) - _e548.member[0])) + (_e1192 * (select(select(_e958[1], _e950[1], _e1199), _e942[1], _e1198) - _e548.member[1]))) + (_e1195 * (select(select(_e958[2], _e950[2], _e1199), _e942[2], _e1198) - _e548.member[2])));
+                                    let _e1218 = (((_e1187 * _e571) + (_e1192 * _e587)) + (_e1195 * _e603));
+                                    let _e1219 = (_e1168 - _e1172);
+                                    let _e1220 = (_e1166 - _e1170);
+                                    let _e1223 = ((_e1219 * _e1219) + (_e1220 * _e1220));
+                                    let _e1230 = (-(((_e1172 * _e1219) + (_e1170 * _e1220))) / select(0.000000000000000000000000000000000000011754944f, _e1223, (_e1223 > 0.000000000000000000000000000000000000011754944f)));
+                                    let _e1232 = select(1f, _e1230, (_e1230 < 1f));
+                                    let _e1234 = select(0f, _e1232, (_e1232 > 0f));
+                                    let _e1243 = ((_e1174.x + (_e1180.x * _e1234)) - _e548.member[0]);
+                                    let _e1246 = ((_e1174.y + (_e1180.y * _e1234)) - _e548.member[1]);
+                                    let _e1249 = ((_e1174.z + (_e1180.z * _e1234)) - _e548.member[2]);
+                                    let _e1314 = ((bitcast<f32>((bitcast<u32>(((((_e1187 * _e1243) + (_e1192 * _e1246)) + (_e1195 * _e1249)) - _e1213)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u))), _e1153)) * max(max(bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1178.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1178.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1178.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1176.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1176.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1176.z) & 2147483647u)))))));
+                                    let _e1315 = (_e1213 / _e1218);
+                                    if (_e1102 && !(_e1314)) {
+                                        let _e1318 = (_e1249 / _e603);
+                                        let _e1326 = (((_e1187 * (_e1243 - (_e571 * _e1318))) + (_e1192 * (_e1246 - (_e587 * _e1318)))) / _e1218);
+                                        phi_2356_ = select(select(_e1318, (_e1318 + _e1326), (bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u)) <= _e1153)), _e1315, _e1314);
                                     } else {
-                                        phi_2312_ = _e1297;
+                                        phi_2356_ = _e1315;
                                     }
-                                    let _e1317 = phi_2312_;
-                                    let _e1319 = select(_e1057, _e1317, (_e1317 < _e1057));
-                                    let _e1321 = select(_e1052, _e1319, (_e1319 > _e1052));
-                                    let _e1324 = select(_e1321, 0f, (bitcast<u32>(_e1321) == 2147483648u));
-                                    let _e1325 = (1f / _e1011);
-                                    phi_2338_ = SlimbvhTypeE(_e1324, (_e1005 * _e1325), (_e1009 * _e1325), ((_e1084 && (_e1324 >= _e602)) && (_e1324 <= _e800.member.member_1)));
-                                    phi_2339_ = SlimbvhTypeE();
+                                    let _e1335 = phi_2356_;
+                                    let _e1337 = select(_e1075, _e1335, (_e1335 < _e1075));
+                                    let _e1339 = select(_e1070, _e1337, (_e1337 > _e1070));
+                                    let _e1342 = select(_e1339, 0f, (bitcast<u32>(_e1339) == 2147483648u));
+                                    let _e1343 = (1f / _e1029);
+                                    phi_2382_ = SlimbvhTypeG(_e1342, (_e1023 * _e1343), (_e1027 * _e1343), ((_e1102 && (_e1342 >= _e615)) && (_e1342 <= _e818.member.member_1)));
+                                    phi_2383_ = SlimbvhTypeG();
                                 } else {
-                                    phi_2338_ = SlimbvhTypeE();
-                                    phi_2339_ = SlimbvhTypeE(0f, 0f, 0f, _e1084);
+                                    phi_2382_ = SlimbvhTypeG();
+                                    phi_2383_ = SlimbvhTypeG(0f, 0f, 0f, _e1102);
                                 }
-                                let _e1334 = phi_2338_;
-                                let _e1336 = phi_2339_;
-                                phi_2342_ = _e1334;
-                                phi_2343_ = _e1336;
-                                phi_2344_ = select(true, false, _e1084);
+                                let _e1352 = phi_2382_;
+                                let _e1354 = phi_2383_;
+                                phi_2386_ = _e1352;
+                                phi_2387_ = _e1354;
+                                phi_2388_ = select(true, false, _e1102);
                             } else {
-                                phi_2342_ = SlimbvhTypeE();
-                                phi_2343_ = SlimbvhTypeE(0f, 0f, 0f, _e995);
-                                phi_2344_ = true;
+                                phi_2386_ = SlimbvhTypeG();
+                                phi_2387_ = SlimbvhTypeG(0f, 0f, 0f, _e1013);
+                                phi_2388_ = true;
                             }
-                            let _e1339 = phi_2342_;
-                            let _e1341 = phi_2343_;
-                            let _e1343 = phi_2344_;
-                            if _e1343 {
-                                phi_2348_ = _e1341;
+                            let _e1357 = phi_2386_;
+                            let _e1359 = phi_2387_;
+                            let _e1361 = phi_2388_;
+                            if _e1361 {
+                                phi_2392_ = _e1359;
                             } else {
-                                phi_2348_ = _e1339;
+                                phi_2392_ = _e1357;
                             }
-                            let _e1345 = phi_2348_;
-                            if _e1345.member_3 {
-                                phi_2357_ = SlimbvhTypeF(_e1345.member, _e1345.member_1, _e1345.member_2, _e863);
+                            let _e1363 = phi_2392_;
+                            if _e1363.member_3 {
+                                phi_2401_ = SlimbvhTypeH(_e1363.member, _e1363.member_1, _e1363.member_2, _e881);
                             } else {
-                                phi_2357_ = _e76;
+                                phi_2401_ = _e87;
                             }
-                            let _e1352 = phi_2357_;
-                            if (_e1352.member_3 != 4294967295u) {
-                                if (_e863 != 4294967295u) {
-                                    if (_e1352.member < _e800.member.member.member) {
-                                        phi_2383_ = true;
+                            let _e1370 = phi_2401_;
+                            if (_e1370.member_3 != 4294967295u) {
+                                let _e1376 = slimbvh_target.member[0u][0u];
+                                let _e1380 = slimbvh_target.member[0u][1u];
+                                let _e1384 = slimbvh_target.member[0u][2u];
+                                let _e1388 = slimbvh_target.member[0u][3u];
+                                let _e1392 = slimbvh_target.member[1u][0u];
+                                let _e1396 = slimbvh_target.member[1u][1u];
+                                let _e1400 = slimbvh_target.member[1u][2u];
+                                let _e1404 = slimbvh_target.member[1u][3u];
+                                let _e1405 = bitcast<f32>(_e1376);
+                                let _e1406 = bitcast<f32>(_e1380);
+                                let _e1407 = bitcast<f32>(_e1384);
+                                let _e1409 = bitcast<f32>(_e1392);
+                                let _e1410 = array<u32, 3>(_e1396, _e1400, _e1404);
+                                if (_e118 < -126i) {
+                                    phi_2448_ = -126i;
+                                } else {
+                                    phi_2448_ = select(_e118, 127i, (_e118 > 127i));
+                                }
+                                let _e1416 = phi_2448_;
+                                let _e1421 = bitcast<f32>((bitcast<u32>((_e1416 + 127i)) << bitcast<u32>(23i)));
+                                let _e1427 = bitcast<f32>((bitcast<u32>(((_e118 - _e1416) + 127i)) << bitcast<u32>(23i)));
+                                if (_e1388 == 0u) {
+                                    phi_2588_ = SlimbvhTypeI(array<f32, 3>(_e1405, _e1406, _e1407), _e1388, _e1409, _e1410);
+                                } else {
+                                    let _e1429 = bitcast<u32>(_e1405);
+                                    let _e1431 = ((_e1429 & 2139095040u) != 0u);
+                                    let _e1446 = bitcast<u32>(_e1406);
+                                    let _e1448 = ((_e1446 & 2139095040u) != 0u);
+                                    let _e1463 = bitcast<u32>(_e1407);
+                                    let _e1465 = ((_e1463 & 2139095040u) != 0u);
+                                    let _e1481 = bitcast<u32>(_e1409);
+                                    let _e1483 = ((_e1481 & 2139095040u) != 0u);
+                                    phi_2588_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1429 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1429 & 2147483648u))), _e1405, _e1431) * _e1421) * select(0.00000011920929f, 1f, _e1431)) * _e1427), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1446 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1446 & 2147483648u))), _e1406, _e1448) * _e1421) * select(0.00000011920929f, 1f, _e1448)) * _e1427), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1463 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1463 & 2147483648u))), _e1407, _e1465) * _e1421) * select(0.00000011920929f, 1f, _e1465)) * _e1427)), _e1388, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1481 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1481 & 2147483648u))), _e1409, _e1483) * _e1421) * select(0.00000011920929f, 1f, _e1483)) * _e1427), _e1410);
+                                }
+                                let _e1500 = phi_2588_;
+                                if (_e881 == _e619) {
+                                    phi_2914_ = false;
+                                } else {
+                                    let _e1502 = (_e881 / 16u);
+                                    if (_e1502 < arrayLength((&slimbvh_sides.member))) {
+                                        let _e1505 = slimbvh_sides.member[_e1502];
+                                        phi_2612_ = _e1505;
                                     } else {
-                                        if (_e1352.member == _e800.member.member.member) {
-                                            phi_2382_ = (_e1352.member_3 < _e800.member.member.member_3);
+                                        phi_2612_ = 0u;
+                                    }
+                                    let _e1507 = phi_2612_;
+                                    let _e1516 = (bitcast<i32>((_e1507 << bitcast<u32>(((30u - ((_e881 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                    let _e1517 = (_e1516 == 0i);
+                                    if _e1517 {
+                                        phi_2913_ = true;
+                                    } else {
+                                        if _e165 {
+                                            phi_2641_ = vec3<f32>(_e942[0], _e942[1], _e942[2]);
                                         } else {
-                                            phi_2382_ = false;
+                                            if (_e160 == 1u) {
+                                                phi_2640_ = vec3<f32>(_e942[2], _e942[0], _e942[1]);
+                                            } else {
+                                                phi_2640_ = vec3<f32>(_e942[1], _e942[2], _e942[0]);
+                                            }
+                                            let _e1522 = phi_2640_;
+                                            phi_2641_ = _e1522;
                                         }
-                                        let _e1367 = phi_2382_;
-                                        phi_2383_ = _e1367;
+                                        let _e1525 = phi_2641_;
+                                        if _e165 {
+                                            phi_2659_ = vec3<f32>(_e950[0], _e950[1], _e950[2]);
+                                        } else {
+                                            if (_e160 == 1u) {
+                                                phi_2658_ = vec3<f32>(_e950[2], _e950[0], _e950[1]);
+                                            } else {
+                                                phi_2658_ = vec3<f32>(_e950[1], _e950[2], _e950[0]);
+                                            }
+                                            let _e1530 = phi_2658_;
+                                            phi_2659_ = _e1530;
+                                        }
+                                        let _e1533 = phi_2659_;
+                                        if _e165 {
+                                            phi_2677_ = vec3<f32>(_e958[0], _e958[1], _e958[2]);
+                                        } else {
+                                            if (_e160 == 1u) {
+                                                phi_2676_ = vec3<f32>(_e958[2], _e958[0], _e958[1]);
+                                            } else {
+                                                phi_2676_ = vec3<f32>(_e958[1], _e958[2], _e958[0]);
+                                            }
+                                            let _e1538 = phi_2676_;
+                                            phi_2677_ = _e1538;
+                                        }
+                                        let _e1541 = phi_2677_;
+                                        let _e1544 = (_e1533.x - _e1525.x);
+                                        let _e1547 = (_e1533.y - _e1525.y);
+                                        let _e1550 = (_e1533.z - _e1525.z);
+                                        let _e1552 = (_e1541.x - _e1525.x);
+                                        let _e1554 = (_e1541.y - _e1525.y);
+                                        let _e1556 = (_e1541.z - _e1525.z);
+                                        if (_e1500.member_1 == 1u) {
+                                            phi_2713_ = (vec3<f32>(_e1500.member[0], _e1500.member[1], _e1500.member[2]) - _e1525);
+                                        } else {
+                                            phi_2713_ = vec3<f32>(_e1500.member[0], _e1500.member[1], _e1500.member[2]);
+                                        }
+                                        let _e1571 = phi_2713_;
+                                        let _e1577 = bitcast<f32>((bitcast<u32>((_e1544 * _e1554)) ^ _e1500.member_3[0]));
+                                        let _e1581 = bitcast<f32>((bitcast<u32>((_e1547 * _e1552)) ^ _e1500.member_3[0]));
+                                        let _e1585 = bitcast<f32>((bitcast<u32>((_e1547 * _e1556)) ^ _e1500.member_3[0]));
+                                        let _e1589 = bitcast<f32>((bitcast<u32>((_e1550 * _e1554)) ^ _e1500.member_3[0]));
+                                        let _e1593 = bitcast<f32>((bitcast<u32>((_e1550 * _e1552)) ^ _e1500.member_3[0]));
+                                        let _e1597 = bitcast<f32>((bitcast<u32>((_e1544 * _e1556)) ^ _e1500.member_3[0]));
+                                        let _e1598 = (_e1585 - _e1589);
+                                        let _e1599 = (_e1593 - _e1597);
+                                        let _e1600 = (_e1577 - _e1581);
+                                        let _e1624 = (bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)));
+                                        let _e1631 = (bitcast<f32>((bitcast<u32>(_e1593) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u)));
+                                        let _e1638 = (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)));
+                                        if (_e1500.member_2 == 0f) {
+                                            phi_2895_ = 0f;
+                                        } else {
+                                            let _e1668 = bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u));
+                                            let _e1671 = bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u));
+                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1600) & 2147483647u));
+                                            let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
+                                            let _e1680 = select(_e1674, _e1671, (_e1671 < _e1674));
+                                            let _e1684 = select(_e1671, _e1668, (_e1668 < _e1671));
+                                            let _e1686 = select(_e1671, _e1668, (_e1668 > _e1671));
+                                            let _e1688 = select(_e1674, _e1686, (_e1686 < _e1674));
+                                            phi_2895_ = bitcast<f32>((bitcast<u32>((_e1500.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1676, _e1668, (_e1668 > _e1676)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1688, _e1684, (_e1684 > _e1688)))) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1680, _e1668, (_e1668 < _e1680)))) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1624 + _e1631) + _e1638))) ^ _e1500.member_3[0]))) * 1.0000005f)) ^ _e1500.member_3[0])))) ^ _e1500.member_3[0]));
+                                        }
+                                        let _e1715 = phi_2895_;
+                                        phi_2913_ = (_e1517 || !(((((bitcast<f32>((bitcast<u32>((_e1571.x * _e1598)) ^ _e1500.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1571.y * _e1599)) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1571.z * _e1600)) ^ _e1500.member_3[0]))) * f32(-(_e1516))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1571.x) & 2147483647u)) * _e1624)) ^ _e1500.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1571.y) & 2147483647u)) * _e1631)) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1571.z) & 2147483647u)) * _e1638)) ^ _e1500.member_3[0]))))) ^ _e1500.member_3[0])) + _e1715) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e1369 = phi_2383_;
-                                    if _e1369 {
-                                        phi_2390_ = SlimbvhTypeK(SlimbvhTypeG(_e1352, _e1352.member), _e800.member_1);
-                                    } else {
-                                        phi_2390_ = _e800;
-                                    }
-                                    let _e1375 = phi_2390_;
-                                    if _e1375.member_1 {
-                                        phi_2396_ = SlimbvhTypeK(SlimbvhTypeG(_e1375.member.member, bitcast<f32>(4286578687u)), _e1375.member_1);
-                                    } else {
-                                        phi_2396_ = _e1375;
-                                    }
-                                    let _e1384 = phi_2396_;
-                                    phi_2397_ = _e1384;
-                                } else {
-                                    phi_2397_ = _e800;
+                                    let _e1729 = phi_2913_;
+                                    phi_2914_ = _e1729;
                                 }
-                                let _e1386 = phi_2397_;
-                                phi_2398_ = _e1386;
+                                let _e1731 = phi_2914_;
+                                if _e1731 {
+                                    if (_e1370.member < _e818.member.member.member) {
+                                        phi_2934_ = true;
+                                    } else {
+                                        if (_e1370.member == _e818.member.member.member) {
+                                            phi_2933_ = (_e1370.member_3 < _e818.member.member.member_3);
+                                        } else {
+                                            phi_2933_ = false;
+                                        }
+                                        let _e1743 = phi_2933_;
+                                        phi_2934_ = _e1743;
+                                    }
+                                    let _e1745 = phi_2934_;
+                                    if _e1745 {
+                                        phi_2941_ = SlimbvhTypeN(SlimbvhTypeJ(_e1370, _e1370.member), _e818.member_1);
+                                    } else {
+                                        phi_2941_ = _e818;
+                                    }
+                                    let _e1751 = phi_2941_;
+                                    if _e1751.member_1 {
+                                        phi_2947_ = SlimbvhTypeN(SlimbvhTypeJ(_e1751.member.member, bitcast<f32>(4286578687u)), _e1751.member_1);
+                                    } else {
+                                        phi_2947_ = _e1751;
+                                    }
+                                    let _e1760 = phi_2947_;
+                                    phi_2948_ = _e1760;
+                                } else {
+                                    phi_2948_ = _e818;
+                                }
+                                let _e1762 = phi_2948_;
+                                phi_2949_ = _e1762;
                             } else {
-                                phi_2398_ = _e800;
+                                phi_2949_ = _e818;
                             }
-                            let _e1388 = phi_2398_;
-                            phi_1559_ = _e1388;
+                            let _e1764 = phi_2949_;
+                            phi_1603_ = _e1764;
                         } else {
-                            phi_1559_ = SlimbvhTypeK();
+                            phi_1603_ = SlimbvhTypeN();
                         }
-                        let _e1390 = phi_1559_;
+                        let _e1766 = phi_1603_;
                         continue;
                         continuing {
-                            phi_1558_ = _e1390;
-                            phi_1561_ = _e815;
-                            break if !(_e821);
+                            phi_1602_ = _e1766;
+                            phi_1605_ = _e833;
+                            break if !(_e839);
                         }
                     }
-                    let _e1393 = local_3;
-                    let _e1394 = (_e1393 - 1u);
-                    let _e1399 = slimbvh_stacks[(((_e1394 % 32u) * 64u) + _e606)];
-                    let _e1401 = local_4;
-                    let _e1651 = local_7;
-                    phi_2420_ = _e1651;
-                    phi_2421_ = select(_e1394, 4294967295u, (_e602 > _e1401.member.member_1));
-                    phi_2422_ = _e1399;
+                    let _e1769 = local_3;
+                    let _e1770 = (_e1769 - 1u);
+                    let _e1775 = slimbvh_stacks[(((_e1770 % 32u) * 64u) + _e622)];
+                    let _e1777 = local_4;
+                    let _e2040 = local_7;
+                    phi_2971_ = _e2040;
+                    phi_2972_ = select(_e1770, 4294967295u, (_e615 > _e1777.member.member_1));
+                    phi_2973_ = _e1775;
                 } else {
-                    phi_2420_ = _e623;
-                    let _e1654 = local_8;
-                    phi_2421_ = _e1654;
-                    let _e1657 = local_9;
-                    phi_2422_ = _e1657;
+                    phi_2971_ = _e641;
+                    let _e2043 = local_8;
+                    phi_2972_ = _e2043;
+                    let _e2046 = local_9;
+                    phi_2973_ = _e2046;
                 }
-                let _e1407 = phi_2420_;
-                let _e1409 = phi_2421_;
-                let _e1411 = phi_2422_;
-                phi_1241_ = _e1407;
-                phi_1244_ = _e1409;
-                phi_1246_ = _e1411;
-                let _e1663 = local_10;
-                phi_1248_ = _e1663;
+                let _e1783 = phi_2971_;
+                let _e1785 = phi_2972_;
+                let _e1787 = phi_2973_;
+                phi_1285_ = _e1783;
+                phi_1288_ = _e1785;
+                phi_1290_ = _e1787;
+                let _e2052 = local_10;
+                phi_1292_ = _e2052;
             } else {
-                phi_1241_ = SlimbvhTypeK();
-                phi_1244_ = u32();
-                phi_1246_ = u32();
-                phi_1248_ = u32();
+                phi_1285_ = SlimbvhTypeN();
+                phi_1288_ = u32();
+                phi_1290_ = u32();
+                phi_1292_ = u32();
             }
-            let _e1413 = phi_1241_;
-            let _e1415 = phi_1244_;
-            let _e1417 = phi_1246_;
-            let _e1419 = phi_1248_;
+            let _e1789 = phi_1285_;
+            let _e1791 = phi_1288_;
+            let _e1793 = phi_1290_;
+            let _e1795 = phi_1292_;
             continue;
             continuing {
-                phi_1240_ = _e1413;
-                phi_1243_ = _e1415;
-                phi_1245_ = _e1417;
-                phi_1247_ = _e1419;
-                break if !(_e630);
+                phi_1284_ = _e1789;
+                phi_1287_ = _e1791;
+                phi_1289_ = _e1793;
+                phi_1291_ = _e1795;
+                break if !(_e648);
             }
         }
-        let _e1422 = local_5;
-        let _e1423 = (_e1422 == 4294967295u);
-        let _e1425 = local_6;
-        if (_e1425.member.member.member_3 != 4294967295u) {
-            let _e1431 = -((_e105 + _e535.member_4));
-            let _e1432 = bitcast<u32>(_e1425.member.member.member);
-            let _e1436 = (bitcast<i32>((_e1432 >> bitcast<u32>(23i))) & 255i);
-            let _e1437 = (_e1436 + _e1431);
-            if (_e1436 == 255i) {
-                phi_2478_ = _e1425.member.member.member;
+        let _e1798 = local_5;
+        let _e1799 = (_e1798 == 4294967295u);
+        let _e1801 = local_6;
+        if (_e1801.member.member.member_3 != 4294967295u) {
+            let _e1807 = -((_e118 + _e548.member_4));
+            let _e1808 = bitcast<u32>(_e1801.member.member.member);
+            let _e1812 = (bitcast<i32>((_e1808 >> bitcast<u32>(23i))) & 255i);
+            let _e1813 = (_e1812 + _e1807);
+            if (_e1812 == 255i) {
+                phi_3029_ = _e1801.member.member.member;
             } else {
-                if (_e1436 > 0i) {
-                    if (_e1437 > 0i) {
-                        let _e1441 = (_e1437 < 255i);
-                        if _e1441 {
-                            phi_2457_ = bitcast<f32>((_e1432 + bitcast<u32>((_e1431 << bitcast<u32>(23i)))));
+                if (_e1812 > 0i) {
+                    if (_e1813 > 0i) {
+                        let _e1817 = (_e1813 < 255i);
+                        if _e1817 {
+                            phi_3008_ = bitcast<f32>((_e1808 + bitcast<u32>((_e1807 << bitcast<u32>(23i)))));
                         } else {
-                            phi_2457_ = f32();
+                            phi_3008_ = f32();
                         }
-                        let _e1448 = phi_2457_;
-                        phi_2459_ = _e1448;
-                        phi_2460_ = select(true, false, _e1441);
+                        let _e1824 = phi_3008_;
+                        phi_3010_ = _e1824;
+                        phi_3011_ = select(true, false, _e1817);
                     } else {
-                        phi_2459_ = f32();
-                        phi_2460_ = true;
+                        phi_3010_ = f32();
+                        phi_3011_ = true;
                     }
-                    let _e1451 = phi_2459_;
-                    let _e1453 = phi_2460_;
-                    phi_2461_ = _e1451;
-                    phi_2462_ = _e1453;
+                    let _e1827 = phi_3010_;
+                    let _e1829 = phi_3011_;
+                    phi_3012_ = _e1827;
+                    phi_3013_ = _e1829;
                 } else {
-                    phi_2461_ = f32();
-                    phi_2462_ = true;
+                    phi_3012_ = f32();
+                    phi_3013_ = true;
                 }
-                let _e1455 = phi_2461_;
-                let _e1457 = phi_2462_;
-                if _e1457 {
-                    let _e1458 = (_e1432 & 2147483648u);
-                    let _e1465 = ((_e1432 & 8388607u) | (select(0u, 1u, ((_e1432 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                    let _e1469 = (_e1465 == 0u);
-                    if _e1469 {
-                        phi_2915_ = bitcast<f32>(_e1458);
+                let _e1831 = phi_3012_;
+                let _e1833 = phi_3013_;
+                if _e1833 {
+                    let _e1834 = (_e1808 & 2147483648u);
+                    let _e1841 = ((_e1808 & 8388607u) | (select(0u, 1u, ((_e1808 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e1845 = (_e1841 == 0u);
+                    if _e1845 {
+                        phi_3466_ = bitcast<f32>(_e1834);
                     } else {
-                        let _e1474 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1465)), 32u, _e1469) - 8u);
-                        let _e1477 = (_e1465 << bitcast<u32>((_e1474 & 31u)));
-                        let _e1479 = ((_e1437 + select(0i, 1i, (_e1436 == 0i))) - bitcast<i32>(_e1474));
-                        if (_e1479 >= 255i) {
-                            phi_2905_ = bitcast<f32>((_e1458 | 2139095040u));
-                            phi_2906_ = f32();
-                            phi_2907_ = true;
+                        let _e1850 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1841)), 32u, _e1845) - 8u);
+                        let _e1853 = (_e1841 << bitcast<u32>((_e1850 & 31u)));
+                        let _e1855 = ((_e1813 + select(0i, 1i, (_e1812 == 0i))) - bitcast<i32>(_e1850));
+                        if (_e1855 >= 255i) {
+                            phi_3456_ = bitcast<f32>((_e1834 | 2139095040u));
+                            phi_3457_ = f32();
+                            phi_3458_ = true;
                         } else {
-                            let _e1481 = (_e1479 > 0i);
-                            if _e1481 {
-                                phi_2899_ = bitcast<f32>(((_e1458 | (bitcast<u32>(_e1479) << bitcast<u32>(23i))) | (_e1477 & 8388607u)));
-                                phi_2900_ = f32();
+                            let _e1857 = (_e1855 > 0i);
+                            if _e1857 {
+                                phi_3450_ = bitcast<f32>(((_e1834 | (bitcast<u32>(_e1855) << bitcast<u32>(23i))) | (_e1853 & 8388607u)));
+                                phi_3451_ = f32();
                             } else {
-                                if (_e1479 < -24i) {
-                                    phi_2865_ = 26u;
+                                if (_e1855 < -24i) {
+                                    phi_3416_ = 26u;
                                 } else {
-                                    phi_2865_ = bitcast<u32>((1i - _e1479));
+                                    phi_3416_ = bitcast<u32>((1i - _e1855));
                                 }
-                                let _e1486 = phi_2865_;
-                                let _e1487 = (_e1486 & 31u);
-                                let _e1489 = (_e1477 >> bitcast<u32>(_e1487));
-                                let _e1493 = (_e1477 & ((1u << bitcast<u32>(_e1487)) - 1u));
-                                let _e1497 = (1u << bitcast<u32>(((_e1486 - 1u) & 31u)));
-                                if (_e1493 > _e1497) {
-                                    phi_2886_ = true;
+                                let _e1862 = phi_3416_;
+                                let _e1863 = (_e1862 & 31u);
+                                let _e1865 = (_e1853 >> bitcast<u32>(_e1863));
+                                let _e1869 = (_e1853 & ((1u << bitcast<u32>(_e1863)) - 1u));
+                                let _e1873 = (1u << bitcast<u32>(((_e1862 - 1u) & 31u)));
+                                if (_e1869 > _e1873) {
+                                    phi_3437_ = true;
                                 } else {
-                                    if (_e1493 == _e1497) {
-                                        phi_2883_ = ((_e1489 & 1u) == 1u);
+                                    if (_e1869 == _e1873) {
+                                        phi_3434_ = ((_e1865 & 1u) == 1u);
                                     } else {
-                                        phi_2883_ = false;
+                                        phi_3434_ = false;
                                     }
-                                    let _e1503 = phi_2883_;
-                                    phi_2886_ = _e1503;
+                                    let _e1879 = phi_3434_;
+                                    phi_3437_ = _e1879;
                                 }
-                                let _e1505 = phi_2886_;
-                                phi_2899_ = f32();
-                                phi_2900_ = bitcast<f32>((_e1458 | (_e1489 + select(0u, 1u, _e1505))));
+                                let _e1881 = phi_3437_;
+                                phi_3450_ = f32();
+                                phi_3451_ = bitcast<f32>((_e1834 | (_e1865 + select(0u, 1u, _e1881))));
                             }
-                            let _e1518 = phi_2899_;
-                            let _e1520 = phi_2900_;
-                            phi_2905_ = _e1518;
-                            phi_2906_ = _e1520;
-                            phi_2907_ = _e1481;
+                            let _e1894 = phi_3450_;
+                            let _e1896 = phi_3451_;
+                            phi_3456_ = _e1894;
+                            phi_3457_ = _e1896;
+                            phi_3458_ = _e1857;
                         }
-                        let _e1524 = phi_2905_;
-                        let _e1526 = phi_2906_;
-                        let _e1528 = phi_2907_;
-                        phi_2915_ = select(_e1526, _e1524, _e1528);
+                        let _e1900 = phi_3456_;
+                        let _e1902 = phi_3457_;
+                        let _e1904 = phi_3458_;
+                        phi_3466_ = select(_e1902, _e1900, _e1904);
                     }
-                    let _e1532 = phi_2915_;
-                    phi_2477_ = _e1532;
+                    let _e1908 = phi_3466_;
+                    phi_3028_ = _e1908;
                 } else {
-                    phi_2477_ = _e1455;
+                    phi_3028_ = _e1831;
                 }
-                let _e1534 = phi_2477_;
-                phi_2478_ = _e1534;
+                let _e1910 = phi_3028_;
+                phi_3029_ = _e1910;
             }
-            let _e1536 = phi_2478_;
-            let _e1537 = bitcast<u32>(_e1536);
-            if ((_e1537 & 2147483647u) >= 2139095040u) {
-                phi_2490_ = bitcast<f32>(((_e1537 & 2147483648u) | 2139095039u));
+            let _e1912 = phi_3029_;
+            let _e1913 = bitcast<u32>(_e1912);
+            if ((_e1913 & 2147483647u) >= 2139095040u) {
+                phi_3041_ = bitcast<f32>(((_e1913 & 2147483648u) | 2139095039u));
             } else {
-                phi_2490_ = _e1536;
+                phi_3041_ = _e1912;
             }
-            let _e1544 = phi_2490_;
-            phi_2495_ = SlimbvhTypeF(_e1544, _e1425.member.member.member_1, _e1425.member.member.member_2, _e1425.member.member.member_3);
+            let _e1920 = phi_3041_;
+            phi_3046_ = SlimbvhTypeH(_e1920, _e1801.member.member.member_1, _e1801.member.member.member_2, _e1801.member.member.member_3);
         } else {
-            phi_2495_ = _e76;
+            phi_3046_ = _e87;
         }
-        let _e1549 = phi_2495_;
-        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1549.member), bitcast<u32>(_e1549.member_1), bitcast<u32>(_e1549.member_2), _e1549.member_3);
-        phi_2508_ = _e1423;
-        phi_2509_ = _e1423;
-        phi_2510_ = select(true, false, _e1423);
+        let _e1925 = phi_3046_;
+        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1925.member), bitcast<u32>(_e1925.member_1), bitcast<u32>(_e1925.member_2), _e1925.member_3);
+        phi_3059_ = _e1799;
+        phi_3060_ = _e1799;
+        phi_3061_ = select(true, false, _e1799);
     } else {
-        phi_2508_ = bool();
-        phi_2509_ = false;
-        phi_2510_ = true;
+        phi_3059_ = bool();
+        phi_3060_ = false;
+        phi_3061_ = true;
     }
-    let _e1560 = phi_2508_;
-    let _e1562 = phi_2509_;
-    let _e1564 = phi_2510_;
-    if _e1564 {
+    let _e1936 = phi_3059_;
+    let _e1938 = phi_3060_;
+    let _e1940 = phi_3061_;
+    if _e1940 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }
-    slimbvh_overflowed.member = select(0u, 1u, !(select(_e1560, _e1562, _e1564)));
+    slimbvh_overflowed.member = select(0u, 1u, !(select(_e1936, _e1938, _e1940)));
     return;
 }
 
@@ -979,11 +1131,11 @@ struct SlimbvhTriedAny {
     overflowed: bool,
 }
 
-fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+fn slimbvh_try_closest_hit_from(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhTriedHit {
     slimbvh_lane.member = lane;
     slimbvh_origin.member = vec4<f32>(origin, t_min);
     slimbvh_direction.member = vec4<f32>(direction, t_max);
-    slimbvh_any_will_do.member = 0u;
+    slimbvh_question.member = vec2<u32>(0u, skip);
     slimbvh_trace_in_group();
     let hit = slimbvh_hit.member;
     return SlimbvhTriedHit(
@@ -992,27 +1144,43 @@ fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: 
     );
 }
 
-fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+    return slimbvh_try_closest_hit_from(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_try_any_hit_from(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhTriedAny {
     slimbvh_lane.member = lane;
     slimbvh_origin.member = vec4<f32>(origin, t_min);
     slimbvh_direction.member = vec4<f32>(direction, t_max);
-    slimbvh_any_will_do.member = 1u;
+    slimbvh_question.member = vec2<u32>(1u, skip);
     slimbvh_trace_in_group();
     return SlimbvhTriedAny(slimbvh_hit.member.w != 0xffffffffu, slimbvh_overflowed.member != 0u);
 }
 
-fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
-    let tried = slimbvh_try_closest_hit(lane, origin, t_min, direction, t_max);
+fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+    return slimbvh_try_any_hit_from(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_closest_hit_from_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhHit {
+    let tried = slimbvh_try_closest_hit_from(lane, origin, t_min, direction, t_max, skip);
     if tried.overflowed {
-        return slimbvh_closest_hit(origin, t_min, direction, t_max);
+        return slimbvh_closest_hit_from(origin, t_min, direction, t_max, skip);
     }
     return tried.hit;
 }
 
-fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
-    let tried = slimbvh_try_any_hit(lane, origin, t_min, direction, t_max);
+fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
+    return slimbvh_closest_hit_from_in_group(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_any_hit_from_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> bool {
+    let tried = slimbvh_try_any_hit_from(lane, origin, t_min, direction, t_max, skip);
     if tried.overflowed {
-        return slimbvh_any_hit(origin, t_min, direction, t_max);
+        return slimbvh_any_hit_from(origin, t_min, direction, t_max, skip);
     }
     return tried.found;
+}
+
+fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
+    return slimbvh_any_hit_from_in_group(lane, origin, t_min, direction, t_max, 0xffffffffu);
 }

@@ -14,1457 +14,1609 @@
 //
 // trace nothing again: where overflowed is true, hit is a miss and found is false, and mean nothing. A shader that calls
 // only these needs no private stack: it can list the rays that overflowed for a second dispatch.
+//
+// Each of the four has a variant for rays that leave a surface, with _from behind hit and a last argument skip, as in the
+// first text: slimbvh_closest_hit_from_in_group, slimbvh_try_any_hit_from.
+
+struct SlimbvhTypeU {
+    member: u32,
+}
 
 var<workgroup> slimbvh_stacks: array<u32, 2048>;
 
-var<private> slimbvh_lane: SlimbvhTypeO;
+var<private> slimbvh_lane: SlimbvhTypeU;
 
-var<private> slimbvh_overflowed: SlimbvhTypeO;
+var<private> slimbvh_overflowed: SlimbvhTypeU;
 
 fn slimbvh_trace_in_group() {
-    var phi_569_: u32;
-    var phi_575_: u32;
-    var phi_581_: u32;
-    var phi_846_: i32;
-    var phi_857_: i32;
-    var phi_971_: i32;
-    var phi_1100_: i32;
-    var phi_1122_: u32;
-    var phi_1123_: u32;
-    var phi_1124_: bool;
-    var phi_1158_: i32;
-    var phi_1180_: u32;
-    var phi_1181_: u32;
-    var phi_1182_: bool;
-    var phi_743_: i32;
-    var phi_749_: u32;
-    var phi_768_: u32;
-    var phi_769_: u32;
-    var phi_770_: bool;
-    var phi_788_: i32;
-    var phi_794_: u32;
-    var phi_813_: u32;
-    var phi_814_: u32;
-    var phi_815_: bool;
-    var phi_1192_: SlimbvhTypeC;
-    var phi_1428_: SlimbvhTypeP;
-    var phi_1491_: array<f32, 3>;
-    var phi_1492_: array<f32, 3>;
-    var phi_1510_: array<f32, 3>;
-    var phi_1511_: array<f32, 3>;
-    var phi_1684_: SlimbvhTypeP;
-    var phi_1687_: u32;
-    var phi_1689_: u32;
-    var phi_1691_: u32;
-    var phi_1700_: u32;
-    var phi_1703_: u32;
-    var phi_1705_: u32;
-    var phi_1807_: SlimbvhTypeK;
-    var phi_1808_: SlimbvhTypeK;
-    var phi_1867_: SlimbvhTypeK;
-    var phi_1868_: SlimbvhTypeK;
-    var phi_1927_: SlimbvhTypeK;
-    var phi_1928_: SlimbvhTypeK;
-    var phi_2412_: u32;
-    var phi_2425_: u32;
-    var phi_2438_: u32;
-    var phi_2451_: u32;
-    var phi_4600_: SlimbvhTypeD;
-    var phi_4612_: SlimbvhTypeD;
-    var phi_4624_: SlimbvhTypeD;
-    var phi_4636_: SlimbvhTypeD;
-    var phi_4648_: SlimbvhTypeD;
-    var phi_2535_: u32;
-    var phi_2540_: u32;
-    var phi_2541_: u32;
-    var phi_2571_: u32;
-    var phi_2572_: u32;
-    var phi_1701_: u32;
-    var phi_1704_: u32;
-    var phi_1706_: u32;
+    var phi_592_: u32;
+    var phi_598_: u32;
+    var phi_604_: u32;
+    var phi_869_: i32;
+    var phi_880_: i32;
+    var phi_994_: i32;
+    var phi_1123_: i32;
+    var phi_1145_: u32;
+    var phi_1146_: u32;
+    var phi_1147_: bool;
+    var phi_1181_: i32;
+    var phi_1203_: u32;
+    var phi_1204_: u32;
+    var phi_1205_: bool;
+    var phi_766_: i32;
+    var phi_772_: u32;
+    var phi_791_: u32;
+    var phi_792_: u32;
+    var phi_793_: bool;
+    var phi_811_: i32;
+    var phi_817_: u32;
+    var phi_836_: u32;
+    var phi_837_: u32;
+    var phi_838_: bool;
+    var phi_1215_: SlimbvhTypeD;
+    var phi_1461_: SlimbvhTypeQ;
+    var phi_1524_: array<f32, 3>;
+    var phi_1525_: array<f32, 3>;
+    var phi_1543_: array<f32, 3>;
+    var phi_1544_: array<f32, 3>;
+    var phi_1717_: SlimbvhTypeQ;
+    var phi_1720_: u32;
+    var phi_1722_: u32;
+    var phi_1724_: u32;
+    var phi_1733_: u32;
+    var phi_1736_: u32;
+    var phi_1738_: u32;
+    var phi_1840_: SlimbvhTypeL;
+    var phi_1841_: SlimbvhTypeL;
+    var phi_1900_: SlimbvhTypeL;
+    var phi_1901_: SlimbvhTypeL;
+    var phi_1960_: SlimbvhTypeL;
+    var phi_1961_: SlimbvhTypeL;
+    var phi_2445_: u32;
+    var phi_2458_: u32;
+    var phi_2471_: u32;
+    var phi_2484_: u32;
+    var phi_5147_: SlimbvhTypeE;
+    var phi_5159_: SlimbvhTypeE;
+    var phi_5171_: SlimbvhTypeE;
+    var phi_5183_: SlimbvhTypeE;
+    var phi_5195_: SlimbvhTypeE;
+    var phi_2568_: u32;
+    var phi_2573_: u32;
+    var phi_2574_: u32;
+    var phi_2604_: u32;
+    var phi_2605_: u32;
+    var phi_1734_: u32;
+    var phi_1737_: u32;
+    var phi_1739_: u32;
     var local: bool;
     var local_1: u32;
-    var phi_2722_: u32;
-    var phi_2783_: u32;
-    var phi_2786_: SlimbvhTypeM;
-    var phi_2790_: SlimbvhTypeP;
-    var phi_2793_: SlimbvhTypeD;
-    var phi_2794_: SlimbvhTypeD;
-    var phi_2816_: SlimbvhTypeD;
-    var phi_2834_: u32;
-    var phi_2845_: u32;
-    var phi_2861_: u32;
-    var phi_2874_: u32;
-    var phi_2885_: u32;
-    var phi_3329_: u32;
-    var phi_3342_: u32;
-    var phi_3355_: u32;
-    var phi_3381_: u32;
-    var phi_3394_: u32;
-    var phi_3407_: u32;
-    var phi_3433_: u32;
-    var phi_3446_: u32;
-    var phi_3459_: u32;
-    var phi_3051_: u32;
-    var phi_3064_: u32;
-    var phi_3074_: u32;
-    var phi_3095_: u32;
-    var phi_3116_: u32;
-    var phi_3143_: u32;
-    var phi_3156_: u32;
-    var phi_3166_: u32;
-    var phi_3187_: u32;
-    var phi_3208_: u32;
-    var phi_3235_: u32;
-    var phi_3248_: u32;
-    var phi_3258_: u32;
-    var phi_3279_: u32;
-    var phi_3300_: u32;
-    var phi_2912_: u32;
-    var phi_2958_: u32;
-    var phi_3004_: u32;
-    var phi_3471_: array<array<f32, 3>, 3>;
-    var phi_3836_: f32;
-    var phi_3837_: f32;
-    var phi_3838_: f32;
-    var phi_3839_: f32;
-    var phi_3840_: vec3<f32>;
-    var phi_3841_: vec3<f32>;
-    var phi_3842_: vec3<f32>;
-    var phi_3843_: vec3<f32>;
-    var phi_4022_: f32;
-    var phi_4048_: SlimbvhTypeE;
-    var phi_4049_: SlimbvhTypeE;
-    var phi_4052_: SlimbvhTypeE;
-    var phi_4053_: SlimbvhTypeE;
-    var phi_4054_: bool;
-    var phi_4058_: SlimbvhTypeE;
-    var phi_4067_: SlimbvhTypeF;
-    var phi_4094_: bool;
-    var phi_4095_: bool;
-    var phi_4102_: SlimbvhTypeP;
-    var phi_4108_: SlimbvhTypeP;
-    var phi_4109_: SlimbvhTypeP;
-    var phi_4110_: SlimbvhTypeP;
-    var phi_2791_: SlimbvhTypeP;
+    var phi_2755_: u32;
+    var phi_2816_: u32;
+    var phi_2819_: SlimbvhTypeN;
+    var phi_2823_: SlimbvhTypeQ;
+    var phi_2826_: SlimbvhTypeE;
+    var phi_2827_: SlimbvhTypeE;
+    var phi_2849_: SlimbvhTypeE;
+    var phi_2867_: u32;
+    var phi_2878_: u32;
+    var phi_2894_: u32;
+    var phi_2907_: u32;
+    var phi_2918_: u32;
+    var phi_3362_: u32;
+    var phi_3375_: u32;
+    var phi_3388_: u32;
+    var phi_3414_: u32;
+    var phi_3427_: u32;
+    var phi_3440_: u32;
+    var phi_3466_: u32;
+    var phi_3479_: u32;
+    var phi_3492_: u32;
+    var phi_3084_: u32;
+    var phi_3097_: u32;
+    var phi_3107_: u32;
+    var phi_3128_: u32;
+    var phi_3149_: u32;
+    var phi_3176_: u32;
+    var phi_3189_: u32;
+    var phi_3199_: u32;
+    var phi_3220_: u32;
+    var phi_3241_: u32;
+    var phi_3268_: u32;
+    var phi_3281_: u32;
+    var phi_3291_: u32;
+    var phi_3312_: u32;
+    var phi_3333_: u32;
+    var phi_2945_: u32;
+    var phi_2991_: u32;
+    var phi_3037_: u32;
+    var phi_3504_: array<array<f32, 3>, 3>;
+    var phi_3869_: f32;
+    var phi_3870_: f32;
+    var phi_3871_: f32;
+    var phi_3872_: f32;
+    var phi_3873_: vec3<f32>;
+    var phi_3874_: vec3<f32>;
+    var phi_3875_: vec3<f32>;
+    var phi_3876_: vec3<f32>;
+    var phi_4055_: f32;
+    var phi_4081_: SlimbvhTypeF;
+    var phi_4082_: SlimbvhTypeF;
+    var phi_4085_: SlimbvhTypeF;
+    var phi_4086_: SlimbvhTypeF;
+    var phi_4087_: bool;
+    var phi_4091_: SlimbvhTypeF;
+    var phi_4100_: SlimbvhTypeG;
+    var phi_4153_: i32;
+    var phi_4293_: SlimbvhTypeH;
+    var phi_4317_: u32;
+    var phi_4346_: vec3<f32>;
+    var phi_4347_: vec3<f32>;
+    var phi_4365_: vec3<f32>;
+    var phi_4366_: vec3<f32>;
+    var phi_4384_: vec3<f32>;
+    var phi_4385_: vec3<f32>;
+    var phi_4421_: vec3<f32>;
+    var phi_4603_: f32;
+    var phi_4621_: bool;
+    var phi_4622_: bool;
+    var phi_4641_: bool;
+    var phi_4642_: bool;
+    var phi_4649_: SlimbvhTypeQ;
+    var phi_4655_: SlimbvhTypeQ;
+    var phi_4656_: SlimbvhTypeQ;
+    var phi_4657_: SlimbvhTypeQ;
+    var phi_2824_: SlimbvhTypeQ;
     var local_2: u32;
     var local_3: u32;
-    var phi_4177_: u32;
-    var phi_4178_: u32;
-    var local_4: SlimbvhTypeP;
-    var phi_4187_: SlimbvhTypeP;
-    var phi_4188_: u32;
-    var phi_4189_: u32;
-    var phi_1685_: SlimbvhTypeP;
-    var phi_1688_: u32;
-    var phi_1690_: u32;
-    var phi_1692_: u32;
+    var phi_4724_: u32;
+    var phi_4725_: u32;
+    var local_4: SlimbvhTypeQ;
+    var phi_4734_: SlimbvhTypeQ;
+    var phi_4735_: u32;
+    var phi_4736_: u32;
+    var phi_1718_: SlimbvhTypeQ;
+    var phi_1721_: u32;
+    var phi_1723_: u32;
+    var phi_1725_: u32;
     var local_5: u32;
-    var local_6: SlimbvhTypeP;
-    var phi_4226_: f32;
-    var phi_4228_: f32;
-    var phi_4229_: bool;
-    var phi_4230_: f32;
-    var phi_4231_: bool;
-    var phi_4879_: u32;
-    var phi_4897_: bool;
-    var phi_4900_: bool;
-    var phi_4913_: f32;
-    var phi_4914_: f32;
-    var phi_4919_: f32;
-    var phi_4920_: f32;
-    var phi_4921_: bool;
-    var phi_4929_: f32;
-    var phi_4246_: f32;
-    var phi_4247_: f32;
-    var phi_4259_: f32;
-    var phi_4264_: SlimbvhTypeF;
-    var phi_4277_: bool;
-    var phi_4278_: bool;
-    var phi_4279_: bool;
-    var local_7: SlimbvhTypeP;
+    var local_6: SlimbvhTypeQ;
+    var phi_4773_: f32;
+    var phi_4775_: f32;
+    var phi_4776_: bool;
+    var phi_4777_: f32;
+    var phi_4778_: bool;
+    var phi_5426_: u32;
+    var phi_5444_: bool;
+    var phi_5447_: bool;
+    var phi_5460_: f32;
+    var phi_5461_: f32;
+    var phi_5466_: f32;
+    var phi_5467_: f32;
+    var phi_5468_: bool;
+    var phi_5476_: f32;
+    var phi_4793_: f32;
+    var phi_4794_: f32;
+    var phi_4806_: f32;
+    var phi_4811_: SlimbvhTypeG;
+    var phi_4824_: bool;
+    var phi_4825_: bool;
+    var phi_4826_: bool;
+    var local_7: SlimbvhTypeQ;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
 
-    let _e100 = SlimbvhTypeF(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e104 = arrayLength((&slimbvh_nodes.member));
-    let _e107 = arrayLength((&slimbvh_triangles.member));
-    let _e117 = slimbvh_root.member[0u][0u];
-    let _e121 = slimbvh_root.member[0u][1u];
-    let _e125 = slimbvh_root.member[0u][2u];
-    let _e129 = slimbvh_root.member[0u][3u];
-    let _e133 = slimbvh_root.member[1u][0u];
-    let _e137 = slimbvh_root.member[1u][1u];
-    let _e141 = slimbvh_root.member[1u][2u];
-    let _e153 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e129) + 127i)) << bitcast<u32>(23i)));
-    let _e154 = slimbvh_origin.member;
-    let _e160 = slimbvh_origin.member[3u];
-    let _e161 = slimbvh_direction.member;
-    let _e167 = slimbvh_direction.member[3u];
-    let _e170 = slimbvh_exponent.member[0u];
-    let _e171 = bitcast<i32>(_e170);
-    let _e173 = (bitcast<u32>(_e154.x) & 2147483647u);
-    let _e175 = (bitcast<u32>(_e154.y) & 2147483647u);
-    let _e177 = (bitcast<u32>(_e154.z) & 2147483647u);
-    let _e178 = bitcast<u32>(_e160);
-    let _e179 = (_e178 & 2147483647u);
-    let _e181 = (bitcast<u32>(_e161.x) & 2147483647u);
-    let _e183 = (bitcast<u32>(_e161.y) & 2147483647u);
-    let _e185 = (bitcast<u32>(_e161.z) & 2147483647u);
-    let _e186 = bitcast<u32>(_e167);
-    let _e187 = (_e186 & 2147483647u);
-    let _e189 = select(_e183, _e181, (_e183 < _e181));
-    let _e191 = select(_e185, _e189, (_e185 < _e189));
-    let _e193 = select(_e173, _e191, (_e173 < _e191));
-    let _e195 = select(_e175, _e193, (_e175 < _e193));
-    let _e197 = select(_e177, _e195, (_e177 < _e195));
-    let _e204 = (((select(_e179, _e197, (_e179 < _e197)) < 2139095040u) && (_e187 <= 2139095040u)) && (_e191 > 0u));
-    if (_e181 == _e191) {
-        phi_569_ = 0u;
+    let _e109 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e113 = arrayLength((&slimbvh_nodes.member));
+    let _e116 = arrayLength((&slimbvh_triangles.member));
+    let _e128 = slimbvh_root.member[0u][0u];
+    let _e132 = slimbvh_root.member[0u][1u];
+    let _e136 = slimbvh_root.member[0u][2u];
+    let _e140 = slimbvh_root.member[0u][3u];
+    let _e144 = slimbvh_root.member[1u][0u];
+    let _e148 = slimbvh_root.member[1u][1u];
+    let _e152 = slimbvh_root.member[1u][2u];
+    let _e164 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e140) + 127i)) << bitcast<u32>(23i)));
+    let _e165 = slimbvh_origin.member;
+    let _e171 = slimbvh_origin.member[3u];
+    let _e172 = slimbvh_direction.member;
+    let _e178 = slimbvh_direction.member[3u];
+    let _e181 = slimbvh_exponent.member[0u];
+    let _e182 = bitcast<i32>(_e181);
+    let _e184 = (bitcast<u32>(_e165.x) & 2147483647u);
+    let _e186 = (bitcast<u32>(_e165.y) & 2147483647u);
+    let _e188 = (bitcast<u32>(_e165.z) & 2147483647u);
+    let _e189 = bitcast<u32>(_e171);
+    let _e190 = (_e189 & 2147483647u);
+    let _e192 = (bitcast<u32>(_e172.x) & 2147483647u);
+    let _e194 = (bitcast<u32>(_e172.y) & 2147483647u);
+    let _e196 = (bitcast<u32>(_e172.z) & 2147483647u);
+    let _e197 = bitcast<u32>(_e178);
+    let _e198 = (_e197 & 2147483647u);
+    let _e200 = select(_e194, _e192, (_e194 < _e192));
+    let _e202 = select(_e196, _e200, (_e196 < _e200));
+    let _e204 = select(_e184, _e202, (_e184 < _e202));
+    let _e206 = select(_e186, _e204, (_e186 < _e204));
+    let _e208 = select(_e188, _e206, (_e188 < _e206));
+    let _e215 = (((select(_e190, _e208, (_e190 < _e208)) < 2139095040u) && (_e198 <= 2139095040u)) && (_e202 > 0u));
+    if (_e192 == _e202) {
+        phi_592_ = 0u;
     } else {
-        phi_569_ = select(2u, 1u, (_e183 == _e191));
+        phi_592_ = select(2u, 1u, (_e194 == _e202));
     }
-    let _e209 = phi_569_;
-    let _e210 = (_e209 == 2u);
-    if _e210 {
-        phi_575_ = 0u;
+    let _e220 = phi_592_;
+    let _e221 = (_e220 == 2u);
+    if _e221 {
+        phi_598_ = 0u;
     } else {
-        phi_575_ = (_e209 + 1u);
+        phi_598_ = (_e220 + 1u);
     }
-    let _e213 = phi_575_;
-    let _e214 = (_e213 == 2u);
-    if _e214 {
-        phi_581_ = 0u;
+    let _e224 = phi_598_;
+    let _e225 = (_e224 == 2u);
+    if _e225 {
+        phi_604_ = 0u;
     } else {
-        phi_581_ = (_e213 + 1u);
+        phi_604_ = (_e224 + 1u);
     }
-    let _e217 = phi_581_;
-    let _e218 = (_e213 == 0u);
-    let _e220 = select(select(_e154.y, _e154.x, _e218), _e154.z, _e214);
-    let _e221 = (_e217 == 0u);
-    let _e223 = (_e217 == 2u);
-    let _e224 = select(select(_e154.y, _e154.x, _e221), _e154.z, _e223);
-    let _e225 = (_e209 == 0u);
-    let _e227 = select(select(_e154.y, _e154.x, _e225), _e154.z, _e210);
-    let _e229 = select(select(_e161.y, _e161.x, _e218), _e161.z, _e214);
-    let _e231 = select(select(_e161.y, _e161.x, _e221), _e161.z, _e223);
-    let _e233 = select(select(_e161.y, _e161.x, _e225), _e161.z, _e210);
-    let _e234 = (_e179 - 1u);
-    let _e235 = (_e187 - 1u);
-    let _e237 = select(_e234, _e235, (_e235 < _e234));
-    let _e238 = (_e173 - 1u);
-    let _e239 = (_e175 - 1u);
-    let _e241 = select(_e238, _e239, (_e239 < _e238));
-    let _e242 = (_e177 - 1u);
-    let _e244 = select(_e241, _e242, (_e242 < _e241));
-    let _e245 = (_e181 - 1u);
-    let _e246 = (_e183 - 1u);
+    let _e228 = phi_604_;
+    let _e229 = (_e224 == 0u);
+    let _e231 = select(select(_e165.y, _e165.x, _e229), _e165.z, _e225);
+    let _e232 = (_e228 == 0u);
+    let _e234 = (_e228 == 2u);
+    let _e235 = select(select(_e165.y, _e165.x, _e232), _e165.z, _e234);
+    let _e236 = (_e220 == 0u);
+    let _e238 = select(select(_e165.y, _e165.x, _e236), _e165.z, _e221);
+    let _e240 = select(select(_e172.y, _e172.x, _e229), _e172.z, _e225);
+    let _e242 = select(select(_e172.y, _e172.x, _e232), _e172.z, _e234);
+    let _e244 = select(select(_e172.y, _e172.x, _e236), _e172.z, _e221);
+    let _e245 = (_e190 - 1u);
+    let _e246 = (_e198 - 1u);
     let _e248 = select(_e245, _e246, (_e246 < _e245));
-    let _e249 = (_e185 - 1u);
-    let _e251 = select(_e248, _e249, (_e249 < _e248));
-    let _e253 = select(_e244, _e251, (_e251 < _e244));
-    if (((select(_e253, _e237, (_e237 < _e253)) >= 8388607u) && (_e191 < 2130706432u)) && (bitcast<u32>((_e171 + 126i)) <= 253u)) {
-        let _e518 = bitcast<i32>((_e191 >> bitcast<u32>(23i)));
-        let _e519 = (_e518 - 127i);
-        let _e520 = (_e171 + _e519);
-        let _e525 = bitcast<f32>((bitcast<u32>((_e171 + 127i)) << bitcast<u32>(23i)));
-        let _e530 = bitcast<f32>((bitcast<u32>((254i - _e518)) << bitcast<u32>(23i)));
-        if (_e179 >= 2139095040u) {
-            phi_743_ = 255i;
+    let _e249 = (_e184 - 1u);
+    let _e250 = (_e186 - 1u);
+    let _e252 = select(_e249, _e250, (_e250 < _e249));
+    let _e253 = (_e188 - 1u);
+    let _e255 = select(_e252, _e253, (_e253 < _e252));
+    let _e256 = (_e192 - 1u);
+    let _e257 = (_e194 - 1u);
+    let _e259 = select(_e256, _e257, (_e257 < _e256));
+    let _e260 = (_e196 - 1u);
+    let _e262 = select(_e259, _e260, (_e260 < _e259));
+    let _e264 = select(_e255, _e262, (_e262 < _e255));
+    if (((select(_e264, _e248, (_e248 < _e264)) >= 8388607u) && (_e202 < 2130706432u)) && (bitcast<u32>((_e182 + 126i)) <= 253u)) {
+        let _e529 = bitcast<i32>((_e202 >> bitcast<u32>(23i)));
+        let _e530 = (_e529 - 127i);
+        let _e531 = (_e182 + _e530);
+        let _e536 = bitcast<f32>((bitcast<u32>((_e182 + 127i)) << bitcast<u32>(23i)));
+        let _e541 = bitcast<f32>((bitcast<u32>((254i - _e529)) << bitcast<u32>(23i)));
+        if (_e190 >= 2139095040u) {
+            phi_766_ = 255i;
         } else {
-            phi_743_ = (bitcast<i32>((_e179 >> bitcast<u32>(23i))) + _e520);
+            phi_766_ = (bitcast<i32>((_e190 >> bitcast<u32>(23i))) + _e531);
         }
-        let _e545 = phi_743_;
-        if (_e179 == 0u) {
-            phi_749_ = 0u;
+        let _e556 = phi_766_;
+        if (_e190 == 0u) {
+            phi_772_ = 0u;
         } else {
-            phi_749_ = (_e179 | 8388608u);
+            phi_772_ = (_e190 | 8388608u);
         }
-        let _e549 = phi_749_;
-        if (_e545 <= 0i) {
-            phi_769_ = u32();
-            phi_770_ = true;
+        let _e560 = phi_772_;
+        if (_e556 <= 0i) {
+            phi_792_ = u32();
+            phi_793_ = true;
         } else {
-            let _e556 = (_e549 == 0u);
-            if _e556 {
-                phi_768_ = u32();
+            let _e567 = (_e560 == 0u);
+            if _e567 {
+                phi_791_ = u32();
             } else {
-                phi_768_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | (_e549 & 8388607u)), 2139095039u, (_e545 >= 255i));
+                phi_791_ = select(((bitcast<u32>(_e556) << bitcast<u32>(23i)) | (_e560 & 8388607u)), 2139095039u, (_e556 >= 255i));
             }
-            let _e560 = phi_768_;
-            phi_769_ = _e560;
-            phi_770_ = _e556;
+            let _e571 = phi_791_;
+            phi_792_ = _e571;
+            phi_793_ = _e567;
         }
-        let _e562 = phi_769_;
-        let _e564 = phi_770_;
-        if (_e187 >= 2139095040u) {
-            phi_788_ = 255i;
+        let _e573 = phi_792_;
+        let _e575 = phi_793_;
+        if (_e198 >= 2139095040u) {
+            phi_811_ = 255i;
         } else {
-            phi_788_ = (bitcast<i32>((_e187 >> bitcast<u32>(23i))) + _e520);
+            phi_811_ = (bitcast<i32>((_e198 >> bitcast<u32>(23i))) + _e531);
         }
-        let _e575 = phi_788_;
-        if (_e187 == 0u) {
-            phi_794_ = 0u;
+        let _e586 = phi_811_;
+        if (_e198 == 0u) {
+            phi_817_ = 0u;
         } else {
-            phi_794_ = (_e187 | 8388608u);
+            phi_817_ = (_e198 | 8388608u);
         }
-        let _e579 = phi_794_;
-        if (_e575 <= 0i) {
-            phi_814_ = u32();
-            phi_815_ = true;
+        let _e590 = phi_817_;
+        if (_e586 <= 0i) {
+            phi_837_ = u32();
+            phi_838_ = true;
         } else {
-            let _e586 = (_e579 == 0u);
-            if _e586 {
-                phi_813_ = u32();
+            let _e597 = (_e590 == 0u);
+            if _e597 {
+                phi_836_ = u32();
             } else {
-                phi_813_ = select(((bitcast<u32>(_e575) << bitcast<u32>(23i)) | (_e579 & 8388607u)), 2139095039u, (_e575 >= 255i));
+                phi_836_ = select(((bitcast<u32>(_e586) << bitcast<u32>(23i)) | (_e590 & 8388607u)), 2139095039u, (_e586 >= 255i));
             }
-            let _e590 = phi_813_;
-            phi_814_ = _e590;
-            phi_815_ = _e586;
+            let _e601 = phi_836_;
+            phi_837_ = _e601;
+            phi_838_ = _e597;
         }
-        let _e592 = phi_814_;
-        let _e594 = phi_815_;
-        phi_1192_ = SlimbvhTypeC(array<f32, 3>((_e220 * _e525), (_e224 * _e525), (_e227 * _e525)), array<f32, 3>((_e229 * _e530), (_e231 * _e530), (_e233 * _e530)), bitcast<f32>(((_e178 & 2147483648u) | select(_e562, 0u, _e564))), bitcast<f32>(((_e186 & 2147483648u) | select(_e592, 0u, _e594))), _e519);
+        let _e603 = phi_837_;
+        let _e605 = phi_838_;
+        phi_1215_ = SlimbvhTypeD(array<f32, 3>((_e231 * _e536), (_e235 * _e536), (_e238 * _e536)), array<f32, 3>((_e240 * _e541), (_e242 * _e541), (_e244 * _e541)), bitcast<f32>(((_e189 & 2147483648u) | select(_e573, 0u, _e575))), bitcast<f32>(((_e197 & 2147483648u) | select(_e603, 0u, _e605))), _e530);
     } else {
-        let _e266 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e191, _e204))) & 2147483647u);
-        if (_e266 >= 8388608u) {
-            phi_846_ = (bitcast<i32>((_e266 >> bitcast<u32>(23i))) - 127i);
+        let _e277 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e202, _e215))) & 2147483647u);
+        if (_e277 >= 8388608u) {
+            phi_869_ = (bitcast<i32>((_e277 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_846_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e266)), 32u, (_e266 == 0u))));
+            phi_869_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e277)), 32u, (_e277 == 0u))));
         }
-        let _e280 = phi_846_;
-        let _e281 = (_e171 + _e280);
-        if (_e171 < -126i) {
-            phi_857_ = -126i;
+        let _e291 = phi_869_;
+        let _e292 = (_e182 + _e291);
+        if (_e182 < -126i) {
+            phi_880_ = -126i;
         } else {
-            phi_857_ = select(_e171, 127i, (_e171 > 127i));
+            phi_880_ = select(_e182, 127i, (_e182 > 127i));
         }
-        let _e286 = phi_857_;
-        let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
-        let _e297 = bitcast<f32>((bitcast<u32>(((_e171 - _e286) + 127i)) << bitcast<u32>(23i)));
-        let _e298 = bitcast<u32>(_e220);
-        let _e300 = ((_e298 & 2139095040u) != 0u);
-        let _e315 = bitcast<u32>(_e224);
-        let _e317 = ((_e315 & 2139095040u) != 0u);
-        let _e332 = bitcast<u32>(_e227);
-        let _e334 = ((_e332 & 2139095040u) != 0u);
-        let _e350 = -(_e280);
-        if (_e350 < -126i) {
-            phi_971_ = -126i;
+        let _e297 = phi_880_;
+        let _e302 = bitcast<f32>((bitcast<u32>((_e297 + 127i)) << bitcast<u32>(23i)));
+        let _e308 = bitcast<f32>((bitcast<u32>(((_e182 - _e297) + 127i)) << bitcast<u32>(23i)));
+        let _e309 = bitcast<u32>(_e231);
+        let _e311 = ((_e309 & 2139095040u) != 0u);
+        let _e326 = bitcast<u32>(_e235);
+        let _e328 = ((_e326 & 2139095040u) != 0u);
+        let _e343 = bitcast<u32>(_e238);
+        let _e345 = ((_e343 & 2139095040u) != 0u);
+        let _e361 = -(_e291);
+        if (_e361 < -126i) {
+            phi_994_ = -126i;
         } else {
-            phi_971_ = select(_e350, 127i, (_e350 > 127i));
+            phi_994_ = select(_e361, 127i, (_e361 > 127i));
         }
-        let _e355 = phi_971_;
-        let _e360 = bitcast<f32>((bitcast<u32>((_e355 + 127i)) << bitcast<u32>(23i)));
-        let _e366 = bitcast<f32>((bitcast<u32>(((_e350 - _e355) + 127i)) << bitcast<u32>(23i)));
-        let _e367 = bitcast<u32>(_e229);
-        let _e369 = ((_e367 & 2139095040u) != 0u);
-        let _e384 = bitcast<u32>(_e231);
-        let _e386 = ((_e384 & 2139095040u) != 0u);
-        let _e401 = bitcast<u32>(_e233);
-        let _e403 = ((_e401 & 2139095040u) != 0u);
-        let _e425 = ((_e179 & 8388607u) | (select(0u, 1u, ((_e179 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e428 = bitcast<i32>((_e179 >> bitcast<u32>(23i)));
-        let _e435 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e425)), 32u, (_e425 == 0u))) - 8i);
-        if (_e428 == 255i) {
-            phi_1100_ = 255i;
+        let _e366 = phi_994_;
+        let _e371 = bitcast<f32>((bitcast<u32>((_e366 + 127i)) << bitcast<u32>(23i)));
+        let _e377 = bitcast<f32>((bitcast<u32>(((_e361 - _e366) + 127i)) << bitcast<u32>(23i)));
+        let _e378 = bitcast<u32>(_e240);
+        let _e380 = ((_e378 & 2139095040u) != 0u);
+        let _e395 = bitcast<u32>(_e242);
+        let _e397 = ((_e395 & 2139095040u) != 0u);
+        let _e412 = bitcast<u32>(_e244);
+        let _e414 = ((_e412 & 2139095040u) != 0u);
+        let _e436 = ((_e190 & 8388607u) | (select(0u, 1u, ((_e190 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e439 = bitcast<i32>((_e190 >> bitcast<u32>(23i)));
+        let _e446 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))) - 8i);
+        if (_e439 == 255i) {
+            phi_1123_ = 255i;
         } else {
-            phi_1100_ = (((_e428 + select(0i, 1i, (_e428 == 0i))) - _e435) + _e281);
+            phi_1123_ = (((_e439 + select(0i, 1i, (_e439 == 0i))) - _e446) + _e292);
         }
-        let _e443 = phi_1100_;
-        let _e447 = (_e425 << bitcast<u32>(((_e435 & 31i) & 31i)));
-        if (_e443 <= 0i) {
-            phi_1123_ = u32();
-            phi_1124_ = true;
+        let _e454 = phi_1123_;
+        let _e458 = (_e436 << bitcast<u32>(((_e446 & 31i) & 31i)));
+        if (_e454 <= 0i) {
+            phi_1146_ = u32();
+            phi_1147_ = true;
         } else {
-            let _e454 = (_e447 == 0u);
-            if _e454 {
-                phi_1122_ = u32();
+            let _e465 = (_e458 == 0u);
+            if _e465 {
+                phi_1145_ = u32();
             } else {
-                phi_1122_ = select(((bitcast<u32>(_e443) << bitcast<u32>(23i)) | (_e447 & 8388607u)), 2139095039u, (_e443 >= 255i));
+                phi_1145_ = select(((bitcast<u32>(_e454) << bitcast<u32>(23i)) | (_e458 & 8388607u)), 2139095039u, (_e454 >= 255i));
             }
-            let _e458 = phi_1122_;
-            phi_1123_ = _e458;
-            phi_1124_ = _e454;
+            let _e469 = phi_1145_;
+            phi_1146_ = _e469;
+            phi_1147_ = _e465;
         }
-        let _e460 = phi_1123_;
-        let _e462 = phi_1124_;
-        let _e473 = ((_e187 & 8388607u) | (select(0u, 1u, ((_e187 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e476 = bitcast<i32>((_e187 >> bitcast<u32>(23i)));
-        let _e483 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e473)), 32u, (_e473 == 0u))) - 8i);
-        if (_e476 == 255i) {
-            phi_1158_ = 255i;
+        let _e471 = phi_1146_;
+        let _e473 = phi_1147_;
+        let _e484 = ((_e198 & 8388607u) | (select(0u, 1u, ((_e198 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e487 = bitcast<i32>((_e198 >> bitcast<u32>(23i)));
+        let _e494 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e484)), 32u, (_e484 == 0u))) - 8i);
+        if (_e487 == 255i) {
+            phi_1181_ = 255i;
         } else {
-            phi_1158_ = (((_e476 + select(0i, 1i, (_e476 == 0i))) - _e483) + _e281);
+            phi_1181_ = (((_e487 + select(0i, 1i, (_e487 == 0i))) - _e494) + _e292);
         }
-        let _e491 = phi_1158_;
-        let _e495 = (_e473 << bitcast<u32>(((_e483 & 31i) & 31i)));
-        if (_e491 <= 0i) {
-            phi_1181_ = u32();
-            phi_1182_ = true;
+        let _e502 = phi_1181_;
+        let _e506 = (_e484 << bitcast<u32>(((_e494 & 31i) & 31i)));
+        if (_e502 <= 0i) {
+            phi_1204_ = u32();
+            phi_1205_ = true;
         } else {
-            let _e502 = (_e495 == 0u);
-            if _e502 {
-                phi_1180_ = u32();
+            let _e513 = (_e506 == 0u);
+            if _e513 {
+                phi_1203_ = u32();
             } else {
-                phi_1180_ = select(((bitcast<u32>(_e491) << bitcast<u32>(23i)) | (_e495 & 8388607u)), 2139095039u, (_e491 >= 255i));
+                phi_1203_ = select(((bitcast<u32>(_e502) << bitcast<u32>(23i)) | (_e506 & 8388607u)), 2139095039u, (_e502 >= 255i));
             }
-            let _e506 = phi_1180_;
-            phi_1181_ = _e506;
-            phi_1182_ = _e502;
+            let _e517 = phi_1203_;
+            phi_1204_ = _e517;
+            phi_1205_ = _e513;
         }
-        let _e508 = phi_1181_;
-        let _e510 = phi_1182_;
-        phi_1192_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e298 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e298 & 2147483648u))), _e220, _e300) * _e291) * select(0.00000011920929f, 1f, _e300)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e224, _e317) * _e291) * select(0.00000011920929f, 1f, _e317)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e227, _e334) * _e291) * select(0.00000011920929f, 1f, _e334)) * _e297)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e367 & 2147483648u))), _e229, _e369) * _e360) * select(0.00000011920929f, 1f, _e369)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e231, _e386) * _e360) * select(0.00000011920929f, 1f, _e386)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e233, _e403) * _e360) * select(0.00000011920929f, 1f, _e403)) * _e366)), bitcast<f32>(((_e178 & 2147483648u) | select(_e460, 0u, _e462))), bitcast<f32>(((_e186 & 2147483648u) | select(_e508, 0u, _e510))), _e280);
+        let _e519 = phi_1204_;
+        let _e521 = phi_1205_;
+        phi_1215_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e231, _e311) * _e302) * select(0.00000011920929f, 1f, _e311)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e235, _e328) * _e302) * select(0.00000011920929f, 1f, _e328)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e238, _e345) * _e302) * select(0.00000011920929f, 1f, _e345)) * _e308)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e240, _e380) * _e371) * select(0.00000011920929f, 1f, _e380)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e242, _e397) * _e371) * select(0.00000011920929f, 1f, _e397)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e244, _e414) * _e371) * select(0.00000011920929f, 1f, _e414)) * _e377)), bitcast<f32>(((_e189 & 2147483648u) | select(_e471, 0u, _e473))), bitcast<f32>(((_e197 & 2147483648u) | select(_e519, 0u, _e521))), _e291);
     }
-    let _e601 = phi_1192_;
-    let _e616 = (bitcast<f32>((bitcast<u32>(_e601.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e619 = bitcast<f32>((bitcast<u32>(_e601.member[0]) & 2147483647u));
-    let _e620 = (_e619 * 0.00000011920929f);
-    let _e623 = select(select(0.00000000000011368684f, _e620, (_e620 > 0.00000000000011368684f)), 0f, _e616);
-    let _e624 = select(0f, _e601.member_1[0], _e616);
-    let _e625 = (_e601.member[0] + _e623);
-    let _e626 = (_e601.member[0] - _e623);
-    let _e628 = select(38685626000000000000000000f, (1f / _e601.member_1[0]), _e616);
-    let _e632 = (bitcast<f32>((bitcast<u32>(_e601.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e635 = bitcast<f32>((bitcast<u32>(_e601.member[1]) & 2147483647u));
-    let _e636 = (_e635 * 0.00000011920929f);
-    let _e639 = select(select(0.00000000000011368684f, _e636, (_e636 > 0.00000000000011368684f)), 0f, _e632);
-    let _e640 = select(0f, _e601.member_1[1], _e632);
-    let _e641 = (_e601.member[1] + _e639);
-    let _e642 = (_e601.member[1] - _e639);
-    let _e644 = select(38685626000000000000000000f, (1f / _e601.member_1[1]), _e632);
-    let _e648 = (bitcast<f32>((bitcast<u32>(_e601.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e651 = bitcast<f32>((bitcast<u32>(_e601.member[2]) & 2147483647u));
-    let _e652 = (_e651 * 0.00000011920929f);
-    let _e655 = select(select(0.00000000000011368684f, _e652, (_e652 > 0.00000000000011368684f)), 0f, _e648);
-    let _e656 = select(0f, _e601.member_1[2], _e648);
-    let _e657 = (_e601.member[2] + _e655);
-    let _e658 = (_e601.member[2] - _e655);
-    let _e660 = select(38685626000000000000000000f, (1f / _e601.member_1[2]), _e648);
-    let _e662 = select(_e635, _e619, (_e619 > _e635));
-    let _e666 = (_e204 && (select(_e651, _e662, (_e662 > _e651)) <= 1099511600000f));
-    let _e667 = select(0f, _e601.member_3, _e666);
-    let _e668 = select(1f, _e601.member_2, _e666);
-    let _e670 = slimbvh_lane.member;
-    if (_e670 < 64u) {
-        let _e672 = (_e670 % 64u);
-        let _e673 = slimbvh_any_will_do.member;
-        if (_e673 == 1u) {
-            phi_1428_ = SlimbvhTypeP(SlimbvhTypeH(_e100, _e667), true);
+    let _e612 = phi_1215_;
+    let _e627 = (bitcast<f32>((bitcast<u32>(_e612.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e630 = bitcast<f32>((bitcast<u32>(_e612.member[0]) & 2147483647u));
+    let _e631 = (_e630 * 0.00000011920929f);
+    let _e634 = select(select(0.00000000000011368684f, _e631, (_e631 > 0.00000000000011368684f)), 0f, _e627);
+    let _e635 = select(0f, _e612.member_1[0], _e627);
+    let _e636 = (_e612.member[0] + _e634);
+    let _e637 = (_e612.member[0] - _e634);
+    let _e639 = select(38685626000000000000000000f, (1f / _e612.member_1[0]), _e627);
+    let _e643 = (bitcast<f32>((bitcast<u32>(_e612.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e646 = bitcast<f32>((bitcast<u32>(_e612.member[1]) & 2147483647u));
+    let _e647 = (_e646 * 0.00000011920929f);
+    let _e650 = select(select(0.00000000000011368684f, _e647, (_e647 > 0.00000000000011368684f)), 0f, _e643);
+    let _e651 = select(0f, _e612.member_1[1], _e643);
+    let _e652 = (_e612.member[1] + _e650);
+    let _e653 = (_e612.member[1] - _e650);
+    let _e655 = select(38685626000000000000000000f, (1f / _e612.member_1[1]), _e643);
+    let _e659 = (bitcast<f32>((bitcast<u32>(_e612.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e662 = bitcast<f32>((bitcast<u32>(_e612.member[2]) & 2147483647u));
+    let _e663 = (_e662 * 0.00000011920929f);
+    let _e666 = select(select(0.00000000000011368684f, _e663, (_e663 > 0.00000000000011368684f)), 0f, _e659);
+    let _e667 = select(0f, _e612.member_1[2], _e659);
+    let _e668 = (_e612.member[2] + _e666);
+    let _e669 = (_e612.member[2] - _e666);
+    let _e671 = select(38685626000000000000000000f, (1f / _e612.member_1[2]), _e659);
+    let _e673 = select(_e646, _e630, (_e630 > _e646));
+    let _e677 = (_e215 && (select(_e662, _e673, (_e673 > _e662)) <= 1099511600000f));
+    let _e678 = select(0f, _e612.member_3, _e677);
+    let _e679 = select(1f, _e612.member_2, _e677);
+    let _e683 = slimbvh_question.member[1u];
+    let _e684 = slimbvh_lane.member;
+    if (_e684 < 64u) {
+        let _e686 = (_e684 % 64u);
+        let _e689 = slimbvh_question.member[0u];
+        if (_e689 == 1u) {
+            phi_1461_ = SlimbvhTypeQ(SlimbvhTypeI(_e109, _e678), true);
         } else {
-            phi_1428_ = SlimbvhTypeP(SlimbvhTypeH(_e100, _e667), false);
+            phi_1461_ = SlimbvhTypeQ(SlimbvhTypeI(_e109, _e678), false);
         }
-        let _e680 = phi_1428_;
-        let _e685 = (_e213 & 3u);
-        let _e686 = (_e217 & 3u);
-        let _e687 = (_e209 & 3u);
-        let _e690 = (bitcast<u32>(_e628) >> bitcast<u32>(31i));
-        let _e693 = (bitcast<u32>(_e644) >> bitcast<u32>(31i));
-        let _e696 = (bitcast<u32>(_e660) >> bitcast<u32>(31i));
-        let _e700 = (f32(bitcast<i32>(_e117)) * _e153);
-        let _e702 = (f32(bitcast<i32>(_e121)) * _e153);
-        let _e704 = (f32(bitcast<i32>(_e125)) * _e153);
-        let _e705 = (_e685 == 0u);
-        if _e705 {
-            phi_1492_ = array<f32, 3>(_e700, _e702, _e704);
+        let _e696 = phi_1461_;
+        let _e701 = (_e224 & 3u);
+        let _e702 = (_e228 & 3u);
+        let _e703 = (_e220 & 3u);
+        let _e706 = (bitcast<u32>(_e639) >> bitcast<u32>(31i));
+        let _e709 = (bitcast<u32>(_e655) >> bitcast<u32>(31i));
+        let _e712 = (bitcast<u32>(_e671) >> bitcast<u32>(31i));
+        let _e716 = (f32(bitcast<i32>(_e128)) * _e164);
+        let _e718 = (f32(bitcast<i32>(_e132)) * _e164);
+        let _e720 = (f32(bitcast<i32>(_e136)) * _e164);
+        let _e721 = (_e701 == 0u);
+        if _e721 {
+            phi_1525_ = array<f32, 3>(_e716, _e718, _e720);
         } else {
-            if (_e685 == 1u) {
-                phi_1491_ = array<f32, 3>(_e702, _e704, _e700);
+            if (_e701 == 1u) {
+                phi_1524_ = array<f32, 3>(_e718, _e720, _e716);
             } else {
-                phi_1491_ = array<f32, 3>(_e704, _e700, _e702);
+                phi_1524_ = array<f32, 3>(_e720, _e716, _e718);
             }
-            let _e710 = phi_1491_;
-            phi_1492_ = _e710;
+            let _e726 = phi_1524_;
+            phi_1525_ = _e726;
         }
-        let _e713 = phi_1492_;
-        let _e715 = (f32(bitcast<i32>(_e133)) * _e153);
-        let _e717 = (f32(bitcast<i32>(_e137)) * _e153);
-        let _e719 = (f32(bitcast<i32>(_e141)) * _e153);
-        if _e705 {
-            phi_1511_ = array<f32, 3>(_e715, _e717, _e719);
+        let _e729 = phi_1525_;
+        let _e731 = (f32(bitcast<i32>(_e144)) * _e164);
+        let _e733 = (f32(bitcast<i32>(_e148)) * _e164);
+        let _e735 = (f32(bitcast<i32>(_e152)) * _e164);
+        if _e721 {
+            phi_1544_ = array<f32, 3>(_e731, _e733, _e735);
         } else {
-            if (_e685 == 1u) {
-                phi_1510_ = array<f32, 3>(_e717, _e719, _e715);
+            if (_e701 == 1u) {
+                phi_1543_ = array<f32, 3>(_e733, _e735, _e731);
             } else {
-                phi_1510_ = array<f32, 3>(_e719, _e715, _e717);
+                phi_1543_ = array<f32, 3>(_e735, _e731, _e733);
             }
-            let _e724 = phi_1510_;
-            phi_1511_ = _e724;
+            let _e740 = phi_1543_;
+            phi_1544_ = _e740;
         }
-        let _e727 = phi_1511_;
-        let _e738 = ((_e713[0] - _e625) * _e628);
-        let _e739 = ((_e727[0] - _e626) * _e628);
-        let _e740 = vec4<f32>(_e738, f32(), _e739, f32());
-        let _e743 = ((_e713[1] - _e641) * _e644);
-        let _e744 = ((_e727[1] - _e642) * _e644);
-        let _e745 = vec4<f32>(_e743, f32(), _e744, f32());
-        let _e748 = ((_e713[2] - _e657) * _e660);
-        let _e749 = ((_e727[2] - _e658) * _e660);
-        let _e750 = vec4<f32>(_e748, f32(), _e749, f32());
-        let _e751 = vec4<f32>(_e739, f32(), _e738, f32());
-        let _e753 = vec4<f32>(_e744, f32(), _e743, f32());
-        let _e755 = vec4<f32>(_e749, f32(), _e748, f32());
-        phi_1684_ = _e680;
-        phi_1687_ = select(4294967295u, select(4294967295u, 0u, (_e668 <= _e667)), (max(max(max(min(_e740, _e751).x, min(_e745, _e753).x), min(_e750, _e755).x), _e668) <= min((min(min(max(_e740, _e751).x, max(_e745, _e753).x), max(_e750, _e755).x) + (max(max(_e750, _e755).x, -(min(_e750, _e755).x)) * 0.0000019073523f)), _e680.member.member_1)));
-        phi_1689_ = select(0u, 4294967295u, (_e104 == 0u));
-        phi_1691_ = (_e104 + 1u);
+        let _e743 = phi_1544_;
+        let _e754 = ((_e729[0] - _e636) * _e639);
+        let _e755 = ((_e743[0] - _e637) * _e639);
+        let _e756 = vec4<f32>(_e754, f32(), _e755, f32());
+        let _e759 = ((_e729[1] - _e652) * _e655);
+        let _e760 = ((_e743[1] - _e653) * _e655);
+        let _e761 = vec4<f32>(_e759, f32(), _e760, f32());
+        let _e764 = ((_e729[2] - _e668) * _e671);
+        let _e765 = ((_e743[2] - _e669) * _e671);
+        let _e766 = vec4<f32>(_e764, f32(), _e765, f32());
+        let _e767 = vec4<f32>(_e755, f32(), _e754, f32());
+        let _e769 = vec4<f32>(_e760, f32(), _e759, f32());
+        let _e771 = vec4<f32>(_e765, f32(), _e764, f32());
+        phi_1717_ = _e696;
+        phi_1720_ = select(4294967295u, select(4294967295u, 0u, (_e679 <= _e678)), (max(max(max(min(_e756, _e767).x, min(_e761, _e769).x), min(_e766, _e771).x), _e679) <= min((min(min(max(_e756, _e767).x, max(_e761, _e769).x), max(_e766, _e771).x) + (max(max(_e766, _e771).x, -(min(_e766, _e771).x)) * 0.0000019073523f)), _e696.member.member_1)));
+        phi_1722_ = select(0u, 4294967295u, (_e113 == 0u));
+        phi_1724_ = (_e113 + 1u);
         loop {
-            let _e779 = phi_1684_;
-            let _e781 = phi_1687_;
-            let _e783 = phi_1689_;
-            let _e785 = phi_1691_;
-            local_5 = _e781;
-            local_6 = _e779;
-            let _e786 = (_e781 <= 32u);
-            if _e786 {
-                phi_1700_ = _e781;
-                phi_1703_ = _e783;
-                phi_1705_ = _e785;
+            let _e795 = phi_1717_;
+            let _e797 = phi_1720_;
+            let _e799 = phi_1722_;
+            let _e801 = phi_1724_;
+            local_5 = _e797;
+            local_6 = _e795;
+            let _e802 = (_e797 <= 32u);
+            if _e802 {
+                phi_1733_ = _e797;
+                phi_1736_ = _e799;
+                phi_1738_ = _e801;
                 loop {
-                    let _e788 = phi_1700_;
-                    let _e790 = phi_1703_;
-                    let _e792 = phi_1705_;
-                    local_1 = _e790;
-                    local_2 = _e788;
-                    local_3 = _e788;
-                    local_8 = _e788;
-                    local_9 = _e790;
-                    local_10 = _e792;
-                    let _e793 = (_e788 <= 32u);
-                    let _e796 = (_e793 && !((_e790 >= _e104)));
-                    local = _e793;
-                    if _e796 {
-                        let _e802 = slimbvh_nodes.member[_e790].member[select(_e685, 2u, (2u < _e685))];
-                        let _e808 = slimbvh_nodes.member[_e790].member[select(_e686, 2u, (2u < _e686))];
-                        let _e814 = slimbvh_nodes.member[_e790].member[select(_e687, 2u, (2u < _e687))];
-                        let _e817 = bitcast<u32>(_e153);
-                        let _e822 = bitcast<f32>(_e802.x);
-                        let _e827 = (_e822 + (f32((_e802.w >> bitcast<u32>(5u))) * _e153));
-                        if (_e690 == 0u) {
-                            phi_1807_ = SlimbvhTypeK(_e802.z, _e827);
-                            phi_1808_ = SlimbvhTypeK(_e802.y, _e822);
+                    let _e804 = phi_1733_;
+                    let _e806 = phi_1736_;
+                    let _e808 = phi_1738_;
+                    local_1 = _e806;
+                    local_2 = _e804;
+                    local_3 = _e804;
+                    local_8 = _e804;
+                    local_9 = _e806;
+                    local_10 = _e808;
+                    let _e809 = (_e804 <= 32u);
+                    let _e812 = (_e809 && !((_e806 >= _e113)));
+                    local = _e809;
+                    if _e812 {
+                        let _e818 = slimbvh_nodes.member[_e806].member[select(_e701, 2u, (2u < _e701))];
+                        let _e824 = slimbvh_nodes.member[_e806].member[select(_e702, 2u, (2u < _e702))];
+                        let _e830 = slimbvh_nodes.member[_e806].member[select(_e703, 2u, (2u < _e703))];
+                        let _e833 = bitcast<u32>(_e164);
+                        let _e838 = bitcast<f32>(_e818.x);
+                        let _e843 = (_e838 + (f32((_e818.w >> bitcast<u32>(5u))) * _e164));
+                        if (_e706 == 0u) {
+                            phi_1840_ = SlimbvhTypeL(_e818.z, _e843);
+                            phi_1841_ = SlimbvhTypeL(_e818.y, _e838);
                         } else {
-                            phi_1807_ = SlimbvhTypeK(_e802.y, _e822);
-                            phi_1808_ = SlimbvhTypeK(_e802.z, _e827);
+                            phi_1840_ = SlimbvhTypeL(_e818.y, _e838);
+                            phi_1841_ = SlimbvhTypeL(_e818.z, _e843);
                         }
-                        let _e838 = phi_1807_;
-                        let _e840 = phi_1808_;
-                        let _e844 = bitcast<f32>(((_e817 + ((_e802.w & 31u) << bitcast<u32>(23i))) ^ (_e690 << bitcast<u32>(31i))));
-                        let _e884 = bitcast<f32>(_e808.x);
-                        let _e889 = (_e884 + (f32((_e808.w >> bitcast<u32>(5u))) * _e153));
-                        if (_e693 == 0u) {
-                            phi_1867_ = SlimbvhTypeK(_e808.z, _e889);
-                            phi_1868_ = SlimbvhTypeK(_e808.y, _e884);
+                        let _e854 = phi_1840_;
+                        let _e856 = phi_1841_;
+                        let _e860 = bitcast<f32>(((_e833 + ((_e818.w & 31u) << bitcast<u32>(23i))) ^ (_e706 << bitcast<u32>(31i))));
+                        let _e900 = bitcast<f32>(_e824.x);
+                        let _e905 = (_e900 + (f32((_e824.w >> bitcast<u32>(5u))) * _e164));
+                        if (_e709 == 0u) {
+                            phi_1900_ = SlimbvhTypeL(_e824.z, _e905);
+                            phi_1901_ = SlimbvhTypeL(_e824.y, _e900);
                         } else {
-                            phi_1867_ = SlimbvhTypeK(_e808.y, _e884);
-                            phi_1868_ = SlimbvhTypeK(_e808.z, _e889);
+                            phi_1900_ = SlimbvhTypeL(_e824.y, _e900);
+                            phi_1901_ = SlimbvhTypeL(_e824.z, _e905);
                         }
-                        let _e900 = phi_1867_;
-                        let _e902 = phi_1868_;
-                        let _e906 = bitcast<f32>(((_e817 + ((_e808.w & 31u) << bitcast<u32>(23i))) ^ (_e693 << bitcast<u32>(31i))));
-                        let _e946 = bitcast<f32>(_e814.x);
-                        let _e951 = (_e946 + (f32((_e814.w >> bitcast<u32>(5u))) * _e153));
-                        if (_e696 == 0u) {
-                            phi_1927_ = SlimbvhTypeK(_e814.z, _e951);
-                            phi_1928_ = SlimbvhTypeK(_e814.y, _e946);
+                        let _e916 = phi_1900_;
+                        let _e918 = phi_1901_;
+                        let _e922 = bitcast<f32>(((_e833 + ((_e824.w & 31u) << bitcast<u32>(23i))) ^ (_e709 << bitcast<u32>(31i))));
+                        let _e962 = bitcast<f32>(_e830.x);
+                        let _e967 = (_e962 + (f32((_e830.w >> bitcast<u32>(5u))) * _e164));
+                        if (_e712 == 0u) {
+                            phi_1960_ = SlimbvhTypeL(_e830.z, _e967);
+                            phi_1961_ = SlimbvhTypeL(_e830.y, _e962);
                         } else {
-                            phi_1927_ = SlimbvhTypeK(_e814.y, _e946);
-                            phi_1928_ = SlimbvhTypeK(_e814.z, _e951);
+                            phi_1960_ = SlimbvhTypeL(_e830.y, _e962);
+                            phi_1961_ = SlimbvhTypeL(_e830.z, _e967);
                         }
-                        let _e962 = phi_1927_;
-                        let _e964 = phi_1928_;
-                        let _e968 = bitcast<f32>(((_e817 + ((_e814.w & 31u) << bitcast<u32>(23i))) ^ (_e696 << bitcast<u32>(31i))));
-                        let _e1004 = (_e844 * _e628);
-                        let _e1011 = (((_e840.member_1 - _e625) * _e628) + (bitcast<f32>((bitcast<u32>(_e1004) & 2147483647u)) * -0.00012207031f));
-                        let _e1020 = (-(_e844) * _e628);
-                        let _e1027 = (((_e838.member_1 - _e626) * _e628) + (bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u)) * 0.00012207031f));
-                        let _e1036 = (_e906 * _e644);
-                        let _e1043 = (((_e902.member_1 - _e641) * _e644) + (bitcast<f32>((bitcast<u32>(_e1036) & 2147483647u)) * -0.00012207031f));
-                        let _e1052 = (-(_e906) * _e644);
-                        let _e1059 = (((_e900.member_1 - _e642) * _e644) + (bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u)) * 0.00012207031f));
-                        let _e1068 = (_e968 * _e660);
-                        let _e1075 = (((_e964.member_1 - _e657) * _e660) + (bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) * -0.00012207031f));
-                        let _e1080 = ((f32((_e964.member & 255u)) * _e1068) + _e1075);
-                        let _e1081 = ((f32(((_e964.member >> bitcast<u32>(8u)) & 255u)) * _e1068) + _e1075);
-                        let _e1082 = ((f32(((_e964.member >> bitcast<u32>(16u)) & 255u)) * _e1068) + _e1075);
-                        let _e1083 = ((f32(((_e964.member >> bitcast<u32>(24u)) & 255u)) * _e1068) + _e1075);
-                        let _e1084 = (-(_e968) * _e660);
-                        let _e1091 = (((_e962.member_1 - _e658) * _e660) + (bitcast<f32>((bitcast<u32>(_e1084) & 2147483647u)) * 0.00012207031f));
-                        let _e1096 = ((f32((_e962.member & 255u)) * _e1084) + _e1091);
-                        let _e1097 = ((f32(((_e962.member >> bitcast<u32>(8u)) & 255u)) * _e1084) + _e1091);
-                        let _e1098 = ((f32(((_e962.member >> bitcast<u32>(16u)) & 255u)) * _e1084) + _e1091);
-                        let _e1099 = ((f32(((_e962.member >> bitcast<u32>(24u)) & 255u)) * _e1084) + _e1091);
-                        let _e1132 = max(max(max(((f32((_e840.member & 255u)) * _e1004) + _e1011), ((f32((_e902.member & 255u)) * _e1036) + _e1043)), _e1080), _e668);
-                        let _e1133 = max(max(max(((f32(((_e840.member >> bitcast<u32>(8u)) & 255u)) * _e1004) + _e1011), ((f32(((_e902.member >> bitcast<u32>(8u)) & 255u)) * _e1036) + _e1043)), _e1081), _e668);
-                        let _e1134 = max(max(max(((f32(((_e840.member >> bitcast<u32>(16u)) & 255u)) * _e1004) + _e1011), ((f32(((_e902.member >> bitcast<u32>(16u)) & 255u)) * _e1036) + _e1043)), _e1082), _e668);
-                        let _e1135 = max(max(max(((f32(((_e840.member >> bitcast<u32>(24u)) & 255u)) * _e1004) + _e1011), ((f32(((_e902.member >> bitcast<u32>(24u)) & 255u)) * _e1036) + _e1043)), _e1083), _e668);
-                        let _e1140 = (_e779.member.member_1 + (bitcast<f32>((bitcast<u32>(_e779.member.member_1) & 2147483647u)) * 0.0000004768374f));
-                        if (_e1132 <= min((min(min(((f32((_e838.member & 255u)) * _e1020) + _e1027), ((f32((_e900.member & 255u)) * _e1052) + _e1059)), _e1096) + (max(_e1096, -(_e1080)) * 0.0000023841915f)), _e1140)) {
-                            phi_2412_ = (((bitcast<u32>(_e1132) ^ select(0u, 4294967288u, _e680.member_1)) & 2147483640u) | 4u);
+                        let _e978 = phi_1960_;
+                        let _e980 = phi_1961_;
+                        let _e984 = bitcast<f32>(((_e833 + ((_e830.w & 31u) << bitcast<u32>(23i))) ^ (_e712 << bitcast<u32>(31i))));
+                        let _e1020 = (_e860 * _e639);
+                        let _e1027 = (((_e856.member_1 - _e636) * _e639) + (bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u)) * -0.00012207031f));
+                        let _e1036 = (-(_e860) * _e639);
+                        let _e1043 = (((_e854.member_1 - _e637) * _e639) + (bitcast<f32>((bitcast<u32>(_e1036) & 2147483647u)) * 0.00012207031f));
+                        let _e1052 = (_e922 * _e655);
+                        let _e1059 = (((_e918.member_1 - _e652) * _e655) + (bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u)) * -0.00012207031f));
+                        let _e1068 = (-(_e922) * _e655);
+                        let _e1075 = (((_e916.member_1 - _e653) * _e655) + (bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) * 0.00012207031f));
+                        let _e1084 = (_e984 * _e671);
+                        let _e1091 = (((_e980.member_1 - _e668) * _e671) + (bitcast<f32>((bitcast<u32>(_e1084) & 2147483647u)) * -0.00012207031f));
+                        let _e1096 = ((f32((_e980.member & 255u)) * _e1084) + _e1091);
+                        let _e1097 = ((f32(((_e980.member >> bitcast<u32>(8u)) & 255u)) * _e1084) + _e1091);
+                        let _e1098 = ((f32(((_e980.member >> bitcast<u32>(16u)) & 255u)) * _e1084) + _e1091);
+                        let _e1099 = ((f32(((_e980.member >> bitcast<u32>(24u)) & 255u)) * _e1084) + _e1091);
+                        let _e1100 = (-(_e984) * _e671);
+                        let _e1107 = (((_e978.member_1 - _e669) * _e671) + (bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u)) * 0.00012207031f));
+                        let _e1112 = ((f32((_e978.member & 255u)) * _e1100) + _e1107);
+                        let _e1113 = ((f32(((_e978.member >> bitcast<u32>(8u)) & 255u)) * _e1100) + _e1107);
+                        let _e1114 = ((f32(((_e978.member >> bitcast<u32>(16u)) & 255u)) * _e1100) + _e1107);
+                        let _e1115 = ((f32(((_e978.member >> bitcast<u32>(24u)) & 255u)) * _e1100) + _e1107);
+                        let _e1148 = max(max(max(((f32((_e856.member & 255u)) * _e1020) + _e1027), ((f32((_e918.member & 255u)) * _e1052) + _e1059)), _e1096), _e679);
+                        let _e1149 = max(max(max(((f32(((_e856.member >> bitcast<u32>(8u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(8u)) & 255u)) * _e1052) + _e1059)), _e1097), _e679);
+                        let _e1150 = max(max(max(((f32(((_e856.member >> bitcast<u32>(16u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(16u)) & 255u)) * _e1052) + _e1059)), _e1098), _e679);
+                        let _e1151 = max(max(max(((f32(((_e856.member >> bitcast<u32>(24u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(24u)) & 255u)) * _e1052) + _e1059)), _e1099), _e679);
+                        let _e1156 = (_e795.member.member_1 + (bitcast<f32>((bitcast<u32>(_e795.member.member_1) & 2147483647u)) * 0.0000004768374f));
+                        if (_e1148 <= min((min(min(((f32((_e854.member & 255u)) * _e1036) + _e1043), ((f32((_e916.member & 255u)) * _e1068) + _e1075)), _e1112) + (max(_e1112, -(_e1096)) * 0.0000023841915f)), _e1156)) {
+                            phi_2445_ = (((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u);
                         } else {
-                            phi_2412_ = 4294967288u;
+                            phi_2445_ = 4294967288u;
                         }
-                        let _e1155 = phi_2412_;
-                        if (_e1133 <= min((min(min(((f32(((_e838.member >> bitcast<u32>(8u)) & 255u)) * _e1020) + _e1027), ((f32(((_e900.member >> bitcast<u32>(8u)) & 255u)) * _e1052) + _e1059)), _e1097) + (max(_e1097, -(_e1081)) * 0.0000023841915f)), _e1140)) {
-                            phi_2425_ = ((((bitcast<u32>(_e1133) ^ select(0u, 4294967288u, _e680.member_1)) & 2147483640u) | 4u) | 1u);
+                        let _e1171 = phi_2445_;
+                        if (_e1149 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(8u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(8u)) & 255u)) * _e1068) + _e1075)), _e1113) + (max(_e1113, -(_e1097)) * 0.0000023841915f)), _e1156)) {
+                            phi_2458_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u) | 1u);
                         } else {
-                            phi_2425_ = 4294967288u;
+                            phi_2458_ = 4294967288u;
                         }
-                        let _e1163 = phi_2425_;
-                        if (_e1134 <= min((min(min(((f32(((_e838.member >> bitcast<u32>(16u)) & 255u)) * _e1020) + _e1027), ((f32(((_e900.member >> bitcast<u32>(16u)) & 255u)) * _e1052) + _e1059)), _e1098) + (max(_e1098, -(_e1082)) * 0.0000023841915f)), _e1140)) {
-                            phi_2438_ = ((((bitcast<u32>(_e1134) ^ select(0u, 4294967288u, _e680.member_1)) & 2147483640u) | 4u) | 2u);
+                        let _e1179 = phi_2458_;
+                        if (_e1150 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(16u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(16u)) & 255u)) * _e1068) + _e1075)), _e1114) + (max(_e1114, -(_e1098)) * 0.0000023841915f)), _e1156)) {
+                            phi_2471_ = ((((bitcast<u32>(_e1150) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u) | 2u);
                         } else {
-                            phi_2438_ = 4294967288u;
+                            phi_2471_ = 4294967288u;
                         }
-                        let _e1171 = phi_2438_;
-                        if (_e1135 <= min((min(min(((f32(((_e838.member >> bitcast<u32>(24u)) & 255u)) * _e1020) + _e1027), ((f32(((_e900.member >> bitcast<u32>(24u)) & 255u)) * _e1052) + _e1059)), _e1099) + (max(_e1099, -(_e1083)) * 0.0000023841915f)), _e1140)) {
-                            phi_2451_ = ((((bitcast<u32>(_e1135) ^ select(0u, 4294967288u, _e680.member_1)) & 2147483640u) | 4u) | 3u);
+                        let _e1187 = phi_2471_;
+                        if (_e1151 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(24u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1068) + _e1075)), _e1115) + (max(_e1115, -(_e1099)) * 0.0000023841915f)), _e1156)) {
+                            phi_2484_ = ((((bitcast<u32>(_e1151) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u) | 3u);
                         } else {
-                            phi_2451_ = 4294967288u;
+                            phi_2484_ = 4294967288u;
                         }
-                        let _e1179 = phi_2451_;
-                        if (_e1155 < _e1163) {
-                            phi_4600_ = SlimbvhTypeD(_e1155, _e1163);
-                        } else {
-                            phi_4600_ = SlimbvhTypeD(_e1163, _e1155);
-                        }
-                        let _e1184 = phi_4600_;
+                        let _e1195 = phi_2484_;
                         if (_e1171 < _e1179) {
-                            phi_4612_ = SlimbvhTypeD(_e1171, _e1179);
+                            phi_5147_ = SlimbvhTypeE(_e1171, _e1179);
                         } else {
-                            phi_4612_ = SlimbvhTypeD(_e1179, _e1171);
+                            phi_5147_ = SlimbvhTypeE(_e1179, _e1171);
                         }
-                        let _e1191 = phi_4612_;
-                        if (_e1184.member < _e1191.member) {
-                            phi_4624_ = SlimbvhTypeD(_e1184.member, _e1191.member);
+                        let _e1200 = phi_5147_;
+                        if (_e1187 < _e1195) {
+                            phi_5159_ = SlimbvhTypeE(_e1187, _e1195);
                         } else {
-                            phi_4624_ = SlimbvhTypeD(_e1191.member, _e1184.member);
+                            phi_5159_ = SlimbvhTypeE(_e1195, _e1187);
                         }
-                        let _e1198 = phi_4624_;
-                        if (_e1184.member_1 < _e1191.member_1) {
-                            phi_4636_ = SlimbvhTypeD(_e1184.member_1, _e1191.member_1);
+                        let _e1207 = phi_5159_;
+                        if (_e1200.member < _e1207.member) {
+                            phi_5171_ = SlimbvhTypeE(_e1200.member, _e1207.member);
                         } else {
-                            phi_4636_ = SlimbvhTypeD(_e1191.member_1, _e1184.member_1);
+                            phi_5171_ = SlimbvhTypeE(_e1207.member, _e1200.member);
                         }
-                        let _e1205 = phi_4636_;
-                        if (_e1205.member < _e1198.member_1) {
-                            phi_4648_ = SlimbvhTypeD(_e1205.member, _e1198.member_1);
+                        let _e1214 = phi_5171_;
+                        if (_e1200.member_1 < _e1207.member_1) {
+                            phi_5183_ = SlimbvhTypeE(_e1200.member_1, _e1207.member_1);
                         } else {
-                            phi_4648_ = SlimbvhTypeD(_e1198.member_1, _e1205.member);
+                            phi_5183_ = SlimbvhTypeE(_e1207.member_1, _e1200.member_1);
                         }
-                        let _e1212 = phi_4648_;
-                        let _e1227 = (((_e1198.member & 7u) | ((_e1212.member & 7u) << bitcast<u32>(3u))) | (((_e1212.member_1 & 7u) | ((_e1205.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                        if (_e1227 == 0u) {
-                            let _e1247 = (_e788 - 1u);
-                            let _e1252 = slimbvh_stacks[(((_e1247 % 32u) * 64u) + _e672)];
-                            let _e1253 = (_e1252 & 511u);
-                            let _e1255 = (_e1253 >> bitcast<u32>(3u));
-                            let _e1258 = ((_e1255 == 0u) || (_e1247 == 4294967295u));
-                            if _e1258 {
+                        let _e1221 = phi_5183_;
+                        if (_e1221.member < _e1214.member_1) {
+                            phi_5195_ = SlimbvhTypeE(_e1221.member, _e1214.member_1);
+                        } else {
+                            phi_5195_ = SlimbvhTypeE(_e1214.member_1, _e1221.member);
+                        }
+                        let _e1228 = phi_5195_;
+                        let _e1243 = (((_e1214.member & 7u) | ((_e1228.member & 7u) << bitcast<u32>(3u))) | (((_e1228.member_1 & 7u) | ((_e1221.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                        if (_e1243 == 0u) {
+                            let _e1263 = (_e804 - 1u);
+                            let _e1268 = slimbvh_stacks[(((_e1263 % 32u) * 64u) + _e686)];
+                            let _e1269 = (_e1268 & 511u);
+                            let _e1271 = (_e1269 >> bitcast<u32>(3u));
+                            let _e1274 = ((_e1271 == 0u) || (_e1263 == 4294967295u));
+                            if _e1274 {
                             } else {
-                                slimbvh_stacks[(((_e1247 % 32u) * 64u) + _e672)] = (((_e1252 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1255);
+                                slimbvh_stacks[(((_e1263 % 32u) * 64u) + _e686)] = (((_e1268 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1271);
                             }
-                            phi_2540_ = select(_e788, _e1247, _e1258);
-                            phi_2541_ = (((_e1252 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1253 & 3u) & 3u));
+                            phi_2573_ = select(_e804, _e1263, _e1274);
+                            phi_2574_ = (((_e1268 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1269 & 3u) & 3u));
                         } else {
-                            let _e1230 = (_e1227 >> bitcast<u32>(3u));
-                            if (_e1230 == 0u) {
-                                phi_2535_ = _e788;
+                            let _e1246 = (_e1243 >> bitcast<u32>(3u));
+                            if (_e1246 == 0u) {
+                                phi_2568_ = _e804;
                             } else {
-                                slimbvh_stacks[(((_e788 % 32u) * 64u) + _e672)] = ((_e790 << bitcast<u32>(9u)) | _e1230);
-                                phi_2535_ = (_e788 + 1u);
+                                slimbvh_stacks[(((_e804 % 32u) * 64u) + _e686)] = ((_e806 << bitcast<u32>(9u)) | _e1246);
+                                phi_2568_ = (_e804 + 1u);
                             }
-                            let _e1241 = phi_2535_;
-                            phi_2540_ = _e1241;
-                            phi_2541_ = ((_e790 << bitcast<u32>(2i)) | ((_e1227 & 3u) & 3u));
+                            let _e1257 = phi_2568_;
+                            phi_2573_ = _e1257;
+                            phi_2574_ = ((_e806 << bitcast<u32>(2i)) | ((_e1243 & 3u) & 3u));
                         }
-                        let _e1273 = phi_2540_;
-                        let _e1275 = phi_2541_;
-                        let _e1277 = (_e1275 >> bitcast<u32>(2i));
-                        if (_e1277 < _e104) {
-                            let _e1283 = slimbvh_nodes.member[_e1277].member_1[(_e1275 & 3u)];
-                            if ((_e1283 & 2147483648u) != 0u) {
-                                phi_2571_ = (2147483648u | _e1275);
+                        let _e1289 = phi_2573_;
+                        let _e1291 = phi_2574_;
+                        let _e1293 = (_e1291 >> bitcast<u32>(2i));
+                        if (_e1293 < _e113) {
+                            let _e1299 = slimbvh_nodes.member[_e1293].member_1[(_e1291 & 3u)];
+                            if ((_e1299 & 2147483648u) != 0u) {
+                                phi_2604_ = (2147483648u | _e1291);
                             } else {
-                                phi_2571_ = _e1283;
+                                phi_2604_ = _e1299;
                             }
-                            let _e1288 = phi_2571_;
-                            phi_2572_ = _e1288;
+                            let _e1304 = phi_2604_;
+                            phi_2605_ = _e1304;
                         } else {
-                            phi_2572_ = 4294967295u;
+                            phi_2605_ = 4294967295u;
                         }
-                        let _e1290 = phi_2572_;
-                        let _e1291 = (_e792 - 1u);
-                        phi_1701_ = select(_e1273, 4294967295u, (_e1291 == 0u));
-                        phi_1704_ = _e1290;
-                        phi_1706_ = _e1291;
+                        let _e1306 = phi_2605_;
+                        let _e1307 = (_e808 - 1u);
+                        phi_1734_ = select(_e1289, 4294967295u, (_e1307 == 0u));
+                        phi_1737_ = _e1306;
+                        phi_1739_ = _e1307;
                     } else {
-                        phi_1701_ = u32();
-                        phi_1704_ = u32();
-                        phi_1706_ = u32();
+                        phi_1734_ = u32();
+                        phi_1737_ = u32();
+                        phi_1739_ = u32();
                     }
-                    let _e1295 = phi_1701_;
-                    let _e1297 = phi_1704_;
-                    let _e1299 = phi_1706_;
+                    let _e1311 = phi_1734_;
+                    let _e1313 = phi_1737_;
+                    let _e1315 = phi_1739_;
                     continue;
                     continuing {
-                        phi_1700_ = _e1295;
-                        phi_1703_ = _e1297;
-                        phi_1705_ = _e1299;
-                        break if !(_e796);
+                        phi_1733_ = _e1311;
+                        phi_1736_ = _e1313;
+                        phi_1738_ = _e1315;
+                        break if !(_e812);
                     }
                 }
-                let _e1302 = local;
-                if _e1302 {
-                    let _e1304 = local_1;
-                    let _e1305 = (_e1304 & 2147483647u);
-                    let _e1307 = (_e1305 >> bitcast<u32>(2i));
-                    if (_e1307 >= _e104) {
-                        phi_2786_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+                let _e1318 = local;
+                if _e1318 {
+                    let _e1320 = local_1;
+                    let _e1321 = (_e1320 & 2147483647u);
+                    let _e1323 = (_e1321 >> bitcast<u32>(2i));
+                    if (_e1323 >= _e113) {
+                        phi_2819_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                     } else {
-                        let _e1314 = slimbvh_nodes.member[_e1307].member[select(_e685, 2u, (2u < _e685))];
-                        let _e1325 = slimbvh_nodes.member[_e1307].member[select(_e686, 2u, (2u < _e686))];
-                        let _e1336 = slimbvh_nodes.member[_e1307].member[select(_e687, 2u, (2u < _e687))];
-                        let _e1342 = (_e1305 & 3u);
-                        let _e1345 = (((8u * _e1342) & 31u) & 31u);
-                        let _e1353 = ((_e1314.w & 31u) & 31u);
-                        let _e1355 = (((_e1314.y >> bitcast<u32>(_e1345)) & 255u) << bitcast<u32>(_e1353));
-                        let _e1369 = ((_e1325.w & 31u) & 31u);
-                        let _e1371 = (((_e1325.y >> bitcast<u32>(_e1345)) & 255u) << bitcast<u32>(_e1369));
-                        let _e1385 = ((_e1336.w & 31u) & 31u);
-                        let _e1387 = (((_e1336.y >> bitcast<u32>(_e1345)) & 255u) << bitcast<u32>(_e1385));
-                        let _e1395 = (((((_e1314.w >> bitcast<u32>(5u)) - (((_e1314.z >> bitcast<u32>(_e1345)) & 255u) << bitcast<u32>(_e1353))) - _e1355) | (((_e1325.w >> bitcast<u32>(5u)) - (((_e1325.z >> bitcast<u32>(_e1345)) & 255u) << bitcast<u32>(_e1369))) - _e1371)) | (((_e1336.w >> bitcast<u32>(5u)) - (((_e1336.z >> bitcast<u32>(_e1345)) & 255u) << bitcast<u32>(_e1385))) - _e1387));
-                        if (_e1395 < 1024u) {
-                            phi_2722_ = 0u;
+                        let _e1330 = slimbvh_nodes.member[_e1323].member[select(_e701, 2u, (2u < _e701))];
+                        let _e1341 = slimbvh_nodes.member[_e1323].member[select(_e702, 2u, (2u < _e702))];
+                        let _e1352 = slimbvh_nodes.member[_e1323].member[select(_e703, 2u, (2u < _e703))];
+                        let _e1358 = (_e1321 & 3u);
+                        let _e1361 = (((8u * _e1358) & 31u) & 31u);
+                        let _e1369 = ((_e1330.w & 31u) & 31u);
+                        let _e1371 = (((_e1330.y >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1369));
+                        let _e1385 = ((_e1341.w & 31u) & 31u);
+                        let _e1387 = (((_e1341.y >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1385));
+                        let _e1401 = ((_e1352.w & 31u) & 31u);
+                        let _e1403 = (((_e1352.y >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1401));
+                        let _e1411 = (((((_e1330.w >> bitcast<u32>(5u)) - (((_e1330.z >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1369))) - _e1371) | (((_e1341.w >> bitcast<u32>(5u)) - (((_e1341.z >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1385))) - _e1387)) | (((_e1352.w >> bitcast<u32>(5u)) - (((_e1352.z >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1401))) - _e1403));
+                        if (_e1411 < 1024u) {
+                            phi_2755_ = 0u;
                         } else {
-                            phi_2722_ = select(2u, 1u, (_e1395 < 2097152u));
+                            phi_2755_ = select(2u, 1u, (_e1411 < 2097152u));
                         }
-                        let _e1400 = phi_2722_;
-                        let _e1415 = slimbvh_nodes.member[_e1307].member_1[_e1342];
-                        if ((_e1415 & 2147483648u) != 0u) {
-                            phi_2783_ = ((_e1415 >> bitcast<u32>(28u)) & 7u);
+                        let _e1416 = phi_2755_;
+                        let _e1431 = slimbvh_nodes.member[_e1323].member_1[_e1358];
+                        if ((_e1431 & 2147483648u) != 0u) {
+                            phi_2816_ = ((_e1431 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_2783_ = 0u;
+                            phi_2816_ = 0u;
                         }
-                        let _e1422 = phi_2783_;
-                        phi_2786_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1314.x) + (f32(_e1355) * _e153)), (bitcast<f32>(_e1325.x) + (f32(_e1371) * _e153)), (bitcast<f32>(_e1336.x) + (f32(_e1387) * _e153)), 0f), _e1400), (_e1415 & 268435455u), _e1422);
+                        let _e1438 = phi_2816_;
+                        phi_2819_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1330.x) + (f32(_e1371) * _e164)), (bitcast<f32>(_e1341.x) + (f32(_e1387) * _e164)), (bitcast<f32>(_e1352.x) + (f32(_e1403) * _e164)), 0f), _e1416), (_e1431 & 268435455u), _e1438);
                     }
-                    let _e1426 = phi_2786_;
-                    phi_2790_ = _e779;
-                    phi_2793_ = SlimbvhTypeD(0u, _e1426.member_2);
+                    let _e1442 = phi_2819_;
+                    phi_2823_ = _e795;
+                    phi_2826_ = SlimbvhTypeE(0u, _e1442.member_2);
                     loop {
-                        let _e1430 = phi_2790_;
-                        let _e1432 = phi_2793_;
-                        local_4 = _e1430;
-                        local_7 = _e1430;
-                        if (_e1432.member < _e1432.member_1) {
-                            phi_2794_ = SlimbvhTypeD((_e1432.member + 1u), _e1432.member_1);
-                            phi_2816_ = SlimbvhTypeD(1u, _e1432.member);
+                        let _e1446 = phi_2823_;
+                        let _e1448 = phi_2826_;
+                        local_4 = _e1446;
+                        local_7 = _e1446;
+                        if (_e1448.member < _e1448.member_1) {
+                            phi_2827_ = SlimbvhTypeE((_e1448.member + 1u), _e1448.member_1);
+                            phi_2849_ = SlimbvhTypeE(1u, _e1448.member);
                         } else {
-                            phi_2794_ = _e1432;
-                            phi_2816_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                            phi_2827_ = _e1448;
+                            phi_2849_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                         }
-                        let _e1445 = phi_2794_;
-                        let _e1447 = phi_2816_;
-                        let _e1451 = (bitcast<i32>(_e1447.member) != 0i);
-                        if _e1451 {
-                            switch bitcast<i32>(_e1426.member.member_1) {
+                        let _e1461 = phi_2827_;
+                        let _e1463 = phi_2849_;
+                        let _e1467 = (bitcast<i32>(_e1463.member) != 0i);
+                        if _e1467 {
+                            switch bitcast<i32>(_e1442.member.member_1) {
                                 case 0: {
-                                    phi_2834_ = 1u;
+                                    phi_2867_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2834_ = 2u;
+                                    phi_2867_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2834_ = 3u;
+                                    phi_2867_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2834_ = u32();
+                                    phi_2867_ = u32();
                                     break;
                                 }
                             }
-                            let _e1457 = phi_2834_;
-                            switch bitcast<i32>(_e1426.member.member_1) {
+                            let _e1473 = phi_2867_;
+                            switch bitcast<i32>(_e1442.member.member_1) {
                                 case 0: {
-                                    phi_2845_ = 1u;
+                                    phi_2878_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2845_ = 2u;
+                                    phi_2878_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2845_ = 3u;
+                                    phi_2878_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2845_ = u32();
+                                    phi_2878_ = u32();
                                     break;
                                 }
                             }
-                            let _e1464 = phi_2845_;
-                            let _e1466 = ((_e1426.member_1 + (_e1447.member_1 * ((3u * _e1457) + 1u))) + (3u * _e1464));
-                            if (_e1466 < _e107) {
-                                let _e1469 = slimbvh_triangles.member[_e1466];
-                                phi_2861_ = _e1469;
+                            let _e1480 = phi_2878_;
+                            let _e1482 = ((_e1442.member_1 + (_e1463.member_1 * ((3u * _e1473) + 1u))) + (3u * _e1480));
+                            if (_e1482 < _e116) {
+                                let _e1485 = slimbvh_triangles.member[_e1482];
+                                phi_2894_ = _e1485;
                             } else {
-                                phi_2861_ = 4294967295u;
+                                phi_2894_ = 4294967295u;
                             }
-                            let _e1471 = phi_2861_;
-                            switch bitcast<i32>(_e1426.member.member_1) {
+                            let _e1487 = phi_2894_;
+                            switch bitcast<i32>(_e1442.member.member_1) {
                                 case 0: {
-                                    phi_2874_ = 1u;
+                                    phi_2907_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2874_ = 2u;
+                                    phi_2907_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2874_ = 3u;
+                                    phi_2907_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2874_ = u32();
+                                    phi_2907_ = u32();
                                     break;
                                 }
                             }
-                            let _e1474 = phi_2874_;
-                            let _e1478 = (_e1426.member_1 + (_e1447.member_1 * ((3u * _e1474) + 1u)));
-                            switch bitcast<i32>(_e1426.member.member_1) {
+                            let _e1490 = phi_2907_;
+                            let _e1494 = (_e1442.member_1 + (_e1463.member_1 * ((3u * _e1490) + 1u)));
+                            switch bitcast<i32>(_e1442.member.member_1) {
                                 case 0: {
-                                    phi_2885_ = 1u;
+                                    phi_2918_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2885_ = 2u;
+                                    phi_2918_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2885_ = 3u;
+                                    phi_2918_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2885_ = u32();
+                                    phi_2918_ = u32();
                                     break;
                                 }
                             }
-                            let _e1481 = phi_2885_;
-                            let _e1482 = (_e1478 + _e1481);
-                            let _e1484 = (_e1478 + (2u * _e1481));
-                            switch bitcast<i32>(_e1426.member.member_1) {
+                            let _e1497 = phi_2918_;
+                            let _e1498 = (_e1494 + _e1497);
+                            let _e1500 = (_e1494 + (2u * _e1497));
+                            switch bitcast<i32>(_e1442.member.member_1) {
                                 case 0: {
-                                    if (_e1478 < _e107) {
-                                        let _e1761 = slimbvh_triangles.member[_e1478];
-                                        phi_2912_ = _e1761;
+                                    if (_e1494 < _e116) {
+                                        let _e1777 = slimbvh_triangles.member[_e1494];
+                                        phi_2945_ = _e1777;
                                     } else {
-                                        phi_2912_ = 0u;
+                                        phi_2945_ = 0u;
                                     }
-                                    let _e1763 = phi_2912_;
-                                    let _e1766 = ((10u * _e213) & 31u);
-                                    let _e1777 = ((10u * _e217) & 31u);
-                                    let _e1788 = ((10u * _e209) & 31u);
-                                    if (_e1482 < _e107) {
-                                        let _e1800 = slimbvh_triangles.member[_e1482];
-                                        phi_2958_ = _e1800;
+                                    let _e1779 = phi_2945_;
+                                    let _e1782 = ((10u * _e224) & 31u);
+                                    let _e1793 = ((10u * _e228) & 31u);
+                                    let _e1804 = ((10u * _e220) & 31u);
+                                    if (_e1498 < _e116) {
+                                        let _e1816 = slimbvh_triangles.member[_e1498];
+                                        phi_2991_ = _e1816;
                                     } else {
-                                        phi_2958_ = 0u;
+                                        phi_2991_ = 0u;
                                     }
-                                    let _e1802 = phi_2958_;
-                                    if (_e1484 < _e107) {
-                                        let _e1830 = slimbvh_triangles.member[_e1484];
-                                        phi_3004_ = _e1830;
+                                    let _e1818 = phi_2991_;
+                                    if (_e1500 < _e116) {
+                                        let _e1846 = slimbvh_triangles.member[_e1500];
+                                        phi_3037_ = _e1846;
                                     } else {
-                                        phi_3004_ = 0u;
+                                        phi_3037_ = 0u;
                                     }
-                                    let _e1832 = phi_3004_;
-                                    phi_3471_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1426.member.member.x + ((bitcast<f32>((1258291200u | ((_e1763 >> bitcast<u32>(_e1766)) & 1023u))) - 8388608f) * _e153)), (_e1426.member.member.y + ((bitcast<f32>((1258291200u | ((_e1763 >> bitcast<u32>(_e1777)) & 1023u))) - 8388608f) * _e153)), (_e1426.member.member.z + ((bitcast<f32>((1258291200u | ((_e1763 >> bitcast<u32>(_e1788)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e1426.member.member.x + ((bitcast<f32>((1258291200u | ((_e1802 >> bitcast<u32>(_e1766)) & 1023u))) - 8388608f) * _e153)), (_e1426.member.member.y + ((bitcast<f32>((1258291200u | ((_e1802 >> bitcast<u32>(_e1777)) & 1023u))) - 8388608f) * _e153)), (_e1426.member.member.z + ((bitcast<f32>((1258291200u | ((_e1802 >> bitcast<u32>(_e1788)) & 1023u))) - 8388608f) * _e153))), array<f32, 3>((_e1426.member.member.x + ((bitcast<f32>((1258291200u | ((_e1832 >> bitcast<u32>(_e1766)) & 1023u))) - 8388608f) * _e153)), (_e1426.member.member.y + ((bitcast<f32>((1258291200u | ((_e1832 >> bitcast<u32>(_e1777)) & 1023u))) - 8388608f) * _e153)), (_e1426.member.member.z + ((bitcast<f32>((1258291200u | ((_e1832 >> bitcast<u32>(_e1788)) & 1023u))) - 8388608f) * _e153))));
+                                    let _e1848 = phi_3037_;
+                                    phi_3504_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | ((_e1779 >> bitcast<u32>(_e1782)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | ((_e1779 >> bitcast<u32>(_e1793)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | ((_e1779 >> bitcast<u32>(_e1804)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | ((_e1818 >> bitcast<u32>(_e1782)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | ((_e1818 >> bitcast<u32>(_e1793)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | ((_e1818 >> bitcast<u32>(_e1804)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | ((_e1848 >> bitcast<u32>(_e1782)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | ((_e1848 >> bitcast<u32>(_e1793)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | ((_e1848 >> bitcast<u32>(_e1804)) & 1023u))) - 8388608f) * _e164))));
                                     break;
                                 }
                                 case 1: {
-                                    if (_e1478 < _e107) {
-                                        let _e1574 = slimbvh_triangles.member[_e1478];
-                                        phi_3051_ = _e1574;
+                                    if (_e1494 < _e116) {
+                                        let _e1590 = slimbvh_triangles.member[_e1494];
+                                        phi_3084_ = _e1590;
                                     } else {
-                                        phi_3051_ = 0u;
+                                        phi_3084_ = 0u;
                                     }
-                                    let _e1576 = phi_3051_;
-                                    let _e1577 = (_e1478 + 1u);
-                                    if (_e1577 < _e107) {
-                                        let _e1580 = slimbvh_triangles.member[_e1577];
-                                        phi_3064_ = _e1580;
+                                    let _e1592 = phi_3084_;
+                                    let _e1593 = (_e1494 + 1u);
+                                    if (_e1593 < _e116) {
+                                        let _e1596 = slimbvh_triangles.member[_e1593];
+                                        phi_3097_ = _e1596;
                                     } else {
-                                        phi_3064_ = 0u;
+                                        phi_3097_ = 0u;
                                     }
-                                    let _e1582 = phi_3064_;
-                                    let _e1584 = (_e213 == 1u);
-                                    if _e1584 {
-                                        phi_3074_ = ((_e1576 >> bitcast<u32>(21i)) | (_e1582 << bitcast<u32>(11i)));
+                                    let _e1598 = phi_3097_;
+                                    let _e1600 = (_e224 == 1u);
+                                    if _e1600 {
+                                        phi_3107_ = ((_e1592 >> bitcast<u32>(21i)) | (_e1598 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3074_ = (_e1582 >> bitcast<u32>(10i));
+                                        phi_3107_ = (_e1598 >> bitcast<u32>(10i));
                                     }
-                                    let _e1593 = phi_3074_;
-                                    let _e1602 = (_e217 == 1u);
-                                    if _e1602 {
-                                        phi_3095_ = ((_e1576 >> bitcast<u32>(21i)) | (_e1582 << bitcast<u32>(11i)));
+                                    let _e1609 = phi_3107_;
+                                    let _e1618 = (_e228 == 1u);
+                                    if _e1618 {
+                                        phi_3128_ = ((_e1592 >> bitcast<u32>(21i)) | (_e1598 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3095_ = (_e1582 >> bitcast<u32>(10i));
+                                        phi_3128_ = (_e1598 >> bitcast<u32>(10i));
                                     }
-                                    let _e1611 = phi_3095_;
-                                    let _e1620 = (_e209 == 1u);
-                                    if _e1620 {
-                                        phi_3116_ = ((_e1576 >> bitcast<u32>(21i)) | (_e1582 << bitcast<u32>(11i)));
+                                    let _e1627 = phi_3128_;
+                                    let _e1636 = (_e220 == 1u);
+                                    if _e1636 {
+                                        phi_3149_ = ((_e1592 >> bitcast<u32>(21i)) | (_e1598 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3116_ = (_e1582 >> bitcast<u32>(10i));
+                                        phi_3149_ = (_e1598 >> bitcast<u32>(10i));
                                     }
-                                    let _e1629 = phi_3116_;
-                                    if (_e1482 < _e107) {
-                                        let _e1640 = slimbvh_triangles.member[_e1482];
-                                        phi_3143_ = _e1640;
+                                    let _e1645 = phi_3149_;
+                                    if (_e1498 < _e116) {
+                                        let _e1656 = slimbvh_triangles.member[_e1498];
+                                        phi_3176_ = _e1656;
                                     } else {
-                                        phi_3143_ = 0u;
+                                        phi_3176_ = 0u;
                                     }
-                                    let _e1642 = phi_3143_;
-                                    let _e1643 = (_e1482 + 1u);
-                                    if (_e1643 < _e107) {
-                                        let _e1646 = slimbvh_triangles.member[_e1643];
-                                        phi_3156_ = _e1646;
+                                    let _e1658 = phi_3176_;
+                                    let _e1659 = (_e1498 + 1u);
+                                    if (_e1659 < _e116) {
+                                        let _e1662 = slimbvh_triangles.member[_e1659];
+                                        phi_3189_ = _e1662;
                                     } else {
-                                        phi_3156_ = 0u;
+                                        phi_3189_ = 0u;
                                     }
-                                    let _e1648 = phi_3156_;
-                                    if _e1584 {
-                                        phi_3166_ = ((_e1642 >> bitcast<u32>(21i)) | (_e1648 << bitcast<u32>(11i)));
+                                    let _e1664 = phi_3189_;
+                                    if _e1600 {
+                                        phi_3199_ = ((_e1658 >> bitcast<u32>(21i)) | (_e1664 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3166_ = (_e1648 >> bitcast<u32>(10i));
+                                        phi_3199_ = (_e1664 >> bitcast<u32>(10i));
                                     }
-                                    let _e1657 = phi_3166_;
-                                    if _e1602 {
-                                        phi_3187_ = ((_e1642 >> bitcast<u32>(21i)) | (_e1648 << bitcast<u32>(11i)));
+                                    let _e1673 = phi_3199_;
+                                    if _e1618 {
+                                        phi_3220_ = ((_e1658 >> bitcast<u32>(21i)) | (_e1664 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3187_ = (_e1648 >> bitcast<u32>(10i));
+                                        phi_3220_ = (_e1664 >> bitcast<u32>(10i));
                                     }
-                                    let _e1673 = phi_3187_;
-                                    if _e1620 {
-                                        phi_3208_ = ((_e1642 >> bitcast<u32>(21i)) | (_e1648 << bitcast<u32>(11i)));
+                                    let _e1689 = phi_3220_;
+                                    if _e1636 {
+                                        phi_3241_ = ((_e1658 >> bitcast<u32>(21i)) | (_e1664 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3208_ = (_e1648 >> bitcast<u32>(10i));
+                                        phi_3241_ = (_e1664 >> bitcast<u32>(10i));
                                     }
-                                    let _e1689 = phi_3208_;
-                                    if (_e1484 < _e107) {
-                                        let _e1700 = slimbvh_triangles.member[_e1484];
-                                        phi_3235_ = _e1700;
+                                    let _e1705 = phi_3241_;
+                                    if (_e1500 < _e116) {
+                                        let _e1716 = slimbvh_triangles.member[_e1500];
+                                        phi_3268_ = _e1716;
                                     } else {
-                                        phi_3235_ = 0u;
+                                        phi_3268_ = 0u;
                                     }
-                                    let _e1702 = phi_3235_;
-                                    let _e1703 = (_e1484 + 1u);
-                                    if (_e1703 < _e107) {
-                                        let _e1706 = slimbvh_triangles.member[_e1703];
-                                        phi_3248_ = _e1706;
+                                    let _e1718 = phi_3268_;
+                                    let _e1719 = (_e1500 + 1u);
+                                    if (_e1719 < _e116) {
+                                        let _e1722 = slimbvh_triangles.member[_e1719];
+                                        phi_3281_ = _e1722;
                                     } else {
-                                        phi_3248_ = 0u;
+                                        phi_3281_ = 0u;
                                     }
-                                    let _e1708 = phi_3248_;
-                                    if _e1584 {
-                                        phi_3258_ = ((_e1702 >> bitcast<u32>(21i)) | (_e1708 << bitcast<u32>(11i)));
+                                    let _e1724 = phi_3281_;
+                                    if _e1600 {
+                                        phi_3291_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3258_ = (_e1708 >> bitcast<u32>(10i));
+                                        phi_3291_ = (_e1724 >> bitcast<u32>(10i));
                                     }
-                                    let _e1717 = phi_3258_;
-                                    if _e1602 {
-                                        phi_3279_ = ((_e1702 >> bitcast<u32>(21i)) | (_e1708 << bitcast<u32>(11i)));
+                                    let _e1733 = phi_3291_;
+                                    if _e1618 {
+                                        phi_3312_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3279_ = (_e1708 >> bitcast<u32>(10i));
+                                        phi_3312_ = (_e1724 >> bitcast<u32>(10i));
                                     }
-                                    let _e1733 = phi_3279_;
-                                    if _e1620 {
-                                        phi_3300_ = ((_e1702 >> bitcast<u32>(21i)) | (_e1708 << bitcast<u32>(11i)));
+                                    let _e1749 = phi_3312_;
+                                    if _e1636 {
+                                        phi_3333_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3300_ = (_e1708 >> bitcast<u32>(10i));
+                                        phi_3333_ = (_e1724 >> bitcast<u32>(10i));
                                     }
-                                    let _e1749 = phi_3300_;
-                                    phi_3471_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1426.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1593, _e1576, _e218) & 2097151u))) - 8388608f) * _e153)), (_e1426.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1611, _e1576, _e221) & 2097151u))) - 8388608f) * _e153)), (_e1426.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1629, _e1576, _e225) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e1426.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1657, _e1642, _e218) & 2097151u))) - 8388608f) * _e153)), (_e1426.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1673, _e1642, _e221) & 2097151u))) - 8388608f) * _e153)), (_e1426.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1689, _e1642, _e225) & 2097151u))) - 8388608f) * _e153))), array<f32, 3>((_e1426.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1717, _e1702, _e218) & 2097151u))) - 8388608f) * _e153)), (_e1426.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1733, _e1702, _e221) & 2097151u))) - 8388608f) * _e153)), (_e1426.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1749, _e1702, _e225) & 2097151u))) - 8388608f) * _e153))));
+                                    let _e1765 = phi_3333_;
+                                    phi_3504_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1609, _e1592, _e229) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1627, _e1592, _e232) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1645, _e1592, _e236) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1673, _e1658, _e229) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1689, _e1658, _e232) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1705, _e1658, _e236) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1733, _e1718, _e229) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1749, _e1718, _e232) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1765, _e1718, _e236) & 2097151u))) - 8388608f) * _e164))));
                                     break;
                                 }
                                 case 2: {
-                                    let _e1487 = (_e1478 + _e213);
-                                    if (_e1487 < _e107) {
-                                        let _e1490 = slimbvh_triangles.member[_e1487];
-                                        phi_3329_ = _e1490;
+                                    let _e1503 = (_e1494 + _e224);
+                                    if (_e1503 < _e116) {
+                                        let _e1506 = slimbvh_triangles.member[_e1503];
+                                        phi_3362_ = _e1506;
                                     } else {
-                                        phi_3329_ = 0u;
+                                        phi_3362_ = 0u;
                                     }
-                                    let _e1492 = phi_3329_;
-                                    let _e1493 = (_e1478 + _e217);
-                                    if (_e1493 < _e107) {
-                                        let _e1496 = slimbvh_triangles.member[_e1493];
-                                        phi_3342_ = _e1496;
+                                    let _e1508 = phi_3362_;
+                                    let _e1509 = (_e1494 + _e228);
+                                    if (_e1509 < _e116) {
+                                        let _e1512 = slimbvh_triangles.member[_e1509];
+                                        phi_3375_ = _e1512;
                                     } else {
-                                        phi_3342_ = 0u;
+                                        phi_3375_ = 0u;
                                     }
-                                    let _e1498 = phi_3342_;
-                                    let _e1499 = (_e1478 + _e209);
-                                    if (_e1499 < _e107) {
-                                        let _e1502 = slimbvh_triangles.member[_e1499];
-                                        phi_3355_ = _e1502;
-                                    } else {
-                                        phi_3355_ = 0u;
-                                    }
-                                    let _e1504 = phi_3355_;
-                                    let _e1515 = (_e1482 + _e213);
-                                    if (_e1515 < _e107) {
+                                    let _e1514 = phi_3375_;
+                                    let _e1515 = (_e1494 + _e220);
+                                    if (_e1515 < _e116) {
                                         let _e1518 = slimbvh_triangles.member[_e1515];
-                                        phi_3381_ = _e1518;
+                                        phi_3388_ = _e1518;
                                     } else {
-                                        phi_3381_ = 0u;
+                                        phi_3388_ = 0u;
                                     }
-                                    let _e1520 = phi_3381_;
-                                    let _e1521 = (_e1482 + _e217);
-                                    if (_e1521 < _e107) {
-                                        let _e1524 = slimbvh_triangles.member[_e1521];
-                                        phi_3394_ = _e1524;
+                                    let _e1520 = phi_3388_;
+                                    let _e1531 = (_e1498 + _e224);
+                                    if (_e1531 < _e116) {
+                                        let _e1534 = slimbvh_triangles.member[_e1531];
+                                        phi_3414_ = _e1534;
                                     } else {
-                                        phi_3394_ = 0u;
+                                        phi_3414_ = 0u;
                                     }
-                                    let _e1526 = phi_3394_;
-                                    let _e1527 = (_e1482 + _e209);
-                                    if (_e1527 < _e107) {
-                                        let _e1530 = slimbvh_triangles.member[_e1527];
-                                        phi_3407_ = _e1530;
+                                    let _e1536 = phi_3414_;
+                                    let _e1537 = (_e1498 + _e228);
+                                    if (_e1537 < _e116) {
+                                        let _e1540 = slimbvh_triangles.member[_e1537];
+                                        phi_3427_ = _e1540;
                                     } else {
-                                        phi_3407_ = 0u;
+                                        phi_3427_ = 0u;
                                     }
-                                    let _e1532 = phi_3407_;
-                                    let _e1543 = (_e1484 + _e213);
-                                    if (_e1543 < _e107) {
+                                    let _e1542 = phi_3427_;
+                                    let _e1543 = (_e1498 + _e220);
+                                    if (_e1543 < _e116) {
                                         let _e1546 = slimbvh_triangles.member[_e1543];
-                                        phi_3433_ = _e1546;
+                                        phi_3440_ = _e1546;
                                     } else {
-                                        phi_3433_ = 0u;
+                                        phi_3440_ = 0u;
                                     }
-                                    let _e1548 = phi_3433_;
-                                    let _e1549 = (_e1484 + _e217);
-                                    if (_e1549 < _e107) {
-                                        let _e1552 = slimbvh_triangles.member[_e1549];
-                                        phi_3446_ = _e1552;
+                                    let _e1548 = phi_3440_;
+                                    let _e1559 = (_e1500 + _e224);
+                                    if (_e1559 < _e116) {
+                                        let _e1562 = slimbvh_triangles.member[_e1559];
+                                        phi_3466_ = _e1562;
                                     } else {
-                                        phi_3446_ = 0u;
+                                        phi_3466_ = 0u;
                                     }
-                                    let _e1554 = phi_3446_;
-                                    let _e1555 = (_e1484 + _e209);
-                                    if (_e1555 < _e107) {
-                                        let _e1558 = slimbvh_triangles.member[_e1555];
-                                        phi_3459_ = _e1558;
+                                    let _e1564 = phi_3466_;
+                                    let _e1565 = (_e1500 + _e228);
+                                    if (_e1565 < _e116) {
+                                        let _e1568 = slimbvh_triangles.member[_e1565];
+                                        phi_3479_ = _e1568;
                                     } else {
-                                        phi_3459_ = 0u;
+                                        phi_3479_ = 0u;
                                     }
-                                    let _e1560 = phi_3459_;
-                                    phi_3471_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1492)) * _e153), (f32(bitcast<i32>(_e1498)) * _e153), (f32(bitcast<i32>(_e1504)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e1520)) * _e153), (f32(bitcast<i32>(_e1526)) * _e153), (f32(bitcast<i32>(_e1532)) * _e153)), array<f32, 3>((f32(bitcast<i32>(_e1548)) * _e153), (f32(bitcast<i32>(_e1554)) * _e153), (f32(bitcast<i32>(_e1560)) * _e153)));
+                                    let _e1570 = phi_3479_;
+                                    let _e1571 = (_e1500 + _e220);
+                                    if (_e1571 < _e116) {
+                                        let _e1574 = slimbvh_triangles.member[_e1571];
+                                        phi_3492_ = _e1574;
+                                    } else {
+                                        phi_3492_ = 0u;
+                                    }
+                                    let _e1576 = phi_3492_;
+                                    phi_3504_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1508)) * _e164), (f32(bitcast<i32>(_e1514)) * _e164), (f32(bitcast<i32>(_e1520)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1536)) * _e164), (f32(bitcast<i32>(_e1542)) * _e164), (f32(bitcast<i32>(_e1548)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1564)) * _e164), (f32(bitcast<i32>(_e1570)) * _e164), (f32(bitcast<i32>(_e1576)) * _e164)));
                                     break;
                                 }
                                 default: {
-                                    phi_3471_ = array<array<f32, 3>, 3>();
+                                    phi_3504_ = array<array<f32, 3>, 3>();
                                     break;
                                 }
                             }
-                            let _e1860 = phi_3471_;
-                            let _e1877 = (_e1860[0][2] - _e601.member[2]);
-                            let _e1880 = (((_e1860[0][0] - _e601.member[0]) * _e656) - (_e1877 * _e624));
-                            let _e1883 = (((_e1860[0][1] - _e601.member[1]) * _e656) - (_e1877 * _e640));
-                            let _e1886 = (_e1860[1][2] - _e601.member[2]);
-                            let _e1889 = (((_e1860[1][0] - _e601.member[0]) * _e656) - (_e1886 * _e624));
-                            let _e1892 = (((_e1860[1][1] - _e601.member[1]) * _e656) - (_e1886 * _e640));
-                            let _e1895 = (_e1860[2][2] - _e601.member[2]);
-                            let _e1898 = (((_e1860[2][0] - _e601.member[0]) * _e656) - (_e1895 * _e624));
-                            let _e1901 = (((_e1860[2][1] - _e601.member[1]) * _e656) - (_e1895 * _e640));
-                            let _e1902 = (_e1898 * _e1892);
-                            let _e1903 = (_e1901 * _e1889);
-                            let _e1904 = (_e1880 * _e1901);
-                            let _e1905 = (_e1883 * _e1898);
-                            let _e1906 = (_e1889 * _e1883);
-                            let _e1907 = (_e1892 * _e1880);
-                            let _e1912 = (((_e1902 >= _e1903) && (_e1904 >= _e1905)) && (_e1906 >= _e1907));
-                            let _e1918 = (_e1912 || (((_e1902 <= _e1903) && (_e1904 <= _e1905)) && (_e1906 <= _e1907)));
-                            if _e1918 {
-                                let _e1920 = select(-1f, 1f, _e1912);
-                                let _e1922 = ((_e1902 - _e1903) * _e1920);
-                                let _e1924 = select(0f, _e1922, (_e1922 > 0f));
-                                let _e1926 = ((_e1904 - _e1905) * _e1920);
-                                let _e1928 = select(0f, _e1926, (_e1926 > 0f));
-                                let _e1930 = ((_e1906 - _e1907) * _e1920);
-                                let _e1932 = select(0f, _e1930, (_e1930 > 0f));
-                                let _e1934 = ((_e1924 + _e1928) + _e1932);
-                                let _e1949 = ((min(min(_e1860[0][0], _e1860[1][0]), _e1860[2][0]) - _e625) * _e628);
-                                let _e1950 = ((max(max(_e1860[0][0], _e1860[1][0]), _e1860[2][0]) - _e626) * _e628);
-                                let _e1951 = vec4<f32>(_e1949, f32(), _e1950, f32());
-                                let _e1954 = ((min(min(_e1860[0][1], _e1860[1][1]), _e1860[2][1]) - _e641) * _e644);
-                                let _e1955 = ((max(max(_e1860[0][1], _e1860[1][1]), _e1860[2][1]) - _e642) * _e644);
-                                let _e1956 = vec4<f32>(_e1954, f32(), _e1955, f32());
-                                let _e1959 = ((min(min(_e1860[0][2], _e1860[1][2]), _e1860[2][2]) - _e657) * _e660);
-                                let _e1960 = ((max(max(_e1860[0][2], _e1860[1][2]), _e1860[2][2]) - _e658) * _e660);
-                                let _e1961 = vec4<f32>(_e1959, f32(), _e1960, f32());
-                                let _e1962 = vec4<f32>(_e1950, f32(), _e1949, f32());
-                                let _e1964 = vec4<f32>(_e1955, f32(), _e1954, f32());
-                                let _e1966 = vec4<f32>(_e1960, f32(), _e1959, f32());
-                                let _e1975 = max(max(min(_e1951, _e1962).x, min(_e1956, _e1964).x), min(_e1961, _e1966).x);
-                                let _e1980 = min(min(max(_e1951, _e1962).x, max(_e1956, _e1964).x), max(_e1961, _e1966).x);
-                                let _e1985 = max(_e1975, _e668);
-                                let _e2007 = (((((_e1918 && (_e1934 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1880, _e1889), _e1898) <= 0f) && (max(max(_e1880, _e1889), _e1898) >= 0f))) && ((min(min(_e1883, _e1892), _e1901) <= 0f) && (max(max(_e1883, _e1892), _e1901) >= 0f))) && (_e1985 <= (_e1980 + (max(max(_e1961, _e1966).x, -(min(_e1961, _e1966).x)) * 0.0000019073523f)))) && (_e1985 <= _e1430.member.member_1));
-                                if _e2007 {
-                                    let _e2012 = (_e1860[1][0] - _e1860[0][0]);
-                                    let _e2013 = (_e1860[1][1] - _e1860[0][1]);
-                                    let _e2014 = (_e1860[1][2] - _e1860[0][2]);
-                                    let _e2015 = vec3<f32>(_e2012, _e2013, _e2014);
-                                    let _e2016 = (_e1860[2][0] - _e1860[1][0]);
-                                    let _e2017 = (_e1860[2][1] - _e1860[1][1]);
-                                    let _e2018 = (_e1860[2][2] - _e1860[1][2]);
-                                    let _e2019 = vec3<f32>(_e2016, _e2017, _e2018);
-                                    let _e2020 = (_e1860[0][0] - _e1860[2][0]);
-                                    let _e2021 = (_e1860[0][1] - _e1860[2][1]);
-                                    let _e2022 = (_e1860[0][2] - _e1860[2][2]);
-                                    let _e2023 = vec3<f32>(_e2020, _e2021, _e2022);
-                                    let _e2034 = max(max(bitcast<f32>((bitcast<u32>(_e2012) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2013) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2014) & 2147483647u)));
-                                    let _e2045 = max(max(bitcast<f32>((bitcast<u32>(_e2016) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2017) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2018) & 2147483647u)));
-                                    let _e2058 = max(max(_e2034, _e2045), max(max(bitcast<f32>((bitcast<u32>(_e2020) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2021) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2022) & 2147483647u))));
-                                    if (_e2034 == _e2058) {
-                                        phi_3836_ = _e1892;
-                                        phi_3837_ = _e1889;
-                                        phi_3838_ = _e1883;
-                                        phi_3839_ = _e1880;
-                                        phi_3840_ = vec3<f32>(_e1860[0][0], _e1860[0][1], _e1860[0][2]);
-                                        phi_3841_ = _e2023;
-                                        phi_3842_ = _e2019;
-                                        phi_3843_ = _e2015;
+                            let _e1876 = phi_3504_;
+                            let _e1893 = (_e1876[0][2] - _e612.member[2]);
+                            let _e1896 = (((_e1876[0][0] - _e612.member[0]) * _e667) - (_e1893 * _e635));
+                            let _e1899 = (((_e1876[0][1] - _e612.member[1]) * _e667) - (_e1893 * _e651));
+                            let _e1902 = (_e1876[1][2] - _e612.member[2]);
+                            let _e1905 = (((_e1876[1][0] - _e612.member[0]) * _e667) - (_e1902 * _e635));
+                            let _e1908 = (((_e1876[1][1] - _e612.member[1]) * _e667) - (_e1902 * _e651));
+                            let _e1911 = (_e1876[2][2] - _e612.member[2]);
+                            let _e1914 = (((_e1876[2][0] - _e612.member[0]) * _e667) - (_e1911 * _e635));
+                            let _e1917 = (((_e1876[2][1] - _e612.member[1]) * _e667) - (_e1911 * _e651));
+                            let _e1918 = (_e1914 * _e1908);
+                            let _e1919 = (_e1917 * _e1905);
+                            let _e1920 = (_e1896 * _e1917);
+                            let _e1921 = (_e1899 * _e1914);
+                            let _e1922 = (_e1905 * _e1899);
+                            let _e1923 = (_e1908 * _e1896);
+                            let _e1928 = (((_e1918 >= _e1919) && (_e1920 >= _e1921)) && (_e1922 >= _e1923));
+                            let _e1934 = (_e1928 || (((_e1918 <= _e1919) && (_e1920 <= _e1921)) && (_e1922 <= _e1923)));
+                            if _e1934 {
+                                let _e1936 = select(-1f, 1f, _e1928);
+                                let _e1938 = ((_e1918 - _e1919) * _e1936);
+                                let _e1940 = select(0f, _e1938, (_e1938 > 0f));
+                                let _e1942 = ((_e1920 - _e1921) * _e1936);
+                                let _e1944 = select(0f, _e1942, (_e1942 > 0f));
+                                let _e1946 = ((_e1922 - _e1923) * _e1936);
+                                let _e1948 = select(0f, _e1946, (_e1946 > 0f));
+                                let _e1950 = ((_e1940 + _e1944) + _e1948);
+                                let _e1965 = ((min(min(_e1876[0][0], _e1876[1][0]), _e1876[2][0]) - _e636) * _e639);
+                                let _e1966 = ((max(max(_e1876[0][0], _e1876[1][0]), _e1876[2][0]) - _e637) * _e639);
+                                let _e1967 = vec4<f32>(_e1965, f32(), _e1966, f32());
+                                let _e1970 = ((min(min(_e1876[0][1], _e1876[1][1]), _e1876[2][1]) - _e652) * _e655);
+                                let _e1971 = ((max(max(_e1876[0][1], _e1876[1][1]), _e1876[2][1]) - _e653) * _e655);
+                                let _e1972 = vec4<f32>(_e1970, f32(), _e1971, f32());
+                                let _e1975 = ((min(min(_e1876[0][2], _e1876[1][2]), _e1876[2][2]) - _e668) * _e671);
+                                let _e1976 = ((max(max(_e1876[0][2], _e1876[1][2]), _e1876[2][2]) - _e669) * _e671);
+                                let _e1977 = vec4<f32>(_e1975, f32(), _e1976, f32());
+                                let _e1978 = vec4<f32>(_e1966, f32(), _e1965, f32());
+                                let _e1980 = vec4<f32>(_e1971, f32(), _e1970, f32());
+                                let _e1982 = vec4<f32>(_e1976, f32(), _e1975, f32());
+                                let _e1991 = max(max(min(_e1967, _e1978).x, min(_e1972, _e1980).x), min(_e1977, _e1982).x);
+                                let _e1996 = min(min(max(_e1967, _e1978).x, max(_e1972, _e1980).x), max(_e1977, _e1982).x);
+                                let _e2001 = max(_e1991, _e679);
+                                let _e2023 = (((((_e1934 && (_e1950 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1896, _e1905), _e1914) <= 0f) && (max(max(_e1896, _e1905), _e1914) >= 0f))) && ((min(min(_e1899, _e1908), _e1917) <= 0f) && (max(max(_e1899, _e1908), _e1917) >= 0f))) && (_e2001 <= (_e1996 + (max(max(_e1977, _e1982).x, -(min(_e1977, _e1982).x)) * 0.0000019073523f)))) && (_e2001 <= _e1446.member.member_1));
+                                if _e2023 {
+                                    let _e2028 = (_e1876[1][0] - _e1876[0][0]);
+                                    let _e2029 = (_e1876[1][1] - _e1876[0][1]);
+                                    let _e2030 = (_e1876[1][2] - _e1876[0][2]);
+                                    let _e2031 = vec3<f32>(_e2028, _e2029, _e2030);
+                                    let _e2032 = (_e1876[2][0] - _e1876[1][0]);
+                                    let _e2033 = (_e1876[2][1] - _e1876[1][1]);
+                                    let _e2034 = (_e1876[2][2] - _e1876[1][2]);
+                                    let _e2035 = vec3<f32>(_e2032, _e2033, _e2034);
+                                    let _e2036 = (_e1876[0][0] - _e1876[2][0]);
+                                    let _e2037 = (_e1876[0][1] - _e1876[2][1]);
+                                    let _e2038 = (_e1876[0][2] - _e1876[2][2]);
+                                    let _e2039 = vec3<f32>(_e2036, _e2037, _e2038);
+                                    let _e2050 = max(max(bitcast<f32>((bitcast<u32>(_e2028) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2029) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2030) & 2147483647u)));
+                                    let _e2061 = max(max(bitcast<f32>((bitcast<u32>(_e2032) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2033) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2034) & 2147483647u)));
+                                    let _e2074 = max(max(_e2050, _e2061), max(max(bitcast<f32>((bitcast<u32>(_e2036) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2037) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2038) & 2147483647u))));
+                                    if (_e2050 == _e2074) {
+                                        phi_3869_ = _e1908;
+                                        phi_3870_ = _e1905;
+                                        phi_3871_ = _e1899;
+                                        phi_3872_ = _e1896;
+                                        phi_3873_ = vec3<f32>(_e1876[0][0], _e1876[0][1], _e1876[0][2]);
+                                        phi_3874_ = _e2039;
+                                        phi_3875_ = _e2035;
+                                        phi_3876_ = _e2031;
                                     } else {
-                                        let _e2060 = (_e2045 == _e2058);
-                                        let _e2065 = vec3(_e2060);
-                                        phi_3836_ = select(_e1883, _e1901, _e2060);
-                                        phi_3837_ = select(_e1880, _e1898, _e2060);
-                                        phi_3838_ = select(_e1901, _e1892, _e2060);
-                                        phi_3839_ = select(_e1898, _e1889, _e2060);
-                                        phi_3840_ = select(vec3<f32>(_e1860[2][0], _e1860[2][1], _e1860[2][2]), vec3<f32>(_e1860[1][0], _e1860[1][1], _e1860[1][2]), _e2065);
-                                        phi_3841_ = select(_e2019, _e2015, _e2065);
-                                        phi_3842_ = select(_e2015, _e2023, _e2065);
-                                        phi_3843_ = select(_e2023, _e2019, _e2065);
+                                        let _e2076 = (_e2061 == _e2074);
+                                        let _e2081 = vec3(_e2076);
+                                        phi_3869_ = select(_e1899, _e1917, _e2076);
+                                        phi_3870_ = select(_e1896, _e1914, _e2076);
+                                        phi_3871_ = select(_e1917, _e1908, _e2076);
+                                        phi_3872_ = select(_e1914, _e1905, _e2076);
+                                        phi_3873_ = select(vec3<f32>(_e1876[2][0], _e1876[2][1], _e1876[2][2]), vec3<f32>(_e1876[1][0], _e1876[1][1], _e1876[1][2]), _e2081);
+                                        phi_3874_ = select(_e2035, _e2031, _e2081);
+                                        phi_3875_ = select(_e2031, _e2039, _e2081);
+                                        phi_3876_ = select(_e2039, _e2035, _e2081);
                                     }
-                                    let _e2071 = phi_3836_;
-                                    let _e2073 = phi_3837_;
-                                    let _e2075 = phi_3838_;
-                                    let _e2077 = phi_3839_;
-                                    let _e2079 = phi_3840_;
-                                    let _e2081 = phi_3841_;
-                                    let _e2083 = phi_3842_;
-                                    let _e2085 = phi_3843_;
-                                    let _e2092 = ((_e2083.y * _e2081.z) - (_e2081.y * _e2083.z));
-                                    let _e2097 = ((_e2083.z * _e2081.x) - (_e2081.z * _e2083.x));
-                                    let _e2100 = ((_e2083.x * _e2081.y) - (_e2081.x * _e2083.y));
-                                    let _e2103 = ((_e1924 >= _e1928) && (_e1924 >= _e1932));
-                                    let _e2104 = (_e1928 >= _e1932);
-                                    let _e2118 = (((_e2092 * (select(select(_e1860[2][0], _e1860[1][0], _e2104), _e1860[0][0], _e2103) - _e601.member[0])) + (_e2097 * (select(select(_e1860[2][1], _e1860[1][1], _e2104), _e1860[0][1], _e2103) - _e601.member[1]))) + (_e2100 * (select(select(_e1860[2][2], _e1860[1][2], _e2104), _e1860[0][2], _e2103) - _e601.member[2])));
-                                    let _e2123 = (((_e2092 * _e624) + (_e2097 * _e640)) + (_e2100 * _e656));
-                                    let _e2124 = (_e2073 - _e2077);
-                                    let _e2125 = (_e2071 - _e2075);
-                                    let _e2128 = ((_e2124 * _e2124) + (_e2125 * _e2125));
-                                    let _e2135 = (-(((_e2077 * _e2124) + (_e2075 * _e2125))) / select(0.000000000000000000000000000000000000011754944f, _e2128, (_e2128 > 0.000000000000000000000000000000000000011754944f)));
-                                    let _e2137 = select(1f, _e2135, (_e2135 < 1f));
-                                    let _e2139 = select(0f, _e2137, (_e2137 > 0f));
-                                    let _e2148 = ((_e2079.x + (_e2085.x * _e2139)) - _e601.member[0]);
-                                    let _e2151 = ((_e2079.y + (_e2085.y * _e2139)) - _e601.member[1]);
-                                    let _e2154 = ((_e2079.z + (_e2085.z * _e2139)) - _e601.member[2]);
-                                    let _e2219 = ((bitcast<f32>((bitcast<u32>(((((_e2092 * _e2148) + (_e2097 * _e2151)) + (_e2100 * _e2154)) - _e2118)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2148) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2151) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2154) & 2147483647u))), _e2058)) * max(max(bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2097) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2100) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2123) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2083.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2083.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2083.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2081.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2081.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2081.z) & 2147483647u)))))));
-                                    let _e2220 = (_e2118 / _e2123);
-                                    if (_e2007 && !(_e2219)) {
-                                        let _e2223 = (_e2154 / _e656);
-                                        let _e2231 = (((_e2092 * (_e2148 - (_e624 * _e2223))) + (_e2097 * (_e2151 - (_e640 * _e2223)))) / _e2123);
-                                        phi_4022_ = select(select(_e2223, (_e2223 + _e2231), (bitcast<f32>((bitcast<u32>(_e2231) & 2147483647u)) <= _e2058)), _e2220, _e2219);
+                                    let _e2087 = phi_3869_;
+                                    let _e2089 = phi_3870_;
+                                    let _e2091 = phi_3871_;
+                                    let _e2093 = phi_3872_;
+                                    let _e2095 = phi_3873_;
+                                    let _e2097 = phi_3874_;
+                                    let _e2099 = phi_3875_;
+                                    let _e2101 = phi_3876_;
+                                    let _e2108 = ((_e2099.y * _e2097.z) - (_e2097.y * _e2099.z));
+                                    let _e2113 = ((_e2099.z * _e2097.x) - (_e2097.z * _e2099.x));
+                                    let _e2116 = ((_e2099.x * _e2097.y) - (_e2097.x * _e2099.y));
+                                    let _e2119 = ((_e1940 >= _e1944) && (_e1940 >= _e1948));
+                                    let _e2120 = (_e1944 >= _e1948);
+                                    let _e2134 = (((_e2108 * (select(select(_e1876[2][0], _e1876[1][0], _e2120), _e1876[0][0], _e2119) - _e612.member[0])) + (_e2113 * (select(select(_e1876[2][1], _e1876[1][1], _e2120), _e1876[0][1], _e2119) - _e612.member[1]))) + (_e2116 * (select(select(_e1876[2][2], _e1876[1][2], _e2120), _e1876[0][2], _e2119) - _e612.member[2])));
+                                    let _e2139 = (((_e2108 * _e635) + (_e2113 * _e651)) + (_e2116 * _e667));
+                                    let _e2140 = (_e2089 - _e2093);
+                                    let _e2141 = (_e2087 - _e2091);
+                                    let _e2144 = ((_e2140 * _e2140) + (_e2141 * _e2141));
+                                    let _e2151 = (-(((_e2093 * _e2140) + (_e2091 * _e2141))) / select(0.000000000000000000000000000000000000011754944f, _e2144, (_e2144 > 0.000000000000000000000000000000000000011754944f)));
+                                    let _e2153 = select(1f, _e2151, (_e2151 < 1f));
+                                    let _e2155 = select(0f, _e2153, (_e2153 > 0f));
+                                    let _e2164 = ((_e2095.x + (_e2101.x * _e2155)) - _e612.member[0]);
+                                    let _e2167 = ((_e2095.y + (_e2101.y * _e2155)) - _e612.member[1]);
+                                    let _e2170 = ((_e2095.z + (_e2101.z * _e2155)) - _e612.member[2]);
+                                    let _e2235 = ((bitcast<f32>((bitcast<u32>(((((_e2108 * _e2164) + (_e2113 * _e2167)) + (_e2116 * _e2170)) - _e2134)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2164) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2167) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2170) & 2147483647u))), _e2074)) * max(max(bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2113) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2116) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2139) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2099.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2099.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2099.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2097.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2097.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2097.z) & 2147483647u)))))));
+                                    let _e2236 = (_e2134 / _e2139);
+                                    if (_e2023 && !(_e2235)) {
+                                        let _e2239 = (_e2170 / _e667);
+                                        let _e2247 = (((_e2108 * (_e2164 - (_e635 * _e2239))) + (_e2113 * (_e2167 - (_e651 * _e2239)))) / _e2139);
+                                        phi_4055_ = select(select(_e2239, (_e2239 + _e2247), (bitcast<f32>((bitcast<u32>(_e2247) & 2147483647u)) <= _e2074)), _e2236, _e2235);
                                     } else {
-                                        phi_4022_ = _e2220;
+                                        phi_4055_ = _e2236;
                                     }
-                                    let _e2240 = phi_4022_;
-                                    let _e2242 = select(_e1980, _e2240, (_e2240 < _e1980));
-                                    let _e2244 = select(_e1975, _e2242, (_e2242 > _e1975));
-                                    let _e2247 = select(_e2244, 0f, (bitcast<u32>(_e2244) == 2147483648u));
-                                    let _e2248 = (1f / _e1934);
-                                    phi_4048_ = SlimbvhTypeE(_e2247, (_e1928 * _e2248), (_e1932 * _e2248), ((_e2007 && (_e2247 >= _e668)) && (_e2247 <= _e1430.member.member_1)));
-                                    phi_4049_ = SlimbvhTypeE();
+                                    let _e2256 = phi_4055_;
+                                    let _e2258 = select(_e1996, _e2256, (_e2256 < _e1996));
+                                    let _e2260 = select(_e1991, _e2258, (_e2258 > _e1991));
+                                    let _e2263 = select(_e2260, 0f, (bitcast<u32>(_e2260) == 2147483648u));
+                                    let _e2264 = (1f / _e1950);
+                                    phi_4081_ = SlimbvhTypeF(_e2263, (_e1944 * _e2264), (_e1948 * _e2264), ((_e2023 && (_e2263 >= _e679)) && (_e2263 <= _e1446.member.member_1)));
+                                    phi_4082_ = SlimbvhTypeF();
                                 } else {
-                                    phi_4048_ = SlimbvhTypeE();
-                                    phi_4049_ = SlimbvhTypeE(0f, 0f, 0f, _e2007);
+                                    phi_4081_ = SlimbvhTypeF();
+                                    phi_4082_ = SlimbvhTypeF(0f, 0f, 0f, _e2023);
                                 }
-                                let _e2257 = phi_4048_;
-                                let _e2259 = phi_4049_;
-                                phi_4052_ = _e2257;
-                                phi_4053_ = _e2259;
-                                phi_4054_ = select(true, false, _e2007);
+                                let _e2273 = phi_4081_;
+                                let _e2275 = phi_4082_;
+                                phi_4085_ = _e2273;
+                                phi_4086_ = _e2275;
+                                phi_4087_ = select(true, false, _e2023);
                             } else {
-                                phi_4052_ = SlimbvhTypeE();
-                                phi_4053_ = SlimbvhTypeE(0f, 0f, 0f, _e1918);
-                                phi_4054_ = true;
+                                phi_4085_ = SlimbvhTypeF();
+                                phi_4086_ = SlimbvhTypeF(0f, 0f, 0f, _e1934);
+                                phi_4087_ = true;
                             }
-                            let _e2262 = phi_4052_;
-                            let _e2264 = phi_4053_;
-                            let _e2266 = phi_4054_;
-                            if _e2266 {
-                                phi_4058_ = _e2264;
+                            let _e2278 = phi_4085_;
+                            let _e2280 = phi_4086_;
+                            let _e2282 = phi_4087_;
+                            if _e2282 {
+                                phi_4091_ = _e2280;
                             } else {
-                                phi_4058_ = _e2262;
+                                phi_4091_ = _e2278;
                             }
-                            let _e2268 = phi_4058_;
-                            if _e2268.member_3 {
-                                phi_4067_ = SlimbvhTypeF(_e2268.member, _e2268.member_1, _e2268.member_2, _e1471);
+                            let _e2284 = phi_4091_;
+                            if _e2284.member_3 {
+                                phi_4100_ = SlimbvhTypeG(_e2284.member, _e2284.member_1, _e2284.member_2, _e1487);
                             } else {
-                                phi_4067_ = _e100;
+                                phi_4100_ = _e109;
                             }
-                            let _e2275 = phi_4067_;
-                            if (_e2275.member_3 != 4294967295u) {
-                                if (_e1471 != 4294967295u) {
-                                    if (_e2275.member < _e1430.member.member.member) {
-                                        phi_4095_ = true;
+                            let _e2291 = phi_4100_;
+                            if (_e2291.member_3 != 4294967295u) {
+                                let _e2297 = slimbvh_target.member[0u][0u];
+                                let _e2301 = slimbvh_target.member[0u][1u];
+                                let _e2305 = slimbvh_target.member[0u][2u];
+                                let _e2309 = slimbvh_target.member[0u][3u];
+                                let _e2313 = slimbvh_target.member[1u][0u];
+                                let _e2317 = slimbvh_target.member[1u][1u];
+                                let _e2321 = slimbvh_target.member[1u][2u];
+                                let _e2325 = slimbvh_target.member[1u][3u];
+                                let _e2326 = bitcast<f32>(_e2297);
+                                let _e2327 = bitcast<f32>(_e2301);
+                                let _e2328 = bitcast<f32>(_e2305);
+                                let _e2330 = bitcast<f32>(_e2313);
+                                let _e2331 = array<u32, 3>(_e2317, _e2321, _e2325);
+                                if (_e182 < -126i) {
+                                    phi_4153_ = -126i;
+                                } else {
+                                    phi_4153_ = select(_e182, 127i, (_e182 > 127i));
+                                }
+                                let _e2337 = phi_4153_;
+                                let _e2342 = bitcast<f32>((bitcast<u32>((_e2337 + 127i)) << bitcast<u32>(23i)));
+                                let _e2348 = bitcast<f32>((bitcast<u32>(((_e182 - _e2337) + 127i)) << bitcast<u32>(23i)));
+                                if (_e2309 == 0u) {
+                                    phi_4293_ = SlimbvhTypeH(array<f32, 3>(_e2326, _e2327, _e2328), _e2309, _e2330, _e2331);
+                                } else {
+                                    let _e2350 = bitcast<u32>(_e2326);
+                                    let _e2352 = ((_e2350 & 2139095040u) != 0u);
+                                    let _e2367 = bitcast<u32>(_e2327);
+                                    let _e2369 = ((_e2367 & 2139095040u) != 0u);
+                                    let _e2384 = bitcast<u32>(_e2328);
+                                    let _e2386 = ((_e2384 & 2139095040u) != 0u);
+                                    let _e2402 = bitcast<u32>(_e2330);
+                                    let _e2404 = ((_e2402 & 2139095040u) != 0u);
+                                    phi_4293_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2350 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2350 & 2147483648u))), _e2326, _e2352) * _e2342) * select(0.00000011920929f, 1f, _e2352)) * _e2348), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2367 & 2147483648u))), _e2327, _e2369) * _e2342) * select(0.00000011920929f, 1f, _e2369)) * _e2348), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2384 & 2147483648u))), _e2328, _e2386) * _e2342) * select(0.00000011920929f, 1f, _e2386)) * _e2348)), _e2309, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2402 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2402 & 2147483648u))), _e2330, _e2404) * _e2342) * select(0.00000011920929f, 1f, _e2404)) * _e2348), _e2331);
+                                }
+                                let _e2421 = phi_4293_;
+                                if (_e1487 == _e683) {
+                                    phi_4622_ = false;
+                                } else {
+                                    let _e2423 = (_e1487 / 16u);
+                                    if (_e2423 < arrayLength((&slimbvh_sides.member))) {
+                                        let _e2426 = slimbvh_sides.member[_e2423];
+                                        phi_4317_ = _e2426;
                                     } else {
-                                        if (_e2275.member == _e1430.member.member.member) {
-                                            phi_4094_ = (_e2275.member_3 < _e1430.member.member.member_3);
+                                        phi_4317_ = 0u;
+                                    }
+                                    let _e2428 = phi_4317_;
+                                    let _e2437 = (bitcast<i32>((_e2428 << bitcast<u32>(((30u - ((_e1487 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                    let _e2438 = (_e2437 == 0i);
+                                    if _e2438 {
+                                        phi_4621_ = true;
+                                    } else {
+                                        if _e229 {
+                                            phi_4347_ = vec3<f32>(_e1876[0][0], _e1876[0][1], _e1876[0][2]);
                                         } else {
-                                            phi_4094_ = false;
+                                            if (_e224 == 1u) {
+                                                phi_4346_ = vec3<f32>(_e1876[0][2], _e1876[0][0], _e1876[0][1]);
+                                            } else {
+                                                phi_4346_ = vec3<f32>(_e1876[0][1], _e1876[0][2], _e1876[0][0]);
+                                            }
+                                            let _e2443 = phi_4346_;
+                                            phi_4347_ = _e2443;
                                         }
-                                        let _e2290 = phi_4094_;
-                                        phi_4095_ = _e2290;
+                                        let _e2446 = phi_4347_;
+                                        if _e229 {
+                                            phi_4366_ = vec3<f32>(_e1876[1][0], _e1876[1][1], _e1876[1][2]);
+                                        } else {
+                                            if (_e224 == 1u) {
+                                                phi_4365_ = vec3<f32>(_e1876[1][2], _e1876[1][0], _e1876[1][1]);
+                                            } else {
+                                                phi_4365_ = vec3<f32>(_e1876[1][1], _e1876[1][2], _e1876[1][0]);
+                                            }
+                                            let _e2451 = phi_4365_;
+                                            phi_4366_ = _e2451;
+                                        }
+                                        let _e2454 = phi_4366_;
+                                        if _e229 {
+                                            phi_4385_ = vec3<f32>(_e1876[2][0], _e1876[2][1], _e1876[2][2]);
+                                        } else {
+                                            if (_e224 == 1u) {
+                                                phi_4384_ = vec3<f32>(_e1876[2][2], _e1876[2][0], _e1876[2][1]);
+                                            } else {
+                                                phi_4384_ = vec3<f32>(_e1876[2][1], _e1876[2][2], _e1876[2][0]);
+                                            }
+                                            let _e2459 = phi_4384_;
+                                            phi_4385_ = _e2459;
+                                        }
+                                        let _e2462 = phi_4385_;
+                                        let _e2465 = (_e2454.x - _e2446.x);
+                                        let _e2468 = (_e2454.y - _e2446.y);
+                                        let _e2471 = (_e2454.z - _e2446.z);
+                                        let _e2473 = (_e2462.x - _e2446.x);
+                                        let _e2475 = (_e2462.y - _e2446.y);
+                                        let _e2477 = (_e2462.z - _e2446.z);
+                                        if (_e2421.member_1 == 1u) {
+                                            phi_4421_ = (vec3<f32>(_e2421.member[0], _e2421.member[1], _e2421.member[2]) - _e2446);
+                                        } else {
+                                            phi_4421_ = vec3<f32>(_e2421.member[0], _e2421.member[1], _e2421.member[2]);
+                                        }
+                                        let _e2492 = phi_4421_;
+                                        let _e2498 = bitcast<f32>((bitcast<u32>((_e2465 * _e2475)) ^ _e2421.member_3[0]));
+                                        let _e2502 = bitcast<f32>((bitcast<u32>((_e2468 * _e2473)) ^ _e2421.member_3[0]));
+                                        let _e2506 = bitcast<f32>((bitcast<u32>((_e2468 * _e2477)) ^ _e2421.member_3[0]));
+                                        let _e2510 = bitcast<f32>((bitcast<u32>((_e2471 * _e2475)) ^ _e2421.member_3[0]));
+                                        let _e2514 = bitcast<f32>((bitcast<u32>((_e2471 * _e2473)) ^ _e2421.member_3[0]));
+                                        let _e2518 = bitcast<f32>((bitcast<u32>((_e2465 * _e2477)) ^ _e2421.member_3[0]));
+                                        let _e2519 = (_e2506 - _e2510);
+                                        let _e2520 = (_e2514 - _e2518);
+                                        let _e2521 = (_e2498 - _e2502);
+                                        let _e2545 = (bitcast<f32>((bitcast<u32>(_e2506) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2510) & 2147483647u)));
+                                        let _e2552 = (bitcast<f32>((bitcast<u32>(_e2514) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2518) & 2147483647u)));
+                                        let _e2559 = (bitcast<f32>((bitcast<u32>(_e2498) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2502) & 2147483647u)));
+                                        if (_e2421.member_2 == 0f) {
+                                            phi_4603_ = 0f;
+                                        } else {
+                                            let _e2589 = bitcast<f32>((bitcast<u32>(_e2519) & 2147483647u));
+                                            let _e2592 = bitcast<f32>((bitcast<u32>(_e2520) & 2147483647u));
+                                            let _e2595 = bitcast<f32>((bitcast<u32>(_e2521) & 2147483647u));
+                                            let _e2597 = select(_e2595, _e2592, (_e2592 > _e2595));
+                                            let _e2601 = select(_e2595, _e2592, (_e2592 < _e2595));
+                                            let _e2605 = select(_e2592, _e2589, (_e2589 < _e2592));
+                                            let _e2607 = select(_e2592, _e2589, (_e2589 > _e2592));
+                                            let _e2609 = select(_e2595, _e2607, (_e2607 < _e2595));
+                                            phi_4603_ = bitcast<f32>((bitcast<u32>((_e2421.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2597, _e2589, (_e2589 > _e2597)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2609, _e2605, (_e2605 > _e2609)))) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2601, _e2589, (_e2589 < _e2601)))) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2545 + _e2552) + _e2559))) ^ _e2421.member_3[0]))) * 1.0000005f)) ^ _e2421.member_3[0])))) ^ _e2421.member_3[0]));
+                                        }
+                                        let _e2636 = phi_4603_;
+                                        phi_4621_ = (_e2438 || !(((((bitcast<f32>((bitcast<u32>((_e2492.x * _e2519)) ^ _e2421.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2492.y * _e2520)) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2492.z * _e2521)) ^ _e2421.member_3[0]))) * f32(-(_e2437))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2492.x) & 2147483647u)) * _e2545)) ^ _e2421.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2492.y) & 2147483647u)) * _e2552)) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2492.z) & 2147483647u)) * _e2559)) ^ _e2421.member_3[0]))))) ^ _e2421.member_3[0])) + _e2636) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e2292 = phi_4095_;
-                                    if _e2292 {
-                                        phi_4102_ = SlimbvhTypeP(SlimbvhTypeH(_e2275, _e2275.member), _e1430.member_1);
-                                    } else {
-                                        phi_4102_ = _e1430;
-                                    }
-                                    let _e2298 = phi_4102_;
-                                    if _e2298.member_1 {
-                                        phi_4108_ = SlimbvhTypeP(SlimbvhTypeH(_e2298.member.member, bitcast<f32>(4286578687u)), _e2298.member_1);
-                                    } else {
-                                        phi_4108_ = _e2298;
-                                    }
-                                    let _e2307 = phi_4108_;
-                                    phi_4109_ = _e2307;
-                                } else {
-                                    phi_4109_ = _e1430;
+                                    let _e2650 = phi_4621_;
+                                    phi_4622_ = _e2650;
                                 }
-                                let _e2309 = phi_4109_;
-                                phi_4110_ = _e2309;
+                                let _e2652 = phi_4622_;
+                                if _e2652 {
+                                    if (_e2291.member < _e1446.member.member.member) {
+                                        phi_4642_ = true;
+                                    } else {
+                                        if (_e2291.member == _e1446.member.member.member) {
+                                            phi_4641_ = (_e2291.member_3 < _e1446.member.member.member_3);
+                                        } else {
+                                            phi_4641_ = false;
+                                        }
+                                        let _e2664 = phi_4641_;
+                                        phi_4642_ = _e2664;
+                                    }
+                                    let _e2666 = phi_4642_;
+                                    if _e2666 {
+                                        phi_4649_ = SlimbvhTypeQ(SlimbvhTypeI(_e2291, _e2291.member), _e1446.member_1);
+                                    } else {
+                                        phi_4649_ = _e1446;
+                                    }
+                                    let _e2672 = phi_4649_;
+                                    if _e2672.member_1 {
+                                        phi_4655_ = SlimbvhTypeQ(SlimbvhTypeI(_e2672.member.member, bitcast<f32>(4286578687u)), _e2672.member_1);
+                                    } else {
+                                        phi_4655_ = _e2672;
+                                    }
+                                    let _e2681 = phi_4655_;
+                                    phi_4656_ = _e2681;
+                                } else {
+                                    phi_4656_ = _e1446;
+                                }
+                                let _e2683 = phi_4656_;
+                                phi_4657_ = _e2683;
                             } else {
-                                phi_4110_ = _e1430;
+                                phi_4657_ = _e1446;
                             }
-                            let _e2311 = phi_4110_;
-                            phi_2791_ = _e2311;
+                            let _e2685 = phi_4657_;
+                            phi_2824_ = _e2685;
                         } else {
-                            phi_2791_ = SlimbvhTypeP();
+                            phi_2824_ = SlimbvhTypeQ();
                         }
-                        let _e2313 = phi_2791_;
+                        let _e2687 = phi_2824_;
                         continue;
                         continuing {
-                            phi_2790_ = _e2313;
-                            phi_2793_ = _e1445;
-                            break if !(_e1451);
+                            phi_2823_ = _e2687;
+                            phi_2826_ = _e1461;
+                            break if !(_e1467);
                         }
                     }
-                    let _e2316 = local_2;
-                    let _e2317 = (_e2316 - 1u);
-                    let _e2322 = slimbvh_stacks[(((_e2317 % 32u) * 64u) + _e672)];
-                    let _e2323 = (_e2322 & 511u);
-                    let _e2325 = (_e2323 >> bitcast<u32>(3u));
-                    let _e2328 = ((_e2325 == 0u) || (_e2317 == 4294967295u));
-                    if _e2328 {
+                    let _e2690 = local_2;
+                    let _e2691 = (_e2690 - 1u);
+                    let _e2696 = slimbvh_stacks[(((_e2691 % 32u) * 64u) + _e686)];
+                    let _e2697 = (_e2696 & 511u);
+                    let _e2699 = (_e2697 >> bitcast<u32>(3u));
+                    let _e2702 = ((_e2699 == 0u) || (_e2691 == 4294967295u));
+                    if _e2702 {
                     } else {
-                        slimbvh_stacks[(((_e2317 % 32u) * 64u) + _e672)] = (((_e2322 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2325);
+                        slimbvh_stacks[(((_e2691 % 32u) * 64u) + _e686)] = (((_e2696 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2699);
                     }
-                    let _e2335 = local_3;
-                    let _e2343 = (((_e2322 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2323 & 3u) & 3u));
-                    let _e2345 = (_e2343 >> bitcast<u32>(2i));
-                    if (_e2345 < _e104) {
-                        let _e2351 = slimbvh_nodes.member[_e2345].member_1[(_e2343 & 3u)];
-                        if ((_e2351 & 2147483648u) != 0u) {
-                            phi_4177_ = (2147483648u | _e2343);
+                    let _e2709 = local_3;
+                    let _e2717 = (((_e2696 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2697 & 3u) & 3u));
+                    let _e2719 = (_e2717 >> bitcast<u32>(2i));
+                    if (_e2719 < _e113) {
+                        let _e2725 = slimbvh_nodes.member[_e2719].member_1[(_e2717 & 3u)];
+                        if ((_e2725 & 2147483648u) != 0u) {
+                            phi_4724_ = (2147483648u | _e2717);
                         } else {
-                            phi_4177_ = _e2351;
+                            phi_4724_ = _e2725;
                         }
-                        let _e2356 = phi_4177_;
-                        phi_4178_ = _e2356;
+                        let _e2730 = phi_4724_;
+                        phi_4725_ = _e2730;
                     } else {
-                        phi_4178_ = 4294967295u;
+                        phi_4725_ = 4294967295u;
                     }
-                    let _e2358 = phi_4178_;
-                    let _e2360 = local_4;
-                    let _e2659 = local_7;
-                    phi_4187_ = _e2659;
-                    phi_4188_ = select(select(_e2335, _e2317, _e2328), 4294967295u, (_e668 > _e2360.member.member_1));
-                    phi_4189_ = _e2358;
+                    let _e2732 = phi_4725_;
+                    let _e2734 = local_4;
+                    let _e3046 = local_7;
+                    phi_4734_ = _e3046;
+                    phi_4735_ = select(select(_e2709, _e2691, _e2702), 4294967295u, (_e679 > _e2734.member.member_1));
+                    phi_4736_ = _e2732;
                 } else {
-                    phi_4187_ = _e779;
-                    let _e2662 = local_8;
-                    phi_4188_ = _e2662;
-                    let _e2665 = local_9;
-                    phi_4189_ = _e2665;
+                    phi_4734_ = _e795;
+                    let _e3049 = local_8;
+                    phi_4735_ = _e3049;
+                    let _e3052 = local_9;
+                    phi_4736_ = _e3052;
                 }
-                let _e2366 = phi_4187_;
-                let _e2368 = phi_4188_;
-                let _e2370 = phi_4189_;
-                phi_1685_ = _e2366;
-                phi_1688_ = _e2368;
-                phi_1690_ = _e2370;
-                let _e2671 = local_10;
-                phi_1692_ = _e2671;
+                let _e2740 = phi_4734_;
+                let _e2742 = phi_4735_;
+                let _e2744 = phi_4736_;
+                phi_1718_ = _e2740;
+                phi_1721_ = _e2742;
+                phi_1723_ = _e2744;
+                let _e3058 = local_10;
+                phi_1725_ = _e3058;
             } else {
-                phi_1685_ = SlimbvhTypeP();
-                phi_1688_ = u32();
-                phi_1690_ = u32();
-                phi_1692_ = u32();
+                phi_1718_ = SlimbvhTypeQ();
+                phi_1721_ = u32();
+                phi_1723_ = u32();
+                phi_1725_ = u32();
             }
-            let _e2372 = phi_1685_;
-            let _e2374 = phi_1688_;
-            let _e2376 = phi_1690_;
-            let _e2378 = phi_1692_;
+            let _e2746 = phi_1718_;
+            let _e2748 = phi_1721_;
+            let _e2750 = phi_1723_;
+            let _e2752 = phi_1725_;
             continue;
             continuing {
-                phi_1684_ = _e2372;
-                phi_1687_ = _e2374;
-                phi_1689_ = _e2376;
-                phi_1691_ = _e2378;
-                break if !(_e786);
+                phi_1717_ = _e2746;
+                phi_1720_ = _e2748;
+                phi_1722_ = _e2750;
+                phi_1724_ = _e2752;
+                break if !(_e802);
             }
         }
-        let _e2381 = local_5;
-        let _e2382 = (_e2381 == 4294967295u);
-        let _e2384 = local_6;
-        if (_e2384.member.member.member_3 != 4294967295u) {
-            let _e2390 = -((_e171 + _e601.member_4));
-            let _e2391 = bitcast<u32>(_e2384.member.member.member);
-            let _e2395 = (bitcast<i32>((_e2391 >> bitcast<u32>(23i))) & 255i);
-            let _e2396 = (_e2395 + _e2390);
-            if (_e2395 == 255i) {
-                phi_4247_ = _e2384.member.member.member;
+        let _e2755 = local_5;
+        let _e2756 = (_e2755 == 4294967295u);
+        let _e2758 = local_6;
+        if (_e2758.member.member.member_3 != 4294967295u) {
+            let _e2764 = -((_e182 + _e612.member_4));
+            let _e2765 = bitcast<u32>(_e2758.member.member.member);
+            let _e2769 = (bitcast<i32>((_e2765 >> bitcast<u32>(23i))) & 255i);
+            let _e2770 = (_e2769 + _e2764);
+            if (_e2769 == 255i) {
+                phi_4794_ = _e2758.member.member.member;
             } else {
-                if (_e2395 > 0i) {
-                    if (_e2396 > 0i) {
-                        let _e2400 = (_e2396 < 255i);
-                        if _e2400 {
-                            phi_4226_ = bitcast<f32>((_e2391 + bitcast<u32>((_e2390 << bitcast<u32>(23i)))));
+                if (_e2769 > 0i) {
+                    if (_e2770 > 0i) {
+                        let _e2774 = (_e2770 < 255i);
+                        if _e2774 {
+                            phi_4773_ = bitcast<f32>((_e2765 + bitcast<u32>((_e2764 << bitcast<u32>(23i)))));
                         } else {
-                            phi_4226_ = f32();
+                            phi_4773_ = f32();
                         }
-                        let _e2407 = phi_4226_;
-                        phi_4228_ = _e2407;
-                        phi_4229_ = select(true, false, _e2400);
+                        let _e2781 = phi_4773_;
+                        phi_4775_ = _e2781;
+                        phi_4776_ = select(true, false, _e2774);
                     } else {
-                        phi_4228_ = f32();
-                        phi_4229_ = true;
+                        phi_4775_ = f32();
+                        phi_4776_ = true;
                     }
-                    let _e2410 = phi_4228_;
-                    let _e2412 = phi_4229_;
-                    phi_4230_ = _e2410;
-                    phi_4231_ = _e2412;
+                    let _e2784 = phi_4775_;
+                    let _e2786 = phi_4776_;
+                    phi_4777_ = _e2784;
+                    phi_4778_ = _e2786;
                 } else {
-                    phi_4230_ = f32();
-                    phi_4231_ = true;
+                    phi_4777_ = f32();
+                    phi_4778_ = true;
                 }
-                let _e2414 = phi_4230_;
-                let _e2416 = phi_4231_;
-                if _e2416 {
-                    let _e2417 = (_e2391 & 2147483648u);
-                    let _e2424 = ((_e2391 & 8388607u) | (select(0u, 1u, ((_e2391 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                    let _e2428 = (_e2424 == 0u);
-                    if _e2428 {
-                        phi_4929_ = bitcast<f32>(_e2417);
+                let _e2788 = phi_4777_;
+                let _e2790 = phi_4778_;
+                if _e2790 {
+                    let _e2791 = (_e2765 & 2147483648u);
+                    let _e2798 = ((_e2765 & 8388607u) | (select(0u, 1u, ((_e2765 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e2802 = (_e2798 == 0u);
+                    if _e2802 {
+                        phi_5476_ = bitcast<f32>(_e2791);
                     } else {
-                        let _e2433 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2424)), 32u, _e2428) - 8u);
-                        let _e2436 = (_e2424 << bitcast<u32>((_e2433 & 31u)));
-                        let _e2438 = ((_e2396 + select(0i, 1i, (_e2395 == 0i))) - bitcast<i32>(_e2433));
-                        if (_e2438 >= 255i) {
-                            phi_4919_ = bitcast<f32>((_e2417 | 2139095040u));
-                            phi_4920_ = f32();
-                            phi_4921_ = true;
+                        let _e2807 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2798)), 32u, _e2802) - 8u);
+                        let _e2810 = (_e2798 << bitcast<u32>((_e2807 & 31u)));
+                        let _e2812 = ((_e2770 + select(0i, 1i, (_e2769 == 0i))) - bitcast<i32>(_e2807));
+                        if (_e2812 >= 255i) {
+                            phi_5466_ = bitcast<f32>((_e2791 | 2139095040u));
+                            phi_5467_ = f32();
+                            phi_5468_ = true;
                         } else {
-                            let _e2440 = (_e2438 > 0i);
-                            if _e2440 {
-                                phi_4913_ = bitcast<f32>(((_e2417 | (bitcast<u32>(_e2438) << bitcast<u32>(23i))) | (_e2436 & 8388607u)));
-                                phi_4914_ = f32();
+                            let _e2814 = (_e2812 > 0i);
+                            if _e2814 {
+                                phi_5460_ = bitcast<f32>(((_e2791 | (bitcast<u32>(_e2812) << bitcast<u32>(23i))) | (_e2810 & 8388607u)));
+                                phi_5461_ = f32();
                             } else {
-                                if (_e2438 < -24i) {
-                                    phi_4879_ = 26u;
+                                if (_e2812 < -24i) {
+                                    phi_5426_ = 26u;
                                 } else {
-                                    phi_4879_ = bitcast<u32>((1i - _e2438));
+                                    phi_5426_ = bitcast<u32>((1i - _e2812));
                                 }
-                                let _e2445 = phi_4879_;
-                                let _e2446 = (_e2445 & 31u);
-                                let _e2448 = (_e2436 >> bitcast<u32>(_e2446));
-                                let _e2452 = (_e2436 & ((1u << bitcast<u32>(_e2446)) - 1u));
-                                let _e2456 = (1u << bitcast<u32>(((_e2445 - 1u) & 31u)));
-                                if (_e2452 > _e2456) {
-                                    phi_4900_ = true;
+                                let _e2819 = phi_5426_;
+                                let _e2820 = (_e2819 & 31u);
+                                let _e2822 = (_e2810 >> bitcast<u32>(_e2820));
+                                let _e2826 = (_e2810 & ((1u << bitcast<u32>(_e2820)) - 1u));
+                                let _e2830 = (1u << bitcast<u32>(((_e2819 - 1u) & 31u)));
+                                if (_e2826 > _e2830) {
+                                    phi_5447_ = true;
                                 } else {
-                                    if (_e2452 == _e2456) {
-                                        phi_4897_ = ((_e2448 & 1u) == 1u);
+                                    if (_e2826 == _e2830) {
+                                        phi_5444_ = ((_e2822 & 1u) == 1u);
                                     } else {
-                                        phi_4897_ = false;
+                                        phi_5444_ = false;
                                     }
-                                    let _e2462 = phi_4897_;
-                                    phi_4900_ = _e2462;
+                                    let _e2836 = phi_5444_;
+                                    phi_5447_ = _e2836;
                                 }
-                                let _e2464 = phi_4900_;
-                                phi_4913_ = f32();
-                                phi_4914_ = bitcast<f32>((_e2417 | (_e2448 + select(0u, 1u, _e2464))));
+                                let _e2838 = phi_5447_;
+                                phi_5460_ = f32();
+                                phi_5461_ = bitcast<f32>((_e2791 | (_e2822 + select(0u, 1u, _e2838))));
                             }
-                            let _e2477 = phi_4913_;
-                            let _e2479 = phi_4914_;
-                            phi_4919_ = _e2477;
-                            phi_4920_ = _e2479;
-                            phi_4921_ = _e2440;
+                            let _e2851 = phi_5460_;
+                            let _e2853 = phi_5461_;
+                            phi_5466_ = _e2851;
+                            phi_5467_ = _e2853;
+                            phi_5468_ = _e2814;
                         }
-                        let _e2483 = phi_4919_;
-                        let _e2485 = phi_4920_;
-                        let _e2487 = phi_4921_;
-                        phi_4929_ = select(_e2485, _e2483, _e2487);
+                        let _e2857 = phi_5466_;
+                        let _e2859 = phi_5467_;
+                        let _e2861 = phi_5468_;
+                        phi_5476_ = select(_e2859, _e2857, _e2861);
                     }
-                    let _e2491 = phi_4929_;
-                    phi_4246_ = _e2491;
+                    let _e2865 = phi_5476_;
+                    phi_4793_ = _e2865;
                 } else {
-                    phi_4246_ = _e2414;
+                    phi_4793_ = _e2788;
                 }
-                let _e2493 = phi_4246_;
-                phi_4247_ = _e2493;
+                let _e2867 = phi_4793_;
+                phi_4794_ = _e2867;
             }
-            let _e2495 = phi_4247_;
-            let _e2496 = bitcast<u32>(_e2495);
-            if ((_e2496 & 2147483647u) >= 2139095040u) {
-                phi_4259_ = bitcast<f32>(((_e2496 & 2147483648u) | 2139095039u));
+            let _e2869 = phi_4794_;
+            let _e2870 = bitcast<u32>(_e2869);
+            if ((_e2870 & 2147483647u) >= 2139095040u) {
+                phi_4806_ = bitcast<f32>(((_e2870 & 2147483648u) | 2139095039u));
             } else {
-                phi_4259_ = _e2495;
+                phi_4806_ = _e2869;
             }
-            let _e2503 = phi_4259_;
-            phi_4264_ = SlimbvhTypeF(_e2503, _e2384.member.member.member_1, _e2384.member.member.member_2, _e2384.member.member.member_3);
+            let _e2877 = phi_4806_;
+            phi_4811_ = SlimbvhTypeG(_e2877, _e2758.member.member.member_1, _e2758.member.member.member_2, _e2758.member.member.member_3);
         } else {
-            phi_4264_ = _e100;
+            phi_4811_ = _e109;
         }
-        let _e2508 = phi_4264_;
-        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2508.member), bitcast<u32>(_e2508.member_1), bitcast<u32>(_e2508.member_2), _e2508.member_3);
-        phi_4277_ = _e2382;
-        phi_4278_ = _e2382;
-        phi_4279_ = select(true, false, _e2382);
+        let _e2882 = phi_4811_;
+        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2882.member), bitcast<u32>(_e2882.member_1), bitcast<u32>(_e2882.member_2), _e2882.member_3);
+        phi_4824_ = _e2756;
+        phi_4825_ = _e2756;
+        phi_4826_ = select(true, false, _e2756);
     } else {
-        phi_4277_ = bool();
-        phi_4278_ = false;
-        phi_4279_ = true;
+        phi_4824_ = bool();
+        phi_4825_ = false;
+        phi_4826_ = true;
     }
-    let _e2519 = phi_4277_;
-    let _e2521 = phi_4278_;
-    let _e2523 = phi_4279_;
-    if _e2523 {
+    let _e2893 = phi_4824_;
+    let _e2895 = phi_4825_;
+    let _e2897 = phi_4826_;
+    if _e2897 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }
-    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2519, _e2521, _e2523)));
+    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2893, _e2895, _e2897)));
     return;
 }
 
@@ -1478,11 +1630,11 @@ struct SlimbvhTriedAny {
     overflowed: bool,
 }
 
-fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+fn slimbvh_try_closest_hit_from(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhTriedHit {
     slimbvh_lane.member = lane;
     slimbvh_origin.member = vec4<f32>(origin, t_min);
     slimbvh_direction.member = vec4<f32>(direction, t_max);
-    slimbvh_any_will_do.member = 0u;
+    slimbvh_question.member = vec2<u32>(0u, skip);
     slimbvh_trace_in_group();
     let hit = slimbvh_hit.member;
     return SlimbvhTriedHit(
@@ -1491,27 +1643,43 @@ fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: 
     );
 }
 
-fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+    return slimbvh_try_closest_hit_from(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_try_any_hit_from(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhTriedAny {
     slimbvh_lane.member = lane;
     slimbvh_origin.member = vec4<f32>(origin, t_min);
     slimbvh_direction.member = vec4<f32>(direction, t_max);
-    slimbvh_any_will_do.member = 1u;
+    slimbvh_question.member = vec2<u32>(1u, skip);
     slimbvh_trace_in_group();
     return SlimbvhTriedAny(slimbvh_hit.member.w != 0xffffffffu, slimbvh_overflowed.member != 0u);
 }
 
-fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
-    let tried = slimbvh_try_closest_hit(lane, origin, t_min, direction, t_max);
+fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+    return slimbvh_try_any_hit_from(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_closest_hit_from_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhHit {
+    let tried = slimbvh_try_closest_hit_from(lane, origin, t_min, direction, t_max, skip);
     if tried.overflowed {
-        return slimbvh_closest_hit(origin, t_min, direction, t_max);
+        return slimbvh_closest_hit_from(origin, t_min, direction, t_max, skip);
     }
     return tried.hit;
 }
 
-fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
-    let tried = slimbvh_try_any_hit(lane, origin, t_min, direction, t_max);
+fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
+    return slimbvh_closest_hit_from_in_group(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_any_hit_from_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> bool {
+    let tried = slimbvh_try_any_hit_from(lane, origin, t_min, direction, t_max, skip);
     if tried.overflowed {
-        return slimbvh_any_hit(origin, t_min, direction, t_max);
+        return slimbvh_any_hit_from(origin, t_min, direction, t_max, skip);
     }
     return tried.found;
+}
+
+fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
+    return slimbvh_any_hit_from_in_group(lane, origin, t_min, direction, t_max, 0xffffffffu);
 }

@@ -14,1047 +14,1199 @@
 //
 // trace nothing again: where overflowed is true, hit is a miss and found is false, and mean nothing. A shader that calls
 // only these needs no private stack: it can list the rays that overflowed for a second dispatch.
+//
+// Each of the four has a variant for rays that leave a surface, with _from behind hit and a last argument skip, as in the
+// first text: slimbvh_closest_hit_from_in_group, slimbvh_try_any_hit_from.
+
+struct SlimbvhTypeS {
+    member: u32,
+}
 
 var<workgroup> slimbvh_stacks: array<u32, 2048>;
 
-var<private> slimbvh_lane: SlimbvhTypeK;
+var<private> slimbvh_lane: SlimbvhTypeS;
 
-var<private> slimbvh_overflowed: SlimbvhTypeK;
+var<private> slimbvh_overflowed: SlimbvhTypeS;
 
 fn slimbvh_trace_in_group() {
-    var phi_450_: u32;
-    var phi_456_: u32;
-    var phi_462_: u32;
-    var phi_727_: i32;
-    var phi_738_: i32;
-    var phi_852_: i32;
-    var phi_981_: i32;
-    var phi_1003_: u32;
-    var phi_1004_: u32;
-    var phi_1005_: bool;
-    var phi_1039_: i32;
-    var phi_1061_: u32;
-    var phi_1062_: u32;
-    var phi_1063_: bool;
-    var phi_624_: i32;
-    var phi_630_: u32;
-    var phi_649_: u32;
-    var phi_650_: u32;
-    var phi_651_: bool;
-    var phi_669_: i32;
-    var phi_675_: u32;
-    var phi_694_: u32;
-    var phi_695_: u32;
-    var phi_696_: bool;
-    var phi_1073_: SlimbvhTypeE;
-    var phi_1309_: SlimbvhTypeL;
-    var phi_1349_: SlimbvhTypeL;
-    var phi_1352_: u32;
-    var phi_1354_: u32;
-    var phi_1356_: u32;
-    var phi_1365_: u32;
-    var phi_1368_: u32;
-    var phi_1370_: u32;
-    var phi_1807_: u32;
-    var phi_1820_: u32;
-    var phi_1833_: u32;
-    var phi_1846_: u32;
-    var phi_3086_: SlimbvhTypeF;
-    var phi_3098_: SlimbvhTypeF;
-    var phi_3110_: SlimbvhTypeF;
-    var phi_3122_: SlimbvhTypeF;
-    var phi_3134_: SlimbvhTypeF;
-    var phi_1930_: u32;
-    var phi_1935_: u32;
-    var phi_1936_: u32;
-    var phi_1957_: u32;
-    var phi_1366_: u32;
-    var phi_1369_: u32;
-    var phi_1371_: u32;
+    var phi_484_: u32;
+    var phi_490_: u32;
+    var phi_496_: u32;
+    var phi_761_: i32;
+    var phi_772_: i32;
+    var phi_886_: i32;
+    var phi_1015_: i32;
+    var phi_1037_: u32;
+    var phi_1038_: u32;
+    var phi_1039_: bool;
+    var phi_1073_: i32;
+    var phi_1095_: u32;
+    var phi_1096_: u32;
+    var phi_1097_: bool;
+    var phi_658_: i32;
+    var phi_664_: u32;
+    var phi_683_: u32;
+    var phi_684_: u32;
+    var phi_685_: bool;
+    var phi_703_: i32;
+    var phi_709_: u32;
+    var phi_728_: u32;
+    var phi_729_: u32;
+    var phi_730_: bool;
+    var phi_1107_: SlimbvhTypeG;
+    var phi_1353_: SlimbvhTypeO;
+    var phi_1393_: SlimbvhTypeO;
+    var phi_1396_: u32;
+    var phi_1398_: u32;
+    var phi_1400_: u32;
+    var phi_1409_: u32;
+    var phi_1412_: u32;
+    var phi_1414_: u32;
+    var phi_1851_: u32;
+    var phi_1864_: u32;
+    var phi_1877_: u32;
+    var phi_1890_: u32;
+    var phi_3641_: SlimbvhTypeH;
+    var phi_3653_: SlimbvhTypeH;
+    var phi_3665_: SlimbvhTypeH;
+    var phi_3677_: SlimbvhTypeH;
+    var phi_3689_: SlimbvhTypeH;
+    var phi_1974_: u32;
+    var phi_1979_: u32;
+    var phi_1980_: u32;
+    var phi_2001_: u32;
+    var phi_1410_: u32;
+    var phi_1413_: u32;
+    var phi_1415_: u32;
     var local: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_1973_: SlimbvhTypeL;
-    var phi_1976_: SlimbvhTypeF;
-    var phi_1977_: SlimbvhTypeF;
-    var phi_1999_: SlimbvhTypeF;
-    var phi_2078_: array<vec4<f32>, 3>;
-    var phi_2079_: array<vec4<f32>, 3>;
-    var phi_2159_: array<vec4<f32>, 3>;
-    var phi_2160_: array<vec4<f32>, 3>;
-    var phi_2183_: array<f32, 3>;
-    var phi_2184_: array<f32, 3>;
-    var phi_2198_: array<f32, 3>;
-    var phi_2199_: array<f32, 3>;
-    var phi_2213_: array<f32, 3>;
-    var phi_2214_: array<f32, 3>;
-    var phi_2573_: f32;
-    var phi_2574_: f32;
-    var phi_2575_: f32;
-    var phi_2576_: f32;
-    var phi_2577_: vec3<f32>;
-    var phi_2578_: vec3<f32>;
-    var phi_2579_: vec3<f32>;
-    var phi_2580_: vec3<f32>;
-    var phi_2759_: f32;
-    var phi_2785_: SlimbvhTypeG;
-    var phi_2786_: SlimbvhTypeG;
-    var phi_2789_: SlimbvhTypeG;
-    var phi_2790_: SlimbvhTypeG;
-    var phi_2791_: bool;
-    var phi_2795_: SlimbvhTypeG;
-    var phi_2804_: SlimbvhTypeH;
-    var phi_2831_: bool;
-    var phi_2832_: bool;
-    var phi_2839_: SlimbvhTypeL;
-    var phi_2845_: SlimbvhTypeL;
-    var phi_2846_: SlimbvhTypeL;
-    var phi_2847_: SlimbvhTypeL;
-    var phi_1974_: SlimbvhTypeL;
+    var phi_2017_: SlimbvhTypeO;
+    var phi_2020_: SlimbvhTypeH;
+    var phi_2021_: SlimbvhTypeH;
+    var phi_2043_: SlimbvhTypeH;
+    var phi_2122_: array<vec4<f32>, 3>;
+    var phi_2123_: array<vec4<f32>, 3>;
+    var phi_2203_: array<vec4<f32>, 3>;
+    var phi_2204_: array<vec4<f32>, 3>;
+    var phi_2227_: array<f32, 3>;
+    var phi_2228_: array<f32, 3>;
+    var phi_2242_: array<f32, 3>;
+    var phi_2243_: array<f32, 3>;
+    var phi_2257_: array<f32, 3>;
+    var phi_2258_: array<f32, 3>;
+    var phi_2617_: f32;
+    var phi_2618_: f32;
+    var phi_2619_: f32;
+    var phi_2620_: f32;
+    var phi_2621_: vec3<f32>;
+    var phi_2622_: vec3<f32>;
+    var phi_2623_: vec3<f32>;
+    var phi_2624_: vec3<f32>;
+    var phi_2803_: f32;
+    var phi_2829_: SlimbvhTypeI;
+    var phi_2830_: SlimbvhTypeI;
+    var phi_2833_: SlimbvhTypeI;
+    var phi_2834_: SlimbvhTypeI;
+    var phi_2835_: bool;
+    var phi_2839_: SlimbvhTypeI;
+    var phi_2848_: SlimbvhTypeJ;
+    var phi_2901_: i32;
+    var phi_3041_: SlimbvhTypeK;
+    var phi_3065_: u32;
+    var phi_3093_: vec3<f32>;
+    var phi_3094_: vec3<f32>;
+    var phi_3111_: vec3<f32>;
+    var phi_3112_: vec3<f32>;
+    var phi_3129_: vec3<f32>;
+    var phi_3130_: vec3<f32>;
+    var phi_3166_: vec3<f32>;
+    var phi_3348_: f32;
+    var phi_3366_: bool;
+    var phi_3367_: bool;
+    var phi_3386_: bool;
+    var phi_3387_: bool;
+    var phi_3394_: SlimbvhTypeO;
+    var phi_3400_: SlimbvhTypeO;
+    var phi_3401_: SlimbvhTypeO;
+    var phi_3402_: SlimbvhTypeO;
+    var phi_2018_: SlimbvhTypeO;
     var local_3: u32;
     var local_4: u32;
-    var phi_2905_: u32;
-    var local_5: SlimbvhTypeL;
-    var phi_2914_: SlimbvhTypeL;
-    var phi_2915_: u32;
-    var phi_2916_: u32;
-    var phi_1350_: SlimbvhTypeL;
-    var phi_1353_: u32;
-    var phi_1355_: u32;
-    var phi_1357_: u32;
+    var phi_3460_: u32;
+    var local_5: SlimbvhTypeO;
+    var phi_3469_: SlimbvhTypeO;
+    var phi_3470_: u32;
+    var phi_3471_: u32;
+    var phi_1394_: SlimbvhTypeO;
+    var phi_1397_: u32;
+    var phi_1399_: u32;
+    var phi_1401_: u32;
     var local_6: u32;
-    var local_7: SlimbvhTypeL;
-    var phi_2953_: f32;
-    var phi_2955_: f32;
-    var phi_2956_: bool;
-    var phi_2957_: f32;
-    var phi_2958_: bool;
-    var phi_3365_: u32;
-    var phi_3383_: bool;
-    var phi_3386_: bool;
-    var phi_3399_: f32;
-    var phi_3400_: f32;
-    var phi_3405_: f32;
-    var phi_3406_: f32;
-    var phi_3407_: bool;
-    var phi_3415_: f32;
-    var phi_2973_: f32;
-    var phi_2974_: f32;
-    var phi_2986_: f32;
-    var phi_2991_: SlimbvhTypeH;
-    var phi_3004_: bool;
-    var phi_3005_: bool;
-    var phi_3006_: bool;
-    var local_8: SlimbvhTypeL;
+    var local_7: SlimbvhTypeO;
+    var phi_3508_: f32;
+    var phi_3510_: f32;
+    var phi_3511_: bool;
+    var phi_3512_: f32;
+    var phi_3513_: bool;
+    var phi_3920_: u32;
+    var phi_3938_: bool;
+    var phi_3941_: bool;
+    var phi_3954_: f32;
+    var phi_3955_: f32;
+    var phi_3960_: f32;
+    var phi_3961_: f32;
+    var phi_3962_: bool;
+    var phi_3970_: f32;
+    var phi_3528_: f32;
+    var phi_3529_: f32;
+    var phi_3541_: f32;
+    var phi_3546_: SlimbvhTypeJ;
+    var phi_3559_: bool;
+    var phi_3560_: bool;
+    var phi_3561_: bool;
+    var local_8: SlimbvhTypeO;
     var local_9: u32;
     var local_10: u32;
     var local_11: u32;
 
-    let _e82 = SlimbvhTypeH(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e85 = arrayLength((&slimbvh_nodes.member));
-    let _e94 = slimbvh_origin.member;
-    let _e100 = slimbvh_origin.member[3u];
-    let _e101 = slimbvh_direction.member;
-    let _e107 = slimbvh_direction.member[3u];
-    let _e110 = slimbvh_exponent.member[0u];
-    let _e111 = bitcast<i32>(_e110);
-    let _e113 = (bitcast<u32>(_e94.x) & 2147483647u);
-    let _e115 = (bitcast<u32>(_e94.y) & 2147483647u);
-    let _e117 = (bitcast<u32>(_e94.z) & 2147483647u);
-    let _e118 = bitcast<u32>(_e100);
-    let _e119 = (_e118 & 2147483647u);
-    let _e121 = (bitcast<u32>(_e101.x) & 2147483647u);
-    let _e123 = (bitcast<u32>(_e101.y) & 2147483647u);
-    let _e125 = (bitcast<u32>(_e101.z) & 2147483647u);
-    let _e126 = bitcast<u32>(_e107);
-    let _e127 = (_e126 & 2147483647u);
-    let _e129 = select(_e123, _e121, (_e123 < _e121));
-    let _e131 = select(_e125, _e129, (_e125 < _e129));
-    let _e133 = select(_e113, _e131, (_e113 < _e131));
-    let _e135 = select(_e115, _e133, (_e115 < _e133));
-    let _e137 = select(_e117, _e135, (_e117 < _e135));
-    let _e144 = (((select(_e119, _e137, (_e119 < _e137)) < 2139095040u) && (_e127 <= 2139095040u)) && (_e131 > 0u));
-    if (_e121 == _e131) {
-        phi_450_ = 0u;
+    let _e93 = SlimbvhTypeJ(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e96 = arrayLength((&slimbvh_nodes.member));
+    let _e107 = slimbvh_origin.member;
+    let _e113 = slimbvh_origin.member[3u];
+    let _e114 = slimbvh_direction.member;
+    let _e120 = slimbvh_direction.member[3u];
+    let _e123 = slimbvh_exponent.member[0u];
+    let _e124 = bitcast<i32>(_e123);
+    let _e126 = (bitcast<u32>(_e107.x) & 2147483647u);
+    let _e128 = (bitcast<u32>(_e107.y) & 2147483647u);
+    let _e130 = (bitcast<u32>(_e107.z) & 2147483647u);
+    let _e131 = bitcast<u32>(_e113);
+    let _e132 = (_e131 & 2147483647u);
+    let _e134 = (bitcast<u32>(_e114.x) & 2147483647u);
+    let _e136 = (bitcast<u32>(_e114.y) & 2147483647u);
+    let _e138 = (bitcast<u32>(_e114.z) & 2147483647u);
+    let _e139 = bitcast<u32>(_e120);
+    let _e140 = (_e139 & 2147483647u);
+    let _e142 = select(_e136, _e134, (_e136 < _e134));
+    let _e144 = select(_e138, _e142, (_e138 < _e142));
+    let _e146 = select(_e126, _e144, (_e126 < _e144));
+    let _e148 = select(_e128, _e146, (_e128 < _e146));
+    let _e150 = select(_e130, _e148, (_e130 < _e148));
+    let _e157 = (((select(_e132, _e150, (_e132 < _e150)) < 2139095040u) && (_e140 <= 2139095040u)) && (_e144 > 0u));
+    if (_e134 == _e144) {
+        phi_484_ = 0u;
     } else {
-        phi_450_ = select(2u, 1u, (_e123 == _e131));
+        phi_484_ = select(2u, 1u, (_e136 == _e144));
     }
-    let _e149 = phi_450_;
-    let _e150 = (_e149 == 2u);
-    if _e150 {
-        phi_456_ = 0u;
+    let _e162 = phi_484_;
+    let _e163 = (_e162 == 2u);
+    if _e163 {
+        phi_490_ = 0u;
     } else {
-        phi_456_ = (_e149 + 1u);
+        phi_490_ = (_e162 + 1u);
     }
-    let _e153 = phi_456_;
-    let _e154 = (_e153 == 2u);
-    if _e154 {
-        phi_462_ = 0u;
+    let _e166 = phi_490_;
+    let _e167 = (_e166 == 2u);
+    if _e167 {
+        phi_496_ = 0u;
     } else {
-        phi_462_ = (_e153 + 1u);
+        phi_496_ = (_e166 + 1u);
     }
-    let _e157 = phi_462_;
-    let _e158 = (_e153 == 0u);
-    let _e160 = select(select(_e94.y, _e94.x, _e158), _e94.z, _e154);
-    let _e161 = (_e157 == 0u);
-    let _e163 = (_e157 == 2u);
-    let _e164 = select(select(_e94.y, _e94.x, _e161), _e94.z, _e163);
-    let _e165 = (_e149 == 0u);
-    let _e167 = select(select(_e94.y, _e94.x, _e165), _e94.z, _e150);
-    let _e169 = select(select(_e101.y, _e101.x, _e158), _e101.z, _e154);
-    let _e171 = select(select(_e101.y, _e101.x, _e161), _e101.z, _e163);
-    let _e173 = select(select(_e101.y, _e101.x, _e165), _e101.z, _e150);
-    let _e174 = (_e119 - 1u);
-    let _e175 = (_e127 - 1u);
-    let _e177 = select(_e174, _e175, (_e175 < _e174));
-    let _e178 = (_e113 - 1u);
-    let _e179 = (_e115 - 1u);
-    let _e181 = select(_e178, _e179, (_e179 < _e178));
-    let _e182 = (_e117 - 1u);
-    let _e184 = select(_e181, _e182, (_e182 < _e181));
-    let _e185 = (_e121 - 1u);
-    let _e186 = (_e123 - 1u);
-    let _e188 = select(_e185, _e186, (_e186 < _e185));
-    let _e189 = (_e125 - 1u);
-    let _e191 = select(_e188, _e189, (_e189 < _e188));
-    let _e193 = select(_e184, _e191, (_e191 < _e184));
-    if (((select(_e193, _e177, (_e177 < _e193)) >= 8388607u) && (_e131 < 2130706432u)) && (bitcast<u32>((_e111 + 126i)) <= 253u)) {
-        let _e458 = bitcast<i32>((_e131 >> bitcast<u32>(23i)));
-        let _e459 = (_e458 - 127i);
-        let _e460 = (_e111 + _e459);
-        let _e465 = bitcast<f32>((bitcast<u32>((_e111 + 127i)) << bitcast<u32>(23i)));
-        let _e470 = bitcast<f32>((bitcast<u32>((254i - _e458)) << bitcast<u32>(23i)));
-        if (_e119 >= 2139095040u) {
-            phi_624_ = 255i;
+    let _e170 = phi_496_;
+    let _e171 = (_e166 == 0u);
+    let _e173 = select(select(_e107.y, _e107.x, _e171), _e107.z, _e167);
+    let _e174 = (_e170 == 0u);
+    let _e176 = (_e170 == 2u);
+    let _e177 = select(select(_e107.y, _e107.x, _e174), _e107.z, _e176);
+    let _e178 = (_e162 == 0u);
+    let _e180 = select(select(_e107.y, _e107.x, _e178), _e107.z, _e163);
+    let _e182 = select(select(_e114.y, _e114.x, _e171), _e114.z, _e167);
+    let _e184 = select(select(_e114.y, _e114.x, _e174), _e114.z, _e176);
+    let _e186 = select(select(_e114.y, _e114.x, _e178), _e114.z, _e163);
+    let _e187 = (_e132 - 1u);
+    let _e188 = (_e140 - 1u);
+    let _e190 = select(_e187, _e188, (_e188 < _e187));
+    let _e191 = (_e126 - 1u);
+    let _e192 = (_e128 - 1u);
+    let _e194 = select(_e191, _e192, (_e192 < _e191));
+    let _e195 = (_e130 - 1u);
+    let _e197 = select(_e194, _e195, (_e195 < _e194));
+    let _e198 = (_e134 - 1u);
+    let _e199 = (_e136 - 1u);
+    let _e201 = select(_e198, _e199, (_e199 < _e198));
+    let _e202 = (_e138 - 1u);
+    let _e204 = select(_e201, _e202, (_e202 < _e201));
+    let _e206 = select(_e197, _e204, (_e204 < _e197));
+    if (((select(_e206, _e190, (_e190 < _e206)) >= 8388607u) && (_e144 < 2130706432u)) && (bitcast<u32>((_e124 + 126i)) <= 253u)) {
+        let _e471 = bitcast<i32>((_e144 >> bitcast<u32>(23i)));
+        let _e472 = (_e471 - 127i);
+        let _e473 = (_e124 + _e472);
+        let _e478 = bitcast<f32>((bitcast<u32>((_e124 + 127i)) << bitcast<u32>(23i)));
+        let _e483 = bitcast<f32>((bitcast<u32>((254i - _e471)) << bitcast<u32>(23i)));
+        if (_e132 >= 2139095040u) {
+            phi_658_ = 255i;
         } else {
-            phi_624_ = (bitcast<i32>((_e119 >> bitcast<u32>(23i))) + _e460);
+            phi_658_ = (bitcast<i32>((_e132 >> bitcast<u32>(23i))) + _e473);
         }
-        let _e485 = phi_624_;
-        if (_e119 == 0u) {
-            phi_630_ = 0u;
+        let _e498 = phi_658_;
+        if (_e132 == 0u) {
+            phi_664_ = 0u;
         } else {
-            phi_630_ = (_e119 | 8388608u);
+            phi_664_ = (_e132 | 8388608u);
         }
-        let _e489 = phi_630_;
-        if (_e485 <= 0i) {
-            phi_650_ = u32();
-            phi_651_ = true;
+        let _e502 = phi_664_;
+        if (_e498 <= 0i) {
+            phi_684_ = u32();
+            phi_685_ = true;
         } else {
-            let _e496 = (_e489 == 0u);
-            if _e496 {
-                phi_649_ = u32();
+            let _e509 = (_e502 == 0u);
+            if _e509 {
+                phi_683_ = u32();
             } else {
-                phi_649_ = select(((bitcast<u32>(_e485) << bitcast<u32>(23i)) | (_e489 & 8388607u)), 2139095039u, (_e485 >= 255i));
+                phi_683_ = select(((bitcast<u32>(_e498) << bitcast<u32>(23i)) | (_e502 & 8388607u)), 2139095039u, (_e498 >= 255i));
             }
-            let _e500 = phi_649_;
-            phi_650_ = _e500;
-            phi_651_ = _e496;
+            let _e513 = phi_683_;
+            phi_684_ = _e513;
+            phi_685_ = _e509;
         }
-        let _e502 = phi_650_;
-        let _e504 = phi_651_;
-        if (_e127 >= 2139095040u) {
-            phi_669_ = 255i;
+        let _e515 = phi_684_;
+        let _e517 = phi_685_;
+        if (_e140 >= 2139095040u) {
+            phi_703_ = 255i;
         } else {
-            phi_669_ = (bitcast<i32>((_e127 >> bitcast<u32>(23i))) + _e460);
+            phi_703_ = (bitcast<i32>((_e140 >> bitcast<u32>(23i))) + _e473);
         }
-        let _e515 = phi_669_;
-        if (_e127 == 0u) {
-            phi_675_ = 0u;
+        let _e528 = phi_703_;
+        if (_e140 == 0u) {
+            phi_709_ = 0u;
         } else {
-            phi_675_ = (_e127 | 8388608u);
+            phi_709_ = (_e140 | 8388608u);
         }
-        let _e519 = phi_675_;
-        if (_e515 <= 0i) {
-            phi_695_ = u32();
-            phi_696_ = true;
+        let _e532 = phi_709_;
+        if (_e528 <= 0i) {
+            phi_729_ = u32();
+            phi_730_ = true;
         } else {
-            let _e526 = (_e519 == 0u);
-            if _e526 {
-                phi_694_ = u32();
+            let _e539 = (_e532 == 0u);
+            if _e539 {
+                phi_728_ = u32();
             } else {
-                phi_694_ = select(((bitcast<u32>(_e515) << bitcast<u32>(23i)) | (_e519 & 8388607u)), 2139095039u, (_e515 >= 255i));
+                phi_728_ = select(((bitcast<u32>(_e528) << bitcast<u32>(23i)) | (_e532 & 8388607u)), 2139095039u, (_e528 >= 255i));
             }
-            let _e530 = phi_694_;
-            phi_695_ = _e530;
-            phi_696_ = _e526;
+            let _e543 = phi_728_;
+            phi_729_ = _e543;
+            phi_730_ = _e539;
         }
-        let _e532 = phi_695_;
-        let _e534 = phi_696_;
-        phi_1073_ = SlimbvhTypeE(array<f32, 3>((_e160 * _e465), (_e164 * _e465), (_e167 * _e465)), array<f32, 3>((_e169 * _e470), (_e171 * _e470), (_e173 * _e470)), bitcast<f32>(((_e118 & 2147483648u) | select(_e502, 0u, _e504))), bitcast<f32>(((_e126 & 2147483648u) | select(_e532, 0u, _e534))), _e459);
+        let _e545 = phi_729_;
+        let _e547 = phi_730_;
+        phi_1107_ = SlimbvhTypeG(array<f32, 3>((_e173 * _e478), (_e177 * _e478), (_e180 * _e478)), array<f32, 3>((_e182 * _e483), (_e184 * _e483), (_e186 * _e483)), bitcast<f32>(((_e131 & 2147483648u) | select(_e515, 0u, _e517))), bitcast<f32>(((_e139 & 2147483648u) | select(_e545, 0u, _e547))), _e472);
     } else {
-        let _e206 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e131, _e144))) & 2147483647u);
-        if (_e206 >= 8388608u) {
-            phi_727_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) - 127i);
+        let _e219 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e144, _e157))) & 2147483647u);
+        if (_e219 >= 8388608u) {
+            phi_761_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_727_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e206)), 32u, (_e206 == 0u))));
+            phi_761_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
         }
-        let _e220 = phi_727_;
-        let _e221 = (_e111 + _e220);
-        if (_e111 < -126i) {
-            phi_738_ = -126i;
+        let _e233 = phi_761_;
+        let _e234 = (_e124 + _e233);
+        if (_e124 < -126i) {
+            phi_772_ = -126i;
         } else {
-            phi_738_ = select(_e111, 127i, (_e111 > 127i));
+            phi_772_ = select(_e124, 127i, (_e124 > 127i));
         }
-        let _e226 = phi_738_;
-        let _e231 = bitcast<f32>((bitcast<u32>((_e226 + 127i)) << bitcast<u32>(23i)));
-        let _e237 = bitcast<f32>((bitcast<u32>(((_e111 - _e226) + 127i)) << bitcast<u32>(23i)));
-        let _e238 = bitcast<u32>(_e160);
-        let _e240 = ((_e238 & 2139095040u) != 0u);
-        let _e255 = bitcast<u32>(_e164);
-        let _e257 = ((_e255 & 2139095040u) != 0u);
-        let _e272 = bitcast<u32>(_e167);
-        let _e274 = ((_e272 & 2139095040u) != 0u);
-        let _e290 = -(_e220);
-        if (_e290 < -126i) {
-            phi_852_ = -126i;
+        let _e239 = phi_772_;
+        let _e244 = bitcast<f32>((bitcast<u32>((_e239 + 127i)) << bitcast<u32>(23i)));
+        let _e250 = bitcast<f32>((bitcast<u32>(((_e124 - _e239) + 127i)) << bitcast<u32>(23i)));
+        let _e251 = bitcast<u32>(_e173);
+        let _e253 = ((_e251 & 2139095040u) != 0u);
+        let _e268 = bitcast<u32>(_e177);
+        let _e270 = ((_e268 & 2139095040u) != 0u);
+        let _e285 = bitcast<u32>(_e180);
+        let _e287 = ((_e285 & 2139095040u) != 0u);
+        let _e303 = -(_e233);
+        if (_e303 < -126i) {
+            phi_886_ = -126i;
         } else {
-            phi_852_ = select(_e290, 127i, (_e290 > 127i));
+            phi_886_ = select(_e303, 127i, (_e303 > 127i));
         }
-        let _e295 = phi_852_;
-        let _e300 = bitcast<f32>((bitcast<u32>((_e295 + 127i)) << bitcast<u32>(23i)));
-        let _e306 = bitcast<f32>((bitcast<u32>(((_e290 - _e295) + 127i)) << bitcast<u32>(23i)));
-        let _e307 = bitcast<u32>(_e169);
-        let _e309 = ((_e307 & 2139095040u) != 0u);
-        let _e324 = bitcast<u32>(_e171);
-        let _e326 = ((_e324 & 2139095040u) != 0u);
-        let _e341 = bitcast<u32>(_e173);
-        let _e343 = ((_e341 & 2139095040u) != 0u);
-        let _e365 = ((_e119 & 8388607u) | (select(0u, 1u, ((_e119 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e368 = bitcast<i32>((_e119 >> bitcast<u32>(23i)));
-        let _e375 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e365)), 32u, (_e365 == 0u))) - 8i);
-        if (_e368 == 255i) {
-            phi_981_ = 255i;
+        let _e308 = phi_886_;
+        let _e313 = bitcast<f32>((bitcast<u32>((_e308 + 127i)) << bitcast<u32>(23i)));
+        let _e319 = bitcast<f32>((bitcast<u32>(((_e303 - _e308) + 127i)) << bitcast<u32>(23i)));
+        let _e320 = bitcast<u32>(_e182);
+        let _e322 = ((_e320 & 2139095040u) != 0u);
+        let _e337 = bitcast<u32>(_e184);
+        let _e339 = ((_e337 & 2139095040u) != 0u);
+        let _e354 = bitcast<u32>(_e186);
+        let _e356 = ((_e354 & 2139095040u) != 0u);
+        let _e378 = ((_e132 & 8388607u) | (select(0u, 1u, ((_e132 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e381 = bitcast<i32>((_e132 >> bitcast<u32>(23i)));
+        let _e388 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e378)), 32u, (_e378 == 0u))) - 8i);
+        if (_e381 == 255i) {
+            phi_1015_ = 255i;
         } else {
-            phi_981_ = (((_e368 + select(0i, 1i, (_e368 == 0i))) - _e375) + _e221);
+            phi_1015_ = (((_e381 + select(0i, 1i, (_e381 == 0i))) - _e388) + _e234);
         }
-        let _e383 = phi_981_;
-        let _e387 = (_e365 << bitcast<u32>(((_e375 & 31i) & 31i)));
-        if (_e383 <= 0i) {
-            phi_1004_ = u32();
-            phi_1005_ = true;
+        let _e396 = phi_1015_;
+        let _e400 = (_e378 << bitcast<u32>(((_e388 & 31i) & 31i)));
+        if (_e396 <= 0i) {
+            phi_1038_ = u32();
+            phi_1039_ = true;
         } else {
-            let _e394 = (_e387 == 0u);
-            if _e394 {
-                phi_1003_ = u32();
+            let _e407 = (_e400 == 0u);
+            if _e407 {
+                phi_1037_ = u32();
             } else {
-                phi_1003_ = select(((bitcast<u32>(_e383) << bitcast<u32>(23i)) | (_e387 & 8388607u)), 2139095039u, (_e383 >= 255i));
+                phi_1037_ = select(((bitcast<u32>(_e396) << bitcast<u32>(23i)) | (_e400 & 8388607u)), 2139095039u, (_e396 >= 255i));
             }
-            let _e398 = phi_1003_;
-            phi_1004_ = _e398;
-            phi_1005_ = _e394;
+            let _e411 = phi_1037_;
+            phi_1038_ = _e411;
+            phi_1039_ = _e407;
         }
-        let _e400 = phi_1004_;
-        let _e402 = phi_1005_;
-        let _e413 = ((_e127 & 8388607u) | (select(0u, 1u, ((_e127 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e416 = bitcast<i32>((_e127 >> bitcast<u32>(23i)));
-        let _e423 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e413)), 32u, (_e413 == 0u))) - 8i);
-        if (_e416 == 255i) {
-            phi_1039_ = 255i;
+        let _e413 = phi_1038_;
+        let _e415 = phi_1039_;
+        let _e426 = ((_e140 & 8388607u) | (select(0u, 1u, ((_e140 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e429 = bitcast<i32>((_e140 >> bitcast<u32>(23i)));
+        let _e436 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e426)), 32u, (_e426 == 0u))) - 8i);
+        if (_e429 == 255i) {
+            phi_1073_ = 255i;
         } else {
-            phi_1039_ = (((_e416 + select(0i, 1i, (_e416 == 0i))) - _e423) + _e221);
+            phi_1073_ = (((_e429 + select(0i, 1i, (_e429 == 0i))) - _e436) + _e234);
         }
-        let _e431 = phi_1039_;
-        let _e435 = (_e413 << bitcast<u32>(((_e423 & 31i) & 31i)));
-        if (_e431 <= 0i) {
-            phi_1062_ = u32();
-            phi_1063_ = true;
+        let _e444 = phi_1073_;
+        let _e448 = (_e426 << bitcast<u32>(((_e436 & 31i) & 31i)));
+        if (_e444 <= 0i) {
+            phi_1096_ = u32();
+            phi_1097_ = true;
         } else {
-            let _e442 = (_e435 == 0u);
-            if _e442 {
-                phi_1061_ = u32();
+            let _e455 = (_e448 == 0u);
+            if _e455 {
+                phi_1095_ = u32();
             } else {
-                phi_1061_ = select(((bitcast<u32>(_e431) << bitcast<u32>(23i)) | (_e435 & 8388607u)), 2139095039u, (_e431 >= 255i));
+                phi_1095_ = select(((bitcast<u32>(_e444) << bitcast<u32>(23i)) | (_e448 & 8388607u)), 2139095039u, (_e444 >= 255i));
             }
-            let _e446 = phi_1061_;
-            phi_1062_ = _e446;
-            phi_1063_ = _e442;
+            let _e459 = phi_1095_;
+            phi_1096_ = _e459;
+            phi_1097_ = _e455;
         }
-        let _e448 = phi_1062_;
-        let _e450 = phi_1063_;
-        phi_1073_ = SlimbvhTypeE(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e238 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e238 & 2147483648u))), _e160, _e240) * _e231) * select(0.00000011920929f, 1f, _e240)) * _e237), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e255 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e255 & 2147483648u))), _e164, _e257) * _e231) * select(0.00000011920929f, 1f, _e257)) * _e237), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e272 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e272 & 2147483648u))), _e167, _e274) * _e231) * select(0.00000011920929f, 1f, _e274)) * _e237)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e307 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e307 & 2147483648u))), _e169, _e309) * _e300) * select(0.00000011920929f, 1f, _e309)) * _e306), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e324 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e324 & 2147483648u))), _e171, _e326) * _e300) * select(0.00000011920929f, 1f, _e326)) * _e306), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e341 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e341 & 2147483648u))), _e173, _e343) * _e300) * select(0.00000011920929f, 1f, _e343)) * _e306)), bitcast<f32>(((_e118 & 2147483648u) | select(_e400, 0u, _e402))), bitcast<f32>(((_e126 & 2147483648u) | select(_e448, 0u, _e450))), _e220);
+        let _e461 = phi_1096_;
+        let _e463 = phi_1097_;
+        phi_1107_ = SlimbvhTypeG(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e251 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e251 & 2147483648u))), _e173, _e253) * _e244) * select(0.00000011920929f, 1f, _e253)) * _e250), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e268 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e268 & 2147483648u))), _e177, _e270) * _e244) * select(0.00000011920929f, 1f, _e270)) * _e250), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e180, _e287) * _e244) * select(0.00000011920929f, 1f, _e287)) * _e250)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e182, _e322) * _e313) * select(0.00000011920929f, 1f, _e322)) * _e319), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e184, _e339) * _e313) * select(0.00000011920929f, 1f, _e339)) * _e319), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e354 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e354 & 2147483648u))), _e186, _e356) * _e313) * select(0.00000011920929f, 1f, _e356)) * _e319)), bitcast<f32>(((_e131 & 2147483648u) | select(_e413, 0u, _e415))), bitcast<f32>(((_e139 & 2147483648u) | select(_e461, 0u, _e463))), _e233);
     }
-    let _e541 = phi_1073_;
-    let _e556 = (bitcast<f32>((bitcast<u32>(_e541.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e559 = bitcast<f32>((bitcast<u32>(_e541.member[0]) & 2147483647u));
-    let _e560 = (_e559 * 0.00000011920929f);
-    let _e563 = select(select(0.00000000000011368684f, _e560, (_e560 > 0.00000000000011368684f)), 0f, _e556);
-    let _e564 = select(0f, _e541.member_1[0], _e556);
-    let _e565 = (_e541.member[0] + _e563);
-    let _e566 = (_e541.member[0] - _e563);
-    let _e568 = select(38685626000000000000000000f, (1f / _e541.member_1[0]), _e556);
-    let _e572 = (bitcast<f32>((bitcast<u32>(_e541.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e575 = bitcast<f32>((bitcast<u32>(_e541.member[1]) & 2147483647u));
-    let _e576 = (_e575 * 0.00000011920929f);
-    let _e579 = select(select(0.00000000000011368684f, _e576, (_e576 > 0.00000000000011368684f)), 0f, _e572);
-    let _e580 = select(0f, _e541.member_1[1], _e572);
-    let _e581 = (_e541.member[1] + _e579);
-    let _e582 = (_e541.member[1] - _e579);
-    let _e584 = select(38685626000000000000000000f, (1f / _e541.member_1[1]), _e572);
-    let _e588 = (bitcast<f32>((bitcast<u32>(_e541.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e591 = bitcast<f32>((bitcast<u32>(_e541.member[2]) & 2147483647u));
-    let _e592 = (_e591 * 0.00000011920929f);
-    let _e595 = select(select(0.00000000000011368684f, _e592, (_e592 > 0.00000000000011368684f)), 0f, _e588);
-    let _e596 = select(0f, _e541.member_1[2], _e588);
-    let _e597 = (_e541.member[2] + _e595);
-    let _e598 = (_e541.member[2] - _e595);
-    let _e600 = select(38685626000000000000000000f, (1f / _e541.member_1[2]), _e588);
-    let _e602 = select(_e575, _e559, (_e559 > _e575));
-    let _e606 = (_e144 && (select(_e591, _e602, (_e602 > _e591)) <= 1099511600000f));
-    let _e607 = select(0f, _e541.member_3, _e606);
-    let _e608 = select(1f, _e541.member_2, _e606);
-    let _e610 = slimbvh_lane.member;
-    if (_e610 < 64u) {
-        let _e612 = (_e610 % 64u);
-        let _e613 = slimbvh_any_will_do.member;
-        if (_e613 == 1u) {
-            phi_1309_ = SlimbvhTypeL(SlimbvhTypeI(_e82, _e607), true);
+    let _e554 = phi_1107_;
+    let _e569 = (bitcast<f32>((bitcast<u32>(_e554.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e572 = bitcast<f32>((bitcast<u32>(_e554.member[0]) & 2147483647u));
+    let _e573 = (_e572 * 0.00000011920929f);
+    let _e576 = select(select(0.00000000000011368684f, _e573, (_e573 > 0.00000000000011368684f)), 0f, _e569);
+    let _e577 = select(0f, _e554.member_1[0], _e569);
+    let _e578 = (_e554.member[0] + _e576);
+    let _e579 = (_e554.member[0] - _e576);
+    let _e581 = select(38685626000000000000000000f, (1f / _e554.member_1[0]), _e569);
+    let _e585 = (bitcast<f32>((bitcast<u32>(_e554.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e588 = bitcast<f32>((bitcast<u32>(_e554.member[1]) & 2147483647u));
+    let _e589 = (_e588 * 0.00000011920929f);
+    let _e592 = select(select(0.00000000000011368684f, _e589, (_e589 > 0.00000000000011368684f)), 0f, _e585);
+    let _e593 = select(0f, _e554.member_1[1], _e585);
+    let _e594 = (_e554.member[1] + _e592);
+    let _e595 = (_e554.member[1] - _e592);
+    let _e597 = select(38685626000000000000000000f, (1f / _e554.member_1[1]), _e585);
+    let _e601 = (bitcast<f32>((bitcast<u32>(_e554.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e604 = bitcast<f32>((bitcast<u32>(_e554.member[2]) & 2147483647u));
+    let _e605 = (_e604 * 0.00000011920929f);
+    let _e608 = select(select(0.00000000000011368684f, _e605, (_e605 > 0.00000000000011368684f)), 0f, _e601);
+    let _e609 = select(0f, _e554.member_1[2], _e601);
+    let _e610 = (_e554.member[2] + _e608);
+    let _e611 = (_e554.member[2] - _e608);
+    let _e613 = select(38685626000000000000000000f, (1f / _e554.member_1[2]), _e601);
+    let _e615 = select(_e588, _e572, (_e572 > _e588));
+    let _e619 = (_e157 && (select(_e604, _e615, (_e615 > _e604)) <= 1099511600000f));
+    let _e620 = select(0f, _e554.member_3, _e619);
+    let _e621 = select(1f, _e554.member_2, _e619);
+    let _e625 = slimbvh_question.member[1u];
+    let _e626 = slimbvh_lane.member;
+    if (_e626 < 64u) {
+        let _e628 = (_e626 % 64u);
+        let _e631 = slimbvh_question.member[0u];
+        if (_e631 == 1u) {
+            phi_1353_ = SlimbvhTypeO(SlimbvhTypeL(_e93, _e620), true);
         } else {
-            phi_1309_ = SlimbvhTypeL(SlimbvhTypeI(_e82, _e607), false);
+            phi_1353_ = SlimbvhTypeO(SlimbvhTypeL(_e93, _e620), false);
         }
-        let _e620 = phi_1309_;
-        phi_1349_ = _e620;
-        phi_1352_ = select(4294967295u, 0u, (_e608 <= _e607));
-        phi_1354_ = 0u;
-        phi_1356_ = (_e85 + 1u);
+        let _e638 = phi_1353_;
+        phi_1393_ = _e638;
+        phi_1396_ = select(4294967295u, 0u, (_e621 <= _e620));
+        phi_1398_ = 0u;
+        phi_1400_ = (_e96 + 1u);
         loop {
-            let _e638 = phi_1349_;
-            let _e640 = phi_1352_;
-            let _e642 = phi_1354_;
-            let _e644 = phi_1356_;
-            local_6 = _e640;
-            local_7 = _e638;
-            let _e645 = (_e640 <= 32u);
-            if _e645 {
-                phi_1365_ = _e640;
-                phi_1368_ = _e642;
-                phi_1370_ = _e644;
+            let _e656 = phi_1393_;
+            let _e658 = phi_1396_;
+            let _e660 = phi_1398_;
+            let _e662 = phi_1400_;
+            local_6 = _e658;
+            local_7 = _e656;
+            let _e663 = (_e658 <= 32u);
+            if _e663 {
+                phi_1409_ = _e658;
+                phi_1412_ = _e660;
+                phi_1414_ = _e662;
                 loop {
-                    let _e647 = phi_1365_;
-                    let _e649 = phi_1368_;
-                    let _e651 = phi_1370_;
-                    local_1 = _e649;
-                    local_2 = _e649;
-                    local_3 = _e647;
-                    local_4 = _e647;
-                    local_9 = _e647;
-                    local_10 = _e649;
-                    local_11 = _e651;
-                    let _e652 = (_e647 <= 32u);
-                    let _e655 = (_e652 && !((_e649 >= _e85)));
-                    local = _e652;
-                    if _e655 {
-                        let _e657 = ((2u * (_e153 & 3u)) + (bitcast<u32>(_e568) >> bitcast<u32>(31i)));
-                        let _e659 = ((2u * (_e157 & 3u)) + (bitcast<u32>(_e584) >> bitcast<u32>(31i)));
-                        let _e661 = ((2u * (_e149 & 3u)) + (bitcast<u32>(_e600) >> bitcast<u32>(31i)));
-                        let _e668 = slimbvh_nodes.member[_e649].member[select(_e657, 5u, (5u < _e657))];
-                        let _e675 = slimbvh_nodes.member[_e649].member[select(_e659, 5u, (5u < _e659))];
-                        let _e682 = slimbvh_nodes.member[_e649].member[select(_e661, 5u, (5u < _e661))];
-                        let _e683 = (_e657 ^ 1u);
-                        let _e690 = slimbvh_nodes.member[_e649].member[select(_e683, 5u, (5u < _e683))];
-                        let _e691 = (_e659 ^ 1u);
-                        let _e698 = slimbvh_nodes.member[_e649].member[select(_e691, 5u, (5u < _e691))];
-                        let _e699 = (_e661 ^ 1u);
-                        let _e706 = slimbvh_nodes.member[_e649].member[select(_e699, 5u, (5u < _e699))];
-                        let _e765 = ((_e682.x - _e597) * _e600);
-                        let _e766 = ((_e682.y - _e597) * _e600);
-                        let _e767 = ((_e682.z - _e597) * _e600);
-                        let _e768 = ((_e682.w - _e597) * _e600);
-                        let _e777 = ((_e706.x - _e598) * _e600);
-                        let _e778 = ((_e706.y - _e598) * _e600);
-                        let _e779 = ((_e706.z - _e598) * _e600);
-                        let _e780 = ((_e706.w - _e598) * _e600);
-                        let _e813 = max(max(max(((_e668.x - _e565) * _e568), ((_e675.x - _e581) * _e584)), _e765), _e608);
-                        let _e814 = max(max(max(((_e668.y - _e565) * _e568), ((_e675.y - _e581) * _e584)), _e766), _e608);
-                        let _e815 = max(max(max(((_e668.z - _e565) * _e568), ((_e675.z - _e581) * _e584)), _e767), _e608);
-                        let _e816 = max(max(max(((_e668.w - _e565) * _e568), ((_e675.w - _e581) * _e584)), _e768), _e608);
-                        if (_e813 <= min((min(min(((_e690.x - _e566) * _e568), ((_e698.x - _e582) * _e584)), _e777) + (max(_e777, -(_e765)) * 0.0000019073523f)), _e638.member.member_1)) {
-                            phi_1807_ = (((bitcast<u32>(_e813) ^ select(0u, 4294967288u, _e620.member_1)) & 2147483640u) | 4u);
+                    let _e665 = phi_1409_;
+                    let _e667 = phi_1412_;
+                    let _e669 = phi_1414_;
+                    local_1 = _e667;
+                    local_2 = _e667;
+                    local_3 = _e665;
+                    local_4 = _e665;
+                    local_9 = _e665;
+                    local_10 = _e667;
+                    local_11 = _e669;
+                    let _e670 = (_e665 <= 32u);
+                    let _e673 = (_e670 && !((_e667 >= _e96)));
+                    local = _e670;
+                    if _e673 {
+                        let _e675 = ((2u * (_e166 & 3u)) + (bitcast<u32>(_e581) >> bitcast<u32>(31i)));
+                        let _e677 = ((2u * (_e170 & 3u)) + (bitcast<u32>(_e597) >> bitcast<u32>(31i)));
+                        let _e679 = ((2u * (_e162 & 3u)) + (bitcast<u32>(_e613) >> bitcast<u32>(31i)));
+                        let _e686 = slimbvh_nodes.member[_e667].member[select(_e675, 5u, (5u < _e675))];
+                        let _e693 = slimbvh_nodes.member[_e667].member[select(_e677, 5u, (5u < _e677))];
+                        let _e700 = slimbvh_nodes.member[_e667].member[select(_e679, 5u, (5u < _e679))];
+                        let _e701 = (_e675 ^ 1u);
+                        let _e708 = slimbvh_nodes.member[_e667].member[select(_e701, 5u, (5u < _e701))];
+                        let _e709 = (_e677 ^ 1u);
+                        let _e716 = slimbvh_nodes.member[_e667].member[select(_e709, 5u, (5u < _e709))];
+                        let _e717 = (_e679 ^ 1u);
+                        let _e724 = slimbvh_nodes.member[_e667].member[select(_e717, 5u, (5u < _e717))];
+                        let _e783 = ((_e700.x - _e610) * _e613);
+                        let _e784 = ((_e700.y - _e610) * _e613);
+                        let _e785 = ((_e700.z - _e610) * _e613);
+                        let _e786 = ((_e700.w - _e610) * _e613);
+                        let _e795 = ((_e724.x - _e611) * _e613);
+                        let _e796 = ((_e724.y - _e611) * _e613);
+                        let _e797 = ((_e724.z - _e611) * _e613);
+                        let _e798 = ((_e724.w - _e611) * _e613);
+                        let _e831 = max(max(max(((_e686.x - _e578) * _e581), ((_e693.x - _e594) * _e597)), _e783), _e621);
+                        let _e832 = max(max(max(((_e686.y - _e578) * _e581), ((_e693.y - _e594) * _e597)), _e784), _e621);
+                        let _e833 = max(max(max(((_e686.z - _e578) * _e581), ((_e693.z - _e594) * _e597)), _e785), _e621);
+                        let _e834 = max(max(max(((_e686.w - _e578) * _e581), ((_e693.w - _e594) * _e597)), _e786), _e621);
+                        if (_e831 <= min((min(min(((_e708.x - _e579) * _e581), ((_e716.x - _e595) * _e597)), _e795) + (max(_e795, -(_e783)) * 0.0000019073523f)), _e656.member.member_1)) {
+                            phi_1851_ = (((bitcast<u32>(_e831) ^ select(0u, 4294967288u, _e638.member_1)) & 2147483640u) | 4u);
                         } else {
-                            phi_1807_ = 4294967288u;
+                            phi_1851_ = 4294967288u;
                         }
-                        let _e831 = phi_1807_;
-                        if (_e814 <= min((min(min(((_e690.y - _e566) * _e568), ((_e698.y - _e582) * _e584)), _e778) + (max(_e778, -(_e766)) * 0.0000019073523f)), _e638.member.member_1)) {
-                            phi_1820_ = ((((bitcast<u32>(_e814) ^ select(0u, 4294967288u, _e620.member_1)) & 2147483640u) | 4u) | 1u);
+                        let _e849 = phi_1851_;
+                        if (_e832 <= min((min(min(((_e708.y - _e579) * _e581), ((_e716.y - _e595) * _e597)), _e796) + (max(_e796, -(_e784)) * 0.0000019073523f)), _e656.member.member_1)) {
+                            phi_1864_ = ((((bitcast<u32>(_e832) ^ select(0u, 4294967288u, _e638.member_1)) & 2147483640u) | 4u) | 1u);
                         } else {
-                            phi_1820_ = 4294967288u;
+                            phi_1864_ = 4294967288u;
                         }
-                        let _e839 = phi_1820_;
-                        if (_e815 <= min((min(min(((_e690.z - _e566) * _e568), ((_e698.z - _e582) * _e584)), _e779) + (max(_e779, -(_e767)) * 0.0000019073523f)), _e638.member.member_1)) {
-                            phi_1833_ = ((((bitcast<u32>(_e815) ^ select(0u, 4294967288u, _e620.member_1)) & 2147483640u) | 4u) | 2u);
+                        let _e857 = phi_1864_;
+                        if (_e833 <= min((min(min(((_e708.z - _e579) * _e581), ((_e716.z - _e595) * _e597)), _e797) + (max(_e797, -(_e785)) * 0.0000019073523f)), _e656.member.member_1)) {
+                            phi_1877_ = ((((bitcast<u32>(_e833) ^ select(0u, 4294967288u, _e638.member_1)) & 2147483640u) | 4u) | 2u);
                         } else {
-                            phi_1833_ = 4294967288u;
+                            phi_1877_ = 4294967288u;
                         }
-                        let _e847 = phi_1833_;
-                        if (_e816 <= min((min(min(((_e690.w - _e566) * _e568), ((_e698.w - _e582) * _e584)), _e780) + (max(_e780, -(_e768)) * 0.0000019073523f)), _e638.member.member_1)) {
-                            phi_1846_ = ((((bitcast<u32>(_e816) ^ select(0u, 4294967288u, _e620.member_1)) & 2147483640u) | 4u) | 3u);
+                        let _e865 = phi_1877_;
+                        if (_e834 <= min((min(min(((_e708.w - _e579) * _e581), ((_e716.w - _e595) * _e597)), _e798) + (max(_e798, -(_e786)) * 0.0000019073523f)), _e656.member.member_1)) {
+                            phi_1890_ = ((((bitcast<u32>(_e834) ^ select(0u, 4294967288u, _e638.member_1)) & 2147483640u) | 4u) | 3u);
                         } else {
-                            phi_1846_ = 4294967288u;
+                            phi_1890_ = 4294967288u;
                         }
-                        let _e855 = phi_1846_;
-                        if (_e831 < _e839) {
-                            phi_3086_ = SlimbvhTypeF(_e831, _e839);
+                        let _e873 = phi_1890_;
+                        if (_e849 < _e857) {
+                            phi_3641_ = SlimbvhTypeH(_e849, _e857);
                         } else {
-                            phi_3086_ = SlimbvhTypeF(_e839, _e831);
+                            phi_3641_ = SlimbvhTypeH(_e857, _e849);
                         }
-                        let _e860 = phi_3086_;
-                        if (_e847 < _e855) {
-                            phi_3098_ = SlimbvhTypeF(_e847, _e855);
+                        let _e878 = phi_3641_;
+                        if (_e865 < _e873) {
+                            phi_3653_ = SlimbvhTypeH(_e865, _e873);
                         } else {
-                            phi_3098_ = SlimbvhTypeF(_e855, _e847);
+                            phi_3653_ = SlimbvhTypeH(_e873, _e865);
                         }
-                        let _e867 = phi_3098_;
-                        if (_e860.member < _e867.member) {
-                            phi_3110_ = SlimbvhTypeF(_e860.member, _e867.member);
+                        let _e885 = phi_3653_;
+                        if (_e878.member < _e885.member) {
+                            phi_3665_ = SlimbvhTypeH(_e878.member, _e885.member);
                         } else {
-                            phi_3110_ = SlimbvhTypeF(_e867.member, _e860.member);
+                            phi_3665_ = SlimbvhTypeH(_e885.member, _e878.member);
                         }
-                        let _e874 = phi_3110_;
-                        if (_e860.member_1 < _e867.member_1) {
-                            phi_3122_ = SlimbvhTypeF(_e860.member_1, _e867.member_1);
+                        let _e892 = phi_3665_;
+                        if (_e878.member_1 < _e885.member_1) {
+                            phi_3677_ = SlimbvhTypeH(_e878.member_1, _e885.member_1);
                         } else {
-                            phi_3122_ = SlimbvhTypeF(_e867.member_1, _e860.member_1);
+                            phi_3677_ = SlimbvhTypeH(_e885.member_1, _e878.member_1);
                         }
-                        let _e881 = phi_3122_;
-                        if (_e881.member < _e874.member_1) {
-                            phi_3134_ = SlimbvhTypeF(_e881.member, _e874.member_1);
+                        let _e899 = phi_3677_;
+                        if (_e899.member < _e892.member_1) {
+                            phi_3689_ = SlimbvhTypeH(_e899.member, _e892.member_1);
                         } else {
-                            phi_3134_ = SlimbvhTypeF(_e874.member_1, _e881.member);
+                            phi_3689_ = SlimbvhTypeH(_e892.member_1, _e899.member);
                         }
-                        let _e888 = phi_3134_;
-                        let _e903 = (((_e874.member & 7u) | ((_e888.member & 7u) << bitcast<u32>(3u))) | (((_e888.member_1 & 7u) | ((_e881.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                        if (_e903 == 0u) {
-                            let _e923 = (_e647 - 1u);
-                            let _e928 = slimbvh_stacks[(((_e923 % 32u) * 64u) + _e612)];
-                            let _e929 = (_e928 & 511u);
-                            let _e931 = (_e929 >> bitcast<u32>(3u));
-                            let _e934 = ((_e931 == 0u) || (_e923 == 4294967295u));
-                            if _e934 {
+                        let _e906 = phi_3689_;
+                        let _e921 = (((_e892.member & 7u) | ((_e906.member & 7u) << bitcast<u32>(3u))) | (((_e906.member_1 & 7u) | ((_e899.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                        if (_e921 == 0u) {
+                            let _e941 = (_e665 - 1u);
+                            let _e946 = slimbvh_stacks[(((_e941 % 32u) * 64u) + _e628)];
+                            let _e947 = (_e946 & 511u);
+                            let _e949 = (_e947 >> bitcast<u32>(3u));
+                            let _e952 = ((_e949 == 0u) || (_e941 == 4294967295u));
+                            if _e952 {
                             } else {
-                                slimbvh_stacks[(((_e923 % 32u) * 64u) + _e612)] = (((_e928 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e931);
+                                slimbvh_stacks[(((_e941 % 32u) * 64u) + _e628)] = (((_e946 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e949);
                             }
-                            phi_1935_ = select(_e647, _e923, _e934);
-                            phi_1936_ = (((_e928 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e929 & 3u) & 3u));
+                            phi_1979_ = select(_e665, _e941, _e952);
+                            phi_1980_ = (((_e946 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e947 & 3u) & 3u));
                         } else {
-                            let _e906 = (_e903 >> bitcast<u32>(3u));
-                            if (_e906 == 0u) {
-                                phi_1930_ = _e647;
+                            let _e924 = (_e921 >> bitcast<u32>(3u));
+                            if (_e924 == 0u) {
+                                phi_1974_ = _e665;
                             } else {
-                                slimbvh_stacks[(((_e647 % 32u) * 64u) + _e612)] = ((_e649 << bitcast<u32>(9u)) | _e906);
-                                phi_1930_ = (_e647 + 1u);
+                                slimbvh_stacks[(((_e665 % 32u) * 64u) + _e628)] = ((_e667 << bitcast<u32>(9u)) | _e924);
+                                phi_1974_ = (_e665 + 1u);
                             }
-                            let _e917 = phi_1930_;
-                            phi_1935_ = _e917;
-                            phi_1936_ = ((_e649 << bitcast<u32>(2i)) | ((_e903 & 3u) & 3u));
+                            let _e935 = phi_1974_;
+                            phi_1979_ = _e935;
+                            phi_1980_ = ((_e667 << bitcast<u32>(2i)) | ((_e921 & 3u) & 3u));
                         }
-                        let _e949 = phi_1935_;
-                        let _e951 = phi_1936_;
-                        let _e953 = (_e951 >> bitcast<u32>(2i));
-                        if (_e953 < _e85) {
-                            let _e960 = slimbvh_nodes.member[_e953].member_1[(_e951 & 3u)];
-                            phi_1957_ = _e960;
+                        let _e967 = phi_1979_;
+                        let _e969 = phi_1980_;
+                        let _e971 = (_e969 >> bitcast<u32>(2i));
+                        if (_e971 < _e96) {
+                            let _e978 = slimbvh_nodes.member[_e971].member_1[(_e969 & 3u)];
+                            phi_2001_ = _e978;
                         } else {
-                            phi_1957_ = 2147483648u;
+                            phi_2001_ = 2147483648u;
                         }
-                        let _e962 = phi_1957_;
-                        let _e963 = (_e651 - 1u);
-                        phi_1366_ = select(_e949, 4294967295u, (_e963 == 0u));
-                        phi_1369_ = _e962;
-                        phi_1371_ = _e963;
+                        let _e980 = phi_2001_;
+                        let _e981 = (_e669 - 1u);
+                        phi_1410_ = select(_e967, 4294967295u, (_e981 == 0u));
+                        phi_1413_ = _e980;
+                        phi_1415_ = _e981;
                     } else {
-                        phi_1366_ = u32();
-                        phi_1369_ = u32();
-                        phi_1371_ = u32();
+                        phi_1410_ = u32();
+                        phi_1413_ = u32();
+                        phi_1415_ = u32();
                     }
-                    let _e967 = phi_1366_;
-                    let _e969 = phi_1369_;
-                    let _e971 = phi_1371_;
+                    let _e985 = phi_1410_;
+                    let _e987 = phi_1413_;
+                    let _e989 = phi_1415_;
                     continue;
                     continuing {
-                        phi_1365_ = _e967;
-                        phi_1368_ = _e969;
-                        phi_1370_ = _e971;
-                        break if !(_e655);
+                        phi_1409_ = _e985;
+                        phi_1412_ = _e987;
+                        phi_1414_ = _e989;
+                        break if !(_e673);
                     }
                 }
-                let _e974 = local;
-                if _e974 {
-                    let _e976 = local_1;
-                    let _e979 = local_2;
-                    phi_1973_ = _e638;
-                    phi_1976_ = SlimbvhTypeF(0u, ((_e979 >> bitcast<u32>(28u)) & 7u));
+                let _e992 = local;
+                if _e992 {
+                    let _e994 = local_1;
+                    let _e997 = local_2;
+                    phi_2017_ = _e656;
+                    phi_2020_ = SlimbvhTypeH(0u, ((_e997 >> bitcast<u32>(28u)) & 7u));
                     loop {
-                        let _e985 = phi_1973_;
-                        let _e987 = phi_1976_;
-                        local_5 = _e985;
-                        local_8 = _e985;
-                        if (_e987.member < _e987.member_1) {
-                            phi_1977_ = SlimbvhTypeF((_e987.member + 1u), _e987.member_1);
-                            phi_1999_ = SlimbvhTypeF(1u, _e987.member);
+                        let _e1003 = phi_2017_;
+                        let _e1005 = phi_2020_;
+                        local_5 = _e1003;
+                        local_8 = _e1003;
+                        if (_e1005.member < _e1005.member_1) {
+                            phi_2021_ = SlimbvhTypeH((_e1005.member + 1u), _e1005.member_1);
+                            phi_2043_ = SlimbvhTypeH(1u, _e1005.member);
                         } else {
-                            phi_1977_ = _e987;
-                            phi_1999_ = SlimbvhTypeF(0u, SlimbvhTypeF().member_1);
+                            phi_2021_ = _e1005;
+                            phi_2043_ = SlimbvhTypeH(0u, SlimbvhTypeH().member_1);
                         }
-                        let _e1000 = phi_1977_;
-                        let _e1002 = phi_1999_;
-                        let _e1006 = (bitcast<i32>(_e1002.member) != 0i);
-                        if _e1006 {
-                            let _e1007 = ((_e976 & 268435455u) + _e1002.member_1);
-                            let _e1008 = (_e1007 / 2u);
-                            let _e1009 = (_e1007 % 2u);
-                            let _e1010 = (_e1008 >= arrayLength((&slimbvh_triangles.member)));
-                            if _e1010 {
-                                phi_2079_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e1018 = phi_2021_;
+                        let _e1020 = phi_2043_;
+                        let _e1024 = (bitcast<i32>(_e1020.member) != 0i);
+                        if _e1024 {
+                            let _e1025 = ((_e994 & 268435455u) + _e1020.member_1);
+                            let _e1026 = (_e1025 / 2u);
+                            let _e1027 = (_e1025 % 2u);
+                            let _e1028 = (_e1026 >= arrayLength((&slimbvh_triangles.member)));
+                            if _e1028 {
+                                phi_2123_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
-                                let _e1011 = (2u * _e1009);
-                                let _e1015 = slimbvh_triangles.member[_e1008][_e1011];
-                                let _e1020 = slimbvh_triangles.member[_e1008][(_e1011 + 1u)];
-                                let _e1025 = slimbvh_triangles.member[_e1008][(_e1011 + 2u)];
-                                if (_e1009 == 0u) {
-                                    phi_2078_ = array<vec4<f32>, 3>(_e1015, _e1020, _e1025);
+                                let _e1029 = (2u * _e1027);
+                                let _e1033 = slimbvh_triangles.member[_e1026][_e1029];
+                                let _e1038 = slimbvh_triangles.member[_e1026][(_e1029 + 1u)];
+                                let _e1043 = slimbvh_triangles.member[_e1026][(_e1029 + 2u)];
+                                if (_e1027 == 0u) {
+                                    phi_2122_ = array<vec4<f32>, 3>(_e1033, _e1038, _e1043);
                                 } else {
-                                    phi_2078_ = array<vec4<f32>, 3>(vec4<f32>(_e1015.z, _e1015.w, _e1020.x, _e1020.y), vec4<f32>(_e1020.z, _e1020.w, _e1025.x, _e1025.y), vec4<f32>(_e1025.z, _e1025.w, 0f, 0f));
+                                    phi_2122_ = array<vec4<f32>, 3>(vec4<f32>(_e1033.z, _e1033.w, _e1038.x, _e1038.y), vec4<f32>(_e1038.z, _e1038.w, _e1043.x, _e1043.y), vec4<f32>(_e1043.z, _e1043.w, 0f, 0f));
                                 }
-                                let _e1043 = phi_2078_;
-                                phi_2079_ = _e1043;
+                                let _e1061 = phi_2122_;
+                                phi_2123_ = _e1061;
                             }
-                            let _e1045 = phi_2079_;
-                            let _e1048 = bitcast<u32>(_e1045[2].y);
-                            if _e1010 {
-                                phi_2160_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            let _e1063 = phi_2123_;
+                            let _e1066 = bitcast<u32>(_e1063[2].y);
+                            if _e1028 {
+                                phi_2204_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
-                                let _e1049 = (2u * _e1009);
-                                let _e1053 = slimbvh_triangles.member[_e1008][_e1049];
-                                let _e1058 = slimbvh_triangles.member[_e1008][(_e1049 + 1u)];
-                                let _e1063 = slimbvh_triangles.member[_e1008][(_e1049 + 2u)];
-                                if (_e1009 == 0u) {
-                                    phi_2159_ = array<vec4<f32>, 3>(_e1053, _e1058, _e1063);
+                                let _e1067 = (2u * _e1027);
+                                let _e1071 = slimbvh_triangles.member[_e1026][_e1067];
+                                let _e1076 = slimbvh_triangles.member[_e1026][(_e1067 + 1u)];
+                                let _e1081 = slimbvh_triangles.member[_e1026][(_e1067 + 2u)];
+                                if (_e1027 == 0u) {
+                                    phi_2203_ = array<vec4<f32>, 3>(_e1071, _e1076, _e1081);
                                 } else {
-                                    phi_2159_ = array<vec4<f32>, 3>(vec4<f32>(_e1053.z, _e1053.w, _e1058.x, _e1058.y), vec4<f32>(_e1058.z, _e1058.w, _e1063.x, _e1063.y), vec4<f32>(_e1063.z, _e1063.w, 0f, 0f));
+                                    phi_2203_ = array<vec4<f32>, 3>(vec4<f32>(_e1071.z, _e1071.w, _e1076.x, _e1076.y), vec4<f32>(_e1076.z, _e1076.w, _e1081.x, _e1081.y), vec4<f32>(_e1081.z, _e1081.w, 0f, 0f));
                                 }
-                                let _e1081 = phi_2159_;
-                                phi_2160_ = _e1081;
+                                let _e1099 = phi_2203_;
+                                phi_2204_ = _e1099;
                             }
-                            let _e1083 = phi_2160_;
-                            if _e158 {
-                                phi_2184_ = array<f32, 3>(_e1083[0].x, _e1083[0].y, _e1083[0].z);
+                            let _e1101 = phi_2204_;
+                            if _e171 {
+                                phi_2228_ = array<f32, 3>(_e1101[0].x, _e1101[0].y, _e1101[0].z);
                             } else {
-                                if (_e153 == 1u) {
-                                    phi_2183_ = array<f32, 3>(_e1083[0].y, _e1083[0].z, _e1083[0].x);
+                                if (_e166 == 1u) {
+                                    phi_2227_ = array<f32, 3>(_e1101[0].y, _e1101[0].z, _e1101[0].x);
                                 } else {
-                                    phi_2183_ = array<f32, 3>(_e1083[0].z, _e1083[0].x, _e1083[0].y);
+                                    phi_2227_ = array<f32, 3>(_e1101[0].z, _e1101[0].x, _e1101[0].y);
                                 }
-                                let _e1106 = phi_2183_;
-                                phi_2184_ = _e1106;
+                                let _e1124 = phi_2227_;
+                                phi_2228_ = _e1124;
                             }
-                            let _e1109 = phi_2184_;
-                            if _e158 {
-                                phi_2199_ = array<f32, 3>(_e1083[0].w, _e1083[1].x, _e1083[1].y);
+                            let _e1127 = phi_2228_;
+                            if _e171 {
+                                phi_2243_ = array<f32, 3>(_e1101[0].w, _e1101[1].x, _e1101[1].y);
                             } else {
-                                if (_e153 == 1u) {
-                                    phi_2198_ = array<f32, 3>(_e1083[1].x, _e1083[1].y, _e1083[0].w);
+                                if (_e166 == 1u) {
+                                    phi_2242_ = array<f32, 3>(_e1101[1].x, _e1101[1].y, _e1101[0].w);
                                 } else {
-                                    phi_2198_ = array<f32, 3>(_e1083[1].y, _e1083[0].w, _e1083[1].x);
+                                    phi_2242_ = array<f32, 3>(_e1101[1].y, _e1101[0].w, _e1101[1].x);
                                 }
-                                let _e1114 = phi_2198_;
-                                phi_2199_ = _e1114;
+                                let _e1132 = phi_2242_;
+                                phi_2243_ = _e1132;
                             }
-                            let _e1117 = phi_2199_;
-                            if _e158 {
-                                phi_2214_ = array<f32, 3>(_e1083[1].z, _e1083[1].w, _e1083[2].x);
+                            let _e1135 = phi_2243_;
+                            if _e171 {
+                                phi_2258_ = array<f32, 3>(_e1101[1].z, _e1101[1].w, _e1101[2].x);
                             } else {
-                                if (_e153 == 1u) {
-                                    phi_2213_ = array<f32, 3>(_e1083[1].w, _e1083[2].x, _e1083[1].z);
+                                if (_e166 == 1u) {
+                                    phi_2257_ = array<f32, 3>(_e1101[1].w, _e1101[2].x, _e1101[1].z);
                                 } else {
-                                    phi_2213_ = array<f32, 3>(_e1083[2].x, _e1083[1].z, _e1083[1].w);
+                                    phi_2257_ = array<f32, 3>(_e1101[2].x, _e1101[1].z, _e1101[1].w);
                                 }
-                                let _e1122 = phi_2213_;
-                                phi_2214_ = _e1122;
+                                let _e1140 = phi_2257_;
+                                phi_2258_ = _e1140;
                             }
-                            let _e1125 = phi_2214_;
-                            let _e1139 = (_e1109[2] - _e541.member[2]);
-                            let _e1142 = (((_e1109[0] - _e541.member[0]) * _e596) - (_e1139 * _e564));
-                            let _e1145 = (((_e1109[1] - _e541.member[1]) * _e596) - (_e1139 * _e580));
-                            let _e1148 = (_e1117[2] - _e541.member[2]);
-                            let _e1151 = (((_e1117[0] - _e541.member[0]) * _e596) - (_e1148 * _e564));
-                            let _e1154 = (((_e1117[1] - _e541.member[1]) * _e596) - (_e1148 * _e580));
-                            let _e1157 = (_e1125[2] - _e541.member[2]);
-                            let _e1160 = (((_e1125[0] - _e541.member[0]) * _e596) - (_e1157 * _e564));
-                            let _e1163 = (((_e1125[1] - _e541.member[1]) * _e596) - (_e1157 * _e580));
-                            let _e1164 = (_e1160 * _e1154);
-                            let _e1165 = (_e1163 * _e1151);
-                            let _e1166 = (_e1142 * _e1163);
-                            let _e1167 = (_e1145 * _e1160);
-                            let _e1168 = (_e1151 * _e1145);
-                            let _e1169 = (_e1154 * _e1142);
-                            let _e1174 = (((_e1164 >= _e1165) && (_e1166 >= _e1167)) && (_e1168 >= _e1169));
-                            let _e1180 = (_e1174 || (((_e1164 <= _e1165) && (_e1166 <= _e1167)) && (_e1168 <= _e1169)));
-                            if _e1180 {
-                                let _e1182 = select(-1f, 1f, _e1174);
-                                let _e1184 = ((_e1164 - _e1165) * _e1182);
-                                let _e1186 = select(0f, _e1184, (_e1184 > 0f));
-                                let _e1188 = ((_e1166 - _e1167) * _e1182);
-                                let _e1190 = select(0f, _e1188, (_e1188 > 0f));
-                                let _e1192 = ((_e1168 - _e1169) * _e1182);
-                                let _e1194 = select(0f, _e1192, (_e1192 > 0f));
-                                let _e1196 = ((_e1186 + _e1190) + _e1194);
-                                let _e1211 = ((min(min(_e1109[0], _e1117[0]), _e1125[0]) - _e565) * _e568);
-                                let _e1212 = ((max(max(_e1109[0], _e1117[0]), _e1125[0]) - _e566) * _e568);
-                                let _e1213 = vec4<f32>(_e1211, f32(), _e1212, f32());
-                                let _e1216 = ((min(min(_e1109[1], _e1117[1]), _e1125[1]) - _e581) * _e584);
-                                let _e1217 = ((max(max(_e1109[1], _e1117[1]), _e1125[1]) - _e582) * _e584);
-                                let _e1218 = vec4<f32>(_e1216, f32(), _e1217, f32());
-                                let _e1221 = ((min(min(_e1109[2], _e1117[2]), _e1125[2]) - _e597) * _e600);
-                                let _e1222 = ((max(max(_e1109[2], _e1117[2]), _e1125[2]) - _e598) * _e600);
-                                let _e1223 = vec4<f32>(_e1221, f32(), _e1222, f32());
-                                let _e1224 = vec4<f32>(_e1212, f32(), _e1211, f32());
-                                let _e1226 = vec4<f32>(_e1217, f32(), _e1216, f32());
-                                let _e1228 = vec4<f32>(_e1222, f32(), _e1221, f32());
-                                let _e1237 = max(max(min(_e1213, _e1224).x, min(_e1218, _e1226).x), min(_e1223, _e1228).x);
-                                let _e1242 = min(min(max(_e1213, _e1224).x, max(_e1218, _e1226).x), max(_e1223, _e1228).x);
-                                let _e1247 = max(_e1237, _e608);
-                                let _e1269 = (((((_e1180 && (_e1196 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1142, _e1151), _e1160) <= 0f) && (max(max(_e1142, _e1151), _e1160) >= 0f))) && ((min(min(_e1145, _e1154), _e1163) <= 0f) && (max(max(_e1145, _e1154), _e1163) >= 0f))) && (_e1247 <= (_e1242 + (max(max(_e1223, _e1228).x, -(min(_e1223, _e1228).x)) * 0.0000019073523f)))) && (_e1247 <= _e985.member.member_1));
-                                if _e1269 {
-                                    let _e1274 = (_e1117[0] - _e1109[0]);
-                                    let _e1275 = (_e1117[1] - _e1109[1]);
-                                    let _e1276 = (_e1117[2] - _e1109[2]);
-                                    let _e1277 = vec3<f32>(_e1274, _e1275, _e1276);
-                                    let _e1278 = (_e1125[0] - _e1117[0]);
-                                    let _e1279 = (_e1125[1] - _e1117[1]);
-                                    let _e1280 = (_e1125[2] - _e1117[2]);
-                                    let _e1281 = vec3<f32>(_e1278, _e1279, _e1280);
-                                    let _e1282 = (_e1109[0] - _e1125[0]);
-                                    let _e1283 = (_e1109[1] - _e1125[1]);
-                                    let _e1284 = (_e1109[2] - _e1125[2]);
-                                    let _e1285 = vec3<f32>(_e1282, _e1283, _e1284);
-                                    let _e1296 = max(max(bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u)));
-                                    let _e1307 = max(max(bitcast<f32>((bitcast<u32>(_e1278) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1279) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1280) & 2147483647u)));
-                                    let _e1320 = max(max(_e1296, _e1307), max(max(bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u))));
-                                    if (_e1296 == _e1320) {
-                                        phi_2573_ = _e1154;
-                                        phi_2574_ = _e1151;
-                                        phi_2575_ = _e1145;
-                                        phi_2576_ = _e1142;
-                                        phi_2577_ = vec3<f32>(_e1109[0], _e1109[1], _e1109[2]);
-                                        phi_2578_ = _e1285;
-                                        phi_2579_ = _e1281;
-                                        phi_2580_ = _e1277;
+                            let _e1143 = phi_2258_;
+                            let _e1157 = (_e1127[2] - _e554.member[2]);
+                            let _e1160 = (((_e1127[0] - _e554.member[0]) * _e609) - (_e1157 * _e577));
+                            let _e1163 = (((_e1127[1] - _e554.member[1]) * _e609) - (_e1157 * _e593));
+                            let _e1166 = (_e1135[2] - _e554.member[2]);
+                            let _e1169 = (((_e1135[0] - _e554.member[0]) * _e609) - (_e1166 * _e577));
+                            let _e1172 = (((_e1135[1] - _e554.member[1]) * _e609) - (_e1166 * _e593));
+                            let _e1175 = (_e1143[2] - _e554.member[2]);
+                            let _e1178 = (((_e1143[0] - _e554.member[0]) * _e609) - (_e1175 * _e577));
+                            let _e1181 = (((_e1143[1] - _e554.member[1]) * _e609) - (_e1175 * _e593));
+                            let _e1182 = (_e1178 * _e1172);
+                            let _e1183 = (_e1181 * _e1169);
+                            let _e1184 = (_e1160 * _e1181);
+                            let _e1185 = (_e1163 * _e1178);
+                            let _e1186 = (_e1169 * _e1163);
+                            let _e1187 = (_e1172 * _e1160);
+                            let _e1192 = (((_e1182 >= _e1183) && (_e1184 >= _e1185)) && (_e1186 >= _e1187));
+                            let _e1198 = (_e1192 || (((_e1182 <= _e1183) && (_e1184 <= _e1185)) && (_e1186 <= _e1187)));
+                            if _e1198 {
+                                let _e1200 = select(-1f, 1f, _e1192);
+                                let _e1202 = ((_e1182 - _e1183) * _e1200);
+                                let _e1204 = select(0f, _e1202, (_e1202 > 0f));
+                                let _e1206 = ((_e1184 - _e1185) * _e1200);
+                                let _e1208 = select(0f, _e1206, (_e1206 > 0f));
+                                let _e1210 = ((_e1186 - _e1187) * _e1200);
+                                let _e1212 = select(0f, _e1210, (_e1210 > 0f));
+                                let _e1214 = ((_e1204 + _e1208) + _e1212);
+                                let _e1229 = ((min(min(_e1127[0], _e1135[0]), _e1143[0]) - _e578) * _e581);
+                                let _e1230 = ((max(max(_e1127[0], _e1135[0]), _e1143[0]) - _e579) * _e581);
+                                let _e1231 = vec4<f32>(_e1229, f32(), _e1230, f32());
+                                let _e1234 = ((min(min(_e1127[1], _e1135[1]), _e1143[1]) - _e594) * _e597);
+                                let _e1235 = ((max(max(_e1127[1], _e1135[1]), _e1143[1]) - _e595) * _e597);
+                                let _e1236 = vec4<f32>(_e1234, f32(), _e1235, f32());
+                                let _e1239 = ((min(min(_e1127[2], _e1135[2]), _e1143[2]) - _e610) * _e613);
+                                let _e1240 = ((max(max(_e1127[2], _e1135[2]), _e1143[2]) - _e611) * _e613);
+                                let _e1241 = vec4<f32>(_e1239, f32(), _e1240, f32());
+                                let _e1242 = vec4<f32>(_e1230, f32(), _e1229, f32());
+                                let _e1244 = vec4<f32>(_e1235, f32(), _e1234, f32());
+                                let _e1246 = vec4<f32>(_e1240, f32(), _e1239, f32());
+                                let _e1255 = max(max(min(_e1231, _e1242).x, min(_e1236, _e1244).x), min(_e1241, _e1246).x);
+                                let _e1260 = min(min(max(_e1231, _e1242).x, max(_e1236, _e1244).x), max(_e1241, _e1246).x);
+                                let _e1265 = max(_e1255, _e621);
+                                let _e1287 = (((((_e1198 && (_e1214 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1160, _e1169), _e1178) <= 0f) && (max(max(_e1160, _e1169), _e1178) >= 0f))) && ((min(min(_e1163, _e1172), _e1181) <= 0f) && (max(max(_e1163, _e1172), _e1181) >= 0f))) && (_e1265 <= (_e1260 + (max(max(_e1241, _e1246).x, -(min(_e1241, _e1246).x)) * 0.0000019073523f)))) && (_e1265 <= _e1003.member.member_1));
+                                if _e1287 {
+                                    let _e1292 = (_e1135[0] - _e1127[0]);
+                                    let _e1293 = (_e1135[1] - _e1127[1]);
+                                    let _e1294 = (_e1135[2] - _e1127[2]);
+                                    let _e1295 = vec3<f32>(_e1292, _e1293, _e1294);
+                                    let _e1296 = (_e1143[0] - _e1135[0]);
+                                    let _e1297 = (_e1143[1] - _e1135[1]);
+                                    let _e1298 = (_e1143[2] - _e1135[2]);
+                                    let _e1299 = vec3<f32>(_e1296, _e1297, _e1298);
+                                    let _e1300 = (_e1127[0] - _e1143[0]);
+                                    let _e1301 = (_e1127[1] - _e1143[1]);
+                                    let _e1302 = (_e1127[2] - _e1143[2]);
+                                    let _e1303 = vec3<f32>(_e1300, _e1301, _e1302);
+                                    let _e1314 = max(max(bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1293) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u)));
+                                    let _e1325 = max(max(bitcast<f32>((bitcast<u32>(_e1296) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u)));
+                                    let _e1338 = max(max(_e1314, _e1325), max(max(bitcast<f32>((bitcast<u32>(_e1300) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u))));
+                                    if (_e1314 == _e1338) {
+                                        phi_2617_ = _e1172;
+                                        phi_2618_ = _e1169;
+                                        phi_2619_ = _e1163;
+                                        phi_2620_ = _e1160;
+                                        phi_2621_ = vec3<f32>(_e1127[0], _e1127[1], _e1127[2]);
+                                        phi_2622_ = _e1303;
+                                        phi_2623_ = _e1299;
+                                        phi_2624_ = _e1295;
                                     } else {
-                                        let _e1322 = (_e1307 == _e1320);
-                                        let _e1327 = vec3(_e1322);
-                                        phi_2573_ = select(_e1145, _e1163, _e1322);
-                                        phi_2574_ = select(_e1142, _e1160, _e1322);
-                                        phi_2575_ = select(_e1163, _e1154, _e1322);
-                                        phi_2576_ = select(_e1160, _e1151, _e1322);
-                                        phi_2577_ = select(vec3<f32>(_e1125[0], _e1125[1], _e1125[2]), vec3<f32>(_e1117[0], _e1117[1], _e1117[2]), _e1327);
-                                        phi_2578_ = select(_e1281, _e1277, _e1327);
-                                        phi_2579_ = select(_e1277, _e1285, _e1327);
-                                        phi_2580_ = select(_e1285, _e1281, _e1327);
+                                        let _e1340 = (_e1325 == _e1338);
+                                        let _e1345 = vec3(_e1340);
+                                        phi_2617_ = select(_e1163, _e1181, _e1340);
+                                        phi_2618_ = select(_e1160, _e1178, _e1340);
+                                        phi_2619_ = select(_e1181, _e1172, _e1340);
+                                        phi_2620_ = select(_e1178, _e1169, _e1340);
+                                        phi_2621_ = select(vec3<f32>(_e1143[0], _e1143[1], _e1143[2]), vec3<f32>(_e1135[0], _e1135[1], _e1135[2]), _e1345);
+                                        phi_2622_ = select(_e1299, _e1295, _e1345);
+                                        phi_2623_ = select(_e1295, _e1303, _e1345);
+                                        phi_2624_ = select(_e1303, _e1299, _e1345);
                                     }
-                                    let _e1333 = phi_2573_;
-                                    let _e1335 = phi_2574_;
-                                    let _e1337 = phi_2575_;
-                                    let _e1339 = phi_2576_;
-                                    let _e1341 = phi_2577_;
-                                    let _e1343 = phi_2578_;
-                                    let _e1345 = phi_2579_;
-                                    let _e1347 = phi_2580_;
-                                    let _e1354 = ((_e1345.y * _e1343.z) - (_e1343.y * _e1345.z));
-                                    let _e1359 = ((_e1345.z * _e1343.x) - (_e1343.z * _e1345.x));
-                                    let _e1362 = ((_e1345.x * _e1343.y) - (_e1343.x * _e1345.y));
-                                    let _e1365 = ((_e1186 >= _e1190) && (_e1186 >= _e1194));
-                                    let _e1366 = (_e1190 >= _e1194);
-                                    let _e1380 = (((_e1354 * (select(select(_e1125[0], _e1117[0], _e1366), _e1109[0], _e1365) - _e541.member[0])) + (_e1359 * (select(select(_e1125[1], _e1117[1], _e1366), _e1109[1], _e1365) - _e541.member[1]))) + (_e1362 * (select(select(_e1125[2], _e1117[2], _e1366), _e1109[2], _e1365) - _e541.member[2])));
-                                    let _e1385 = (((_e1354 * _e564) + (_e1359 * _e580)) + (_e1362 * _e596));
-                                    let _e1386 = (_e1335 - _e1339);
-                                    let _e1387 = (_e1333 - _e1337);
-                                    let _e1390 = ((_e1386 * _e1386) + (_e1387 * _e1387));
-                                    let _e1397 = (-(((_e1339 * _e1386) + (_e1337 * _e1387))) / select(0.000000000000000000000000000000000000011754944f, _e1390, (_e1390 > 0.000000000000000000000000000000000000011754944f)));
-                                    let _e1399 = select(1f, _e1397, (_e1397 < 1f));
-                                    let _e1401 = select(0f, _e1399, (_e1399 > 0f));
-                                    let _e1410 = ((_e1341.x + (_e1347.x * _e1401)) - _e541.member[0]);
-                                    let _e1413 = ((_e1341.y + (_e1347.y * _e1401)) - _e541.member[1]);
-                                    let _e1416 = ((_e1341.z + (_e1347.z * _e1401)) - _e541.member[2]);
-                                    let _e1481 = ((bitcast<f32>((bitcast<u32>(((((_e1354 * _e1410) + (_e1359 * _e1413)) + (_e1362 * _e1416)) - _e1380)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1410) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1413) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u))), _e1320)) * max(max(bitcast<f32>((bitcast<u32>(_e1354) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1345.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1345.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1345.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1343.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1343.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1343.z) & 2147483647u)))))));
-                                    let _e1482 = (_e1380 / _e1385);
-                                    if (_e1269 && !(_e1481)) {
-                                        let _e1485 = (_e1416 / _e596);
-                                        let _e1493 = (((_e1354 * (_e1410 - (_e564 * _e1485))) + (_e1359 * (_e1413 - (_e580 * _e1485)))) / _e1385);
-                                        phi_2759_ = select(select(_e1485, (_e1485 + _e1493), (bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u)) <= _e1320)), _e1482, _e1481);
+                                    let _e1351 = phi_2617_;
+                                    let _e1353 = phi_2618_;
+                                    let _e1355 = phi_2619_;
+                                    let _e1357 = phi_2620_;
+                                    let _e1359 = phi_2621_;
+                                    let _e1361 = phi_2622_;
+                                    let _e1363 = phi_2623_;
+                                    let _e1365 = phi_2624_;
+                                    let _e1372 = ((_e1363.y * _e1361.z) - (_e1361.y * _e1363.z));
+                                    let _e1377 = ((_e1363.z * _e1361.x) - (_e1361.z * _e1363.x));
+                                    let _e1380 = ((_e1363.x * _e1361.y) - (_e1361.x * _e1363.y));
+                                    let _e1383 = ((_e1204 >= _e1208) && (_e1204 >= _e1212));
+                                    let _e1384 = (_e1208 >= _e1212);
+                                    let _e1398 = (((_e1372 * (select(select(_e1143[0], _e1135[0], _e1384), _e1127[0], _e1383) - _e554.member[0])) + (_e1377 * (select(select(_e1143[1], _e1135[1], _e1384), _e1127[1], _e1383) - _e554.member[1]))) + (_e1380 * (select(select(_e1143[2], _e1135[2], _e1384), _e1127[2], _e1383) - _e554.member[2])));
+                                    let _e1403 = (((_e1372 * _e577) + (_e1377 * _e593)) + (_e1380 * _e609));
+                                    let _e1404 = (_e1353 - _e1357);
+                                    let _e1405 = (_e1351 - _e1355);
+                                    let _e1408 = ((_e1404 * _e1404) + (_e1405 * _e1405));
+                                    let _e1415 = (-(((_e1357 * _e1404) + (_e1355 * _e1405))) / select(0.000000000000000000000000000000000000011754944f, _e1408, (_e1408 > 0.000000000000000000000000000000000000011754944f)));
+                                    let _e1417 = select(1f, _e1415, (_e1415 < 1f));
+                                    let _e1419 = select(0f, _e1417, (_e1417 > 0f));
+                                    let _e1428 = ((_e1359.x + (_e1365.x * _e1419)) - _e554.member[0]);
+                                    let _e1431 = ((_e1359.y + (_e1365.y * _e1419)) - _e554.member[1]);
+                                    let _e1434 = ((_e1359.z + (_e1365.z * _e1419)) - _e554.member[2]);
+                                    let _e1499 = ((bitcast<f32>((bitcast<u32>(((((_e1372 * _e1428) + (_e1377 * _e1431)) + (_e1380 * _e1434)) - _e1398)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1428) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1434) & 2147483647u))), _e1338)) * max(max(bitcast<f32>((bitcast<u32>(_e1372) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1363.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1363.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1363.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1361.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1361.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1361.z) & 2147483647u)))))));
+                                    let _e1500 = (_e1398 / _e1403);
+                                    if (_e1287 && !(_e1499)) {
+                                        let _e1503 = (_e1434 / _e609);
+                                        let _e1511 = (((_e1372 * (_e1428 - (_e577 * _e1503))) + (_e1377 * (_e1431 - (_e593 * _e1503)))) / _e1403);
+                                        phi_2803_ = select(select(_e1503, (_e1503 + _e1511), (bitcast<f32>((bitcast<u32>(_e1511) & 2147483647u)) <= _e1338)), _e1500, _e1499);
                                     } else {
-                                        phi_2759_ = _e1482;
+                                        phi_2803_ = _e1500;
                                     }
-                                    let _e1502 = phi_2759_;
-                                    let _e1504 = select(_e1242, _e1502, (_e1502 < _e1242));
-                                    let _e1506 = select(_e1237, _e1504, (_e1504 > _e1237));
-                                    let _e1509 = select(_e1506, 0f, (bitcast<u32>(_e1506) == 2147483648u));
-                                    let _e1510 = (1f / _e1196);
-                                    phi_2785_ = SlimbvhTypeG(_e1509, (_e1190 * _e1510), (_e1194 * _e1510), ((_e1269 && (_e1509 >= _e608)) && (_e1509 <= _e985.member.member_1)));
-                                    phi_2786_ = SlimbvhTypeG();
+                                    let _e1520 = phi_2803_;
+                                    let _e1522 = select(_e1260, _e1520, (_e1520 < _e1260));
+                                    let _e1524 = select(_e1255, _e1522, (_e1522 > _e1255));
+                                    let _e1527 = select(_e1524, 0f, (bitcast<u32>(_e1524) == 2147483648u));
+                                    let _e1528 = (1f / _e1214);
+                                    phi_2829_ = SlimbvhTypeI(_e1527, (_e1208 * _e1528), (_e1212 * _e1528), ((_e1287 && (_e1527 >= _e621)) && (_e1527 <= _e1003.member.member_1)));
+                                    phi_2830_ = SlimbvhTypeI();
                                 } else {
-                                    phi_2785_ = SlimbvhTypeG();
-                                    phi_2786_ = SlimbvhTypeG(0f, 0f, 0f, _e1269);
+                                    phi_2829_ = SlimbvhTypeI();
+                                    phi_2830_ = SlimbvhTypeI(0f, 0f, 0f, _e1287);
                                 }
-                                let _e1519 = phi_2785_;
-                                let _e1521 = phi_2786_;
-                                phi_2789_ = _e1519;
-                                phi_2790_ = _e1521;
-                                phi_2791_ = select(true, false, _e1269);
+                                let _e1537 = phi_2829_;
+                                let _e1539 = phi_2830_;
+                                phi_2833_ = _e1537;
+                                phi_2834_ = _e1539;
+                                phi_2835_ = select(true, false, _e1287);
                             } else {
-                                phi_2789_ = SlimbvhTypeG();
-                                phi_2790_ = SlimbvhTypeG(0f, 0f, 0f, _e1180);
-                                phi_2791_ = true;
+                                phi_2833_ = SlimbvhTypeI();
+                                phi_2834_ = SlimbvhTypeI(0f, 0f, 0f, _e1198);
+                                phi_2835_ = true;
                             }
-                            let _e1524 = phi_2789_;
-                            let _e1526 = phi_2790_;
-                            let _e1528 = phi_2791_;
-                            if _e1528 {
-                                phi_2795_ = _e1526;
+                            let _e1542 = phi_2833_;
+                            let _e1544 = phi_2834_;
+                            let _e1546 = phi_2835_;
+                            if _e1546 {
+                                phi_2839_ = _e1544;
                             } else {
-                                phi_2795_ = _e1524;
+                                phi_2839_ = _e1542;
                             }
-                            let _e1530 = phi_2795_;
-                            if _e1530.member_3 {
-                                phi_2804_ = SlimbvhTypeH(_e1530.member, _e1530.member_1, _e1530.member_2, _e1048);
+                            let _e1548 = phi_2839_;
+                            if _e1548.member_3 {
+                                phi_2848_ = SlimbvhTypeJ(_e1548.member, _e1548.member_1, _e1548.member_2, _e1066);
                             } else {
-                                phi_2804_ = _e82;
+                                phi_2848_ = _e93;
                             }
-                            let _e1537 = phi_2804_;
-                            if (_e1537.member_3 != 4294967295u) {
-                                if (_e1048 != 4294967295u) {
-                                    if (_e1537.member < _e985.member.member.member) {
-                                        phi_2832_ = true;
+                            let _e1555 = phi_2848_;
+                            if (_e1555.member_3 != 4294967295u) {
+                                let _e1561 = slimbvh_target.member[0u][0u];
+                                let _e1565 = slimbvh_target.member[0u][1u];
+                                let _e1569 = slimbvh_target.member[0u][2u];
+                                let _e1573 = slimbvh_target.member[0u][3u];
+                                let _e1577 = slimbvh_target.member[1u][0u];
+                                let _e1581 = slimbvh_target.member[1u][1u];
+                                let _e1585 = slimbvh_target.member[1u][2u];
+                                let _e1589 = slimbvh_target.member[1u][3u];
+                                let _e1590 = bitcast<f32>(_e1561);
+                                let _e1591 = bitcast<f32>(_e1565);
+                                let _e1592 = bitcast<f32>(_e1569);
+                                let _e1594 = bitcast<f32>(_e1577);
+                                let _e1595 = array<u32, 3>(_e1581, _e1585, _e1589);
+                                if (_e124 < -126i) {
+                                    phi_2901_ = -126i;
+                                } else {
+                                    phi_2901_ = select(_e124, 127i, (_e124 > 127i));
+                                }
+                                let _e1601 = phi_2901_;
+                                let _e1606 = bitcast<f32>((bitcast<u32>((_e1601 + 127i)) << bitcast<u32>(23i)));
+                                let _e1612 = bitcast<f32>((bitcast<u32>(((_e124 - _e1601) + 127i)) << bitcast<u32>(23i)));
+                                if (_e1573 == 0u) {
+                                    phi_3041_ = SlimbvhTypeK(array<f32, 3>(_e1590, _e1591, _e1592), _e1573, _e1594, _e1595);
+                                } else {
+                                    let _e1614 = bitcast<u32>(_e1590);
+                                    let _e1616 = ((_e1614 & 2139095040u) != 0u);
+                                    let _e1631 = bitcast<u32>(_e1591);
+                                    let _e1633 = ((_e1631 & 2139095040u) != 0u);
+                                    let _e1648 = bitcast<u32>(_e1592);
+                                    let _e1650 = ((_e1648 & 2139095040u) != 0u);
+                                    let _e1666 = bitcast<u32>(_e1594);
+                                    let _e1668 = ((_e1666 & 2139095040u) != 0u);
+                                    phi_3041_ = SlimbvhTypeK(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1614 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1614 & 2147483648u))), _e1590, _e1616) * _e1606) * select(0.00000011920929f, 1f, _e1616)) * _e1612), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1631 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1631 & 2147483648u))), _e1591, _e1633) * _e1606) * select(0.00000011920929f, 1f, _e1633)) * _e1612), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1648 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1648 & 2147483648u))), _e1592, _e1650) * _e1606) * select(0.00000011920929f, 1f, _e1650)) * _e1612)), _e1573, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1666 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1666 & 2147483648u))), _e1594, _e1668) * _e1606) * select(0.00000011920929f, 1f, _e1668)) * _e1612), _e1595);
+                                }
+                                let _e1685 = phi_3041_;
+                                if (_e1066 == _e625) {
+                                    phi_3367_ = false;
+                                } else {
+                                    let _e1687 = (_e1066 / 16u);
+                                    if (_e1687 < arrayLength((&slimbvh_sides.member))) {
+                                        let _e1690 = slimbvh_sides.member[_e1687];
+                                        phi_3065_ = _e1690;
                                     } else {
-                                        if (_e1537.member == _e985.member.member.member) {
-                                            phi_2831_ = (_e1537.member_3 < _e985.member.member.member_3);
+                                        phi_3065_ = 0u;
+                                    }
+                                    let _e1692 = phi_3065_;
+                                    let _e1701 = (bitcast<i32>((_e1692 << bitcast<u32>(((30u - ((_e1066 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                    let _e1702 = (_e1701 == 0i);
+                                    if _e1702 {
+                                        phi_3366_ = true;
+                                    } else {
+                                        if _e171 {
+                                            phi_3094_ = vec3<f32>(_e1127[0], _e1127[1], _e1127[2]);
                                         } else {
-                                            phi_2831_ = false;
+                                            if (_e166 == 1u) {
+                                                phi_3093_ = vec3<f32>(_e1127[2], _e1127[0], _e1127[1]);
+                                            } else {
+                                                phi_3093_ = vec3<f32>(_e1127[1], _e1127[2], _e1127[0]);
+                                            }
+                                            let _e1707 = phi_3093_;
+                                            phi_3094_ = _e1707;
                                         }
-                                        let _e1552 = phi_2831_;
-                                        phi_2832_ = _e1552;
+                                        let _e1710 = phi_3094_;
+                                        if _e171 {
+                                            phi_3112_ = vec3<f32>(_e1135[0], _e1135[1], _e1135[2]);
+                                        } else {
+                                            if (_e166 == 1u) {
+                                                phi_3111_ = vec3<f32>(_e1135[2], _e1135[0], _e1135[1]);
+                                            } else {
+                                                phi_3111_ = vec3<f32>(_e1135[1], _e1135[2], _e1135[0]);
+                                            }
+                                            let _e1715 = phi_3111_;
+                                            phi_3112_ = _e1715;
+                                        }
+                                        let _e1718 = phi_3112_;
+                                        if _e171 {
+                                            phi_3130_ = vec3<f32>(_e1143[0], _e1143[1], _e1143[2]);
+                                        } else {
+                                            if (_e166 == 1u) {
+                                                phi_3129_ = vec3<f32>(_e1143[2], _e1143[0], _e1143[1]);
+                                            } else {
+                                                phi_3129_ = vec3<f32>(_e1143[1], _e1143[2], _e1143[0]);
+                                            }
+                                            let _e1723 = phi_3129_;
+                                            phi_3130_ = _e1723;
+                                        }
+                                        let _e1726 = phi_3130_;
+                                        let _e1729 = (_e1718.x - _e1710.x);
+                                        let _e1732 = (_e1718.y - _e1710.y);
+                                        let _e1735 = (_e1718.z - _e1710.z);
+                                        let _e1737 = (_e1726.x - _e1710.x);
+                                        let _e1739 = (_e1726.y - _e1710.y);
+                                        let _e1741 = (_e1726.z - _e1710.z);
+                                        if (_e1685.member_1 == 1u) {
+                                            phi_3166_ = (vec3<f32>(_e1685.member[0], _e1685.member[1], _e1685.member[2]) - _e1710);
+                                        } else {
+                                            phi_3166_ = vec3<f32>(_e1685.member[0], _e1685.member[1], _e1685.member[2]);
+                                        }
+                                        let _e1756 = phi_3166_;
+                                        let _e1762 = bitcast<f32>((bitcast<u32>((_e1729 * _e1739)) ^ _e1685.member_3[0]));
+                                        let _e1766 = bitcast<f32>((bitcast<u32>((_e1732 * _e1737)) ^ _e1685.member_3[0]));
+                                        let _e1770 = bitcast<f32>((bitcast<u32>((_e1732 * _e1741)) ^ _e1685.member_3[0]));
+                                        let _e1774 = bitcast<f32>((bitcast<u32>((_e1735 * _e1739)) ^ _e1685.member_3[0]));
+                                        let _e1778 = bitcast<f32>((bitcast<u32>((_e1735 * _e1737)) ^ _e1685.member_3[0]));
+                                        let _e1782 = bitcast<f32>((bitcast<u32>((_e1729 * _e1741)) ^ _e1685.member_3[0]));
+                                        let _e1783 = (_e1770 - _e1774);
+                                        let _e1784 = (_e1778 - _e1782);
+                                        let _e1785 = (_e1762 - _e1766);
+                                        let _e1809 = (bitcast<f32>((bitcast<u32>(_e1770) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1774) & 2147483647u)));
+                                        let _e1816 = (bitcast<f32>((bitcast<u32>(_e1778) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1782) & 2147483647u)));
+                                        let _e1823 = (bitcast<f32>((bitcast<u32>(_e1762) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1766) & 2147483647u)));
+                                        if (_e1685.member_2 == 0f) {
+                                            phi_3348_ = 0f;
+                                        } else {
+                                            let _e1853 = bitcast<f32>((bitcast<u32>(_e1783) & 2147483647u));
+                                            let _e1856 = bitcast<f32>((bitcast<u32>(_e1784) & 2147483647u));
+                                            let _e1859 = bitcast<f32>((bitcast<u32>(_e1785) & 2147483647u));
+                                            let _e1861 = select(_e1859, _e1856, (_e1856 > _e1859));
+                                            let _e1865 = select(_e1859, _e1856, (_e1856 < _e1859));
+                                            let _e1869 = select(_e1856, _e1853, (_e1853 < _e1856));
+                                            let _e1871 = select(_e1856, _e1853, (_e1853 > _e1856));
+                                            let _e1873 = select(_e1859, _e1871, (_e1871 < _e1859));
+                                            phi_3348_ = bitcast<f32>((bitcast<u32>((_e1685.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1861, _e1853, (_e1853 > _e1861)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1873, _e1869, (_e1869 > _e1873)))) ^ _e1685.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1865, _e1853, (_e1853 < _e1865)))) ^ _e1685.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1809 + _e1816) + _e1823))) ^ _e1685.member_3[0]))) * 1.0000005f)) ^ _e1685.member_3[0])))) ^ _e1685.member_3[0]));
+                                        }
+                                        let _e1900 = phi_3348_;
+                                        phi_3366_ = (_e1702 || !(((((bitcast<f32>((bitcast<u32>((_e1756.x * _e1783)) ^ _e1685.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1756.y * _e1784)) ^ _e1685.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1756.z * _e1785)) ^ _e1685.member_3[0]))) * f32(-(_e1701))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1756.x) & 2147483647u)) * _e1809)) ^ _e1685.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1756.y) & 2147483647u)) * _e1816)) ^ _e1685.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1756.z) & 2147483647u)) * _e1823)) ^ _e1685.member_3[0]))))) ^ _e1685.member_3[0])) + _e1900) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e1554 = phi_2832_;
-                                    if _e1554 {
-                                        phi_2839_ = SlimbvhTypeL(SlimbvhTypeI(_e1537, _e1537.member), _e985.member_1);
-                                    } else {
-                                        phi_2839_ = _e985;
-                                    }
-                                    let _e1560 = phi_2839_;
-                                    if _e1560.member_1 {
-                                        phi_2845_ = SlimbvhTypeL(SlimbvhTypeI(_e1560.member.member, bitcast<f32>(4286578687u)), _e1560.member_1);
-                                    } else {
-                                        phi_2845_ = _e1560;
-                                    }
-                                    let _e1569 = phi_2845_;
-                                    phi_2846_ = _e1569;
-                                } else {
-                                    phi_2846_ = _e985;
+                                    let _e1914 = phi_3366_;
+                                    phi_3367_ = _e1914;
                                 }
-                                let _e1571 = phi_2846_;
-                                phi_2847_ = _e1571;
+                                let _e1916 = phi_3367_;
+                                if _e1916 {
+                                    if (_e1555.member < _e1003.member.member.member) {
+                                        phi_3387_ = true;
+                                    } else {
+                                        if (_e1555.member == _e1003.member.member.member) {
+                                            phi_3386_ = (_e1555.member_3 < _e1003.member.member.member_3);
+                                        } else {
+                                            phi_3386_ = false;
+                                        }
+                                        let _e1928 = phi_3386_;
+                                        phi_3387_ = _e1928;
+                                    }
+                                    let _e1930 = phi_3387_;
+                                    if _e1930 {
+                                        phi_3394_ = SlimbvhTypeO(SlimbvhTypeL(_e1555, _e1555.member), _e1003.member_1);
+                                    } else {
+                                        phi_3394_ = _e1003;
+                                    }
+                                    let _e1936 = phi_3394_;
+                                    if _e1936.member_1 {
+                                        phi_3400_ = SlimbvhTypeO(SlimbvhTypeL(_e1936.member.member, bitcast<f32>(4286578687u)), _e1936.member_1);
+                                    } else {
+                                        phi_3400_ = _e1936;
+                                    }
+                                    let _e1945 = phi_3400_;
+                                    phi_3401_ = _e1945;
+                                } else {
+                                    phi_3401_ = _e1003;
+                                }
+                                let _e1947 = phi_3401_;
+                                phi_3402_ = _e1947;
                             } else {
-                                phi_2847_ = _e985;
+                                phi_3402_ = _e1003;
                             }
-                            let _e1573 = phi_2847_;
-                            phi_1974_ = _e1573;
+                            let _e1949 = phi_3402_;
+                            phi_2018_ = _e1949;
                         } else {
-                            phi_1974_ = SlimbvhTypeL();
+                            phi_2018_ = SlimbvhTypeO();
                         }
-                        let _e1575 = phi_1974_;
+                        let _e1951 = phi_2018_;
                         continue;
                         continuing {
-                            phi_1973_ = _e1575;
-                            phi_1976_ = _e1000;
-                            break if !(_e1006);
+                            phi_2017_ = _e1951;
+                            phi_2020_ = _e1018;
+                            break if !(_e1024);
                         }
                     }
-                    let _e1578 = local_3;
-                    let _e1579 = (_e1578 - 1u);
-                    let _e1584 = slimbvh_stacks[(((_e1579 % 32u) * 64u) + _e612)];
-                    let _e1585 = (_e1584 & 511u);
-                    let _e1587 = (_e1585 >> bitcast<u32>(3u));
-                    let _e1590 = ((_e1587 == 0u) || (_e1579 == 4294967295u));
-                    if _e1590 {
+                    let _e1954 = local_3;
+                    let _e1955 = (_e1954 - 1u);
+                    let _e1960 = slimbvh_stacks[(((_e1955 % 32u) * 64u) + _e628)];
+                    let _e1961 = (_e1960 & 511u);
+                    let _e1963 = (_e1961 >> bitcast<u32>(3u));
+                    let _e1966 = ((_e1963 == 0u) || (_e1955 == 4294967295u));
+                    if _e1966 {
                     } else {
-                        slimbvh_stacks[(((_e1579 % 32u) * 64u) + _e612)] = (((_e1584 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1587);
+                        slimbvh_stacks[(((_e1955 % 32u) * 64u) + _e628)] = (((_e1960 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1963);
                     }
-                    let _e1597 = local_4;
-                    let _e1605 = (((_e1584 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1585 & 3u) & 3u));
-                    let _e1607 = (_e1605 >> bitcast<u32>(2i));
-                    if (_e1607 < _e85) {
-                        let _e1614 = slimbvh_nodes.member[_e1607].member_1[(_e1605 & 3u)];
-                        phi_2905_ = _e1614;
+                    let _e1973 = local_4;
+                    let _e1981 = (((_e1960 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1961 & 3u) & 3u));
+                    let _e1983 = (_e1981 >> bitcast<u32>(2i));
+                    if (_e1983 < _e96) {
+                        let _e1990 = slimbvh_nodes.member[_e1983].member_1[(_e1981 & 3u)];
+                        phi_3460_ = _e1990;
                     } else {
-                        phi_2905_ = 2147483648u;
+                        phi_3460_ = 2147483648u;
                     }
-                    let _e1616 = phi_2905_;
-                    let _e1618 = local_5;
-                    let _e1880 = local_8;
-                    phi_2914_ = _e1880;
-                    phi_2915_ = select(select(_e1597, _e1579, _e1590), 4294967295u, (_e608 > _e1618.member.member_1));
-                    phi_2916_ = _e1616;
+                    let _e1992 = phi_3460_;
+                    let _e1994 = local_5;
+                    let _e2269 = local_8;
+                    phi_3469_ = _e2269;
+                    phi_3470_ = select(select(_e1973, _e1955, _e1966), 4294967295u, (_e621 > _e1994.member.member_1));
+                    phi_3471_ = _e1992;
                 } else {
-                    phi_2914_ = _e638;
-                    let _e1883 = local_9;
-                    phi_2915_ = _e1883;
-                    let _e1886 = local_10;
-                    phi_2916_ = _e1886;
+                    phi_3469_ = _e656;
+                    let _e2272 = local_9;
+                    phi_3470_ = _e2272;
+                    let _e2275 = local_10;
+                    phi_3471_ = _e2275;
                 }
-                let _e1624 = phi_2914_;
-                let _e1626 = phi_2915_;
-                let _e1628 = phi_2916_;
-                phi_1350_ = _e1624;
-                phi_1353_ = _e1626;
-                phi_1355_ = _e1628;
-                let _e1892 = local_11;
-                phi_1357_ = _e1892;
+                let _e2000 = phi_3469_;
+                let _e2002 = phi_3470_;
+                let _e2004 = phi_3471_;
+                phi_1394_ = _e2000;
+                phi_1397_ = _e2002;
+                phi_1399_ = _e2004;
+                let _e2281 = local_11;
+                phi_1401_ = _e2281;
             } else {
-                phi_1350_ = SlimbvhTypeL();
-                phi_1353_ = u32();
-                phi_1355_ = u32();
-                phi_1357_ = u32();
+                phi_1394_ = SlimbvhTypeO();
+                phi_1397_ = u32();
+                phi_1399_ = u32();
+                phi_1401_ = u32();
             }
-            let _e1630 = phi_1350_;
-            let _e1632 = phi_1353_;
-            let _e1634 = phi_1355_;
-            let _e1636 = phi_1357_;
+            let _e2006 = phi_1394_;
+            let _e2008 = phi_1397_;
+            let _e2010 = phi_1399_;
+            let _e2012 = phi_1401_;
             continue;
             continuing {
-                phi_1349_ = _e1630;
-                phi_1352_ = _e1632;
-                phi_1354_ = _e1634;
-                phi_1356_ = _e1636;
-                break if !(_e645);
+                phi_1393_ = _e2006;
+                phi_1396_ = _e2008;
+                phi_1398_ = _e2010;
+                phi_1400_ = _e2012;
+                break if !(_e663);
             }
         }
-        let _e1639 = local_6;
-        let _e1640 = (_e1639 == 4294967295u);
-        let _e1642 = local_7;
-        if (_e1642.member.member.member_3 != 4294967295u) {
-            let _e1648 = -((_e111 + _e541.member_4));
-            let _e1649 = bitcast<u32>(_e1642.member.member.member);
-            let _e1653 = (bitcast<i32>((_e1649 >> bitcast<u32>(23i))) & 255i);
-            let _e1654 = (_e1653 + _e1648);
-            if (_e1653 == 255i) {
-                phi_2974_ = _e1642.member.member.member;
+        let _e2015 = local_6;
+        let _e2016 = (_e2015 == 4294967295u);
+        let _e2018 = local_7;
+        if (_e2018.member.member.member_3 != 4294967295u) {
+            let _e2024 = -((_e124 + _e554.member_4));
+            let _e2025 = bitcast<u32>(_e2018.member.member.member);
+            let _e2029 = (bitcast<i32>((_e2025 >> bitcast<u32>(23i))) & 255i);
+            let _e2030 = (_e2029 + _e2024);
+            if (_e2029 == 255i) {
+                phi_3529_ = _e2018.member.member.member;
             } else {
-                if (_e1653 > 0i) {
-                    if (_e1654 > 0i) {
-                        let _e1658 = (_e1654 < 255i);
-                        if _e1658 {
-                            phi_2953_ = bitcast<f32>((_e1649 + bitcast<u32>((_e1648 << bitcast<u32>(23i)))));
+                if (_e2029 > 0i) {
+                    if (_e2030 > 0i) {
+                        let _e2034 = (_e2030 < 255i);
+                        if _e2034 {
+                            phi_3508_ = bitcast<f32>((_e2025 + bitcast<u32>((_e2024 << bitcast<u32>(23i)))));
                         } else {
-                            phi_2953_ = f32();
+                            phi_3508_ = f32();
                         }
-                        let _e1665 = phi_2953_;
-                        phi_2955_ = _e1665;
-                        phi_2956_ = select(true, false, _e1658);
+                        let _e2041 = phi_3508_;
+                        phi_3510_ = _e2041;
+                        phi_3511_ = select(true, false, _e2034);
                     } else {
-                        phi_2955_ = f32();
-                        phi_2956_ = true;
+                        phi_3510_ = f32();
+                        phi_3511_ = true;
                     }
-                    let _e1668 = phi_2955_;
-                    let _e1670 = phi_2956_;
-                    phi_2957_ = _e1668;
-                    phi_2958_ = _e1670;
+                    let _e2044 = phi_3510_;
+                    let _e2046 = phi_3511_;
+                    phi_3512_ = _e2044;
+                    phi_3513_ = _e2046;
                 } else {
-                    phi_2957_ = f32();
-                    phi_2958_ = true;
+                    phi_3512_ = f32();
+                    phi_3513_ = true;
                 }
-                let _e1672 = phi_2957_;
-                let _e1674 = phi_2958_;
-                if _e1674 {
-                    let _e1675 = (_e1649 & 2147483648u);
-                    let _e1682 = ((_e1649 & 8388607u) | (select(0u, 1u, ((_e1649 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                    let _e1686 = (_e1682 == 0u);
-                    if _e1686 {
-                        phi_3415_ = bitcast<f32>(_e1675);
+                let _e2048 = phi_3512_;
+                let _e2050 = phi_3513_;
+                if _e2050 {
+                    let _e2051 = (_e2025 & 2147483648u);
+                    let _e2058 = ((_e2025 & 8388607u) | (select(0u, 1u, ((_e2025 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e2062 = (_e2058 == 0u);
+                    if _e2062 {
+                        phi_3970_ = bitcast<f32>(_e2051);
                     } else {
-                        let _e1691 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1682)), 32u, _e1686) - 8u);
-                        let _e1694 = (_e1682 << bitcast<u32>((_e1691 & 31u)));
-                        let _e1696 = ((_e1654 + select(0i, 1i, (_e1653 == 0i))) - bitcast<i32>(_e1691));
-                        if (_e1696 >= 255i) {
-                            phi_3405_ = bitcast<f32>((_e1675 | 2139095040u));
-                            phi_3406_ = f32();
-                            phi_3407_ = true;
+                        let _e2067 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2058)), 32u, _e2062) - 8u);
+                        let _e2070 = (_e2058 << bitcast<u32>((_e2067 & 31u)));
+                        let _e2072 = ((_e2030 + select(0i, 1i, (_e2029 == 0i))) - bitcast<i32>(_e2067));
+                        if (_e2072 >= 255i) {
+                            phi_3960_ = bitcast<f32>((_e2051 | 2139095040u));
+                            phi_3961_ = f32();
+                            phi_3962_ = true;
                         } else {
-                            let _e1698 = (_e1696 > 0i);
-                            if _e1698 {
-                                phi_3399_ = bitcast<f32>(((_e1675 | (bitcast<u32>(_e1696) << bitcast<u32>(23i))) | (_e1694 & 8388607u)));
-                                phi_3400_ = f32();
+                            let _e2074 = (_e2072 > 0i);
+                            if _e2074 {
+                                phi_3954_ = bitcast<f32>(((_e2051 | (bitcast<u32>(_e2072) << bitcast<u32>(23i))) | (_e2070 & 8388607u)));
+                                phi_3955_ = f32();
                             } else {
-                                if (_e1696 < -24i) {
-                                    phi_3365_ = 26u;
+                                if (_e2072 < -24i) {
+                                    phi_3920_ = 26u;
                                 } else {
-                                    phi_3365_ = bitcast<u32>((1i - _e1696));
+                                    phi_3920_ = bitcast<u32>((1i - _e2072));
                                 }
-                                let _e1703 = phi_3365_;
-                                let _e1704 = (_e1703 & 31u);
-                                let _e1706 = (_e1694 >> bitcast<u32>(_e1704));
-                                let _e1710 = (_e1694 & ((1u << bitcast<u32>(_e1704)) - 1u));
-                                let _e1714 = (1u << bitcast<u32>(((_e1703 - 1u) & 31u)));
-                                if (_e1710 > _e1714) {
-                                    phi_3386_ = true;
+                                let _e2079 = phi_3920_;
+                                let _e2080 = (_e2079 & 31u);
+                                let _e2082 = (_e2070 >> bitcast<u32>(_e2080));
+                                let _e2086 = (_e2070 & ((1u << bitcast<u32>(_e2080)) - 1u));
+                                let _e2090 = (1u << bitcast<u32>(((_e2079 - 1u) & 31u)));
+                                if (_e2086 > _e2090) {
+                                    phi_3941_ = true;
                                 } else {
-                                    if (_e1710 == _e1714) {
-                                        phi_3383_ = ((_e1706 & 1u) == 1u);
+                                    if (_e2086 == _e2090) {
+                                        phi_3938_ = ((_e2082 & 1u) == 1u);
                                     } else {
-                                        phi_3383_ = false;
+                                        phi_3938_ = false;
                                     }
-                                    let _e1720 = phi_3383_;
-                                    phi_3386_ = _e1720;
+                                    let _e2096 = phi_3938_;
+                                    phi_3941_ = _e2096;
                                 }
-                                let _e1722 = phi_3386_;
-                                phi_3399_ = f32();
-                                phi_3400_ = bitcast<f32>((_e1675 | (_e1706 + select(0u, 1u, _e1722))));
+                                let _e2098 = phi_3941_;
+                                phi_3954_ = f32();
+                                phi_3955_ = bitcast<f32>((_e2051 | (_e2082 + select(0u, 1u, _e2098))));
                             }
-                            let _e1735 = phi_3399_;
-                            let _e1737 = phi_3400_;
-                            phi_3405_ = _e1735;
-                            phi_3406_ = _e1737;
-                            phi_3407_ = _e1698;
+                            let _e2111 = phi_3954_;
+                            let _e2113 = phi_3955_;
+                            phi_3960_ = _e2111;
+                            phi_3961_ = _e2113;
+                            phi_3962_ = _e2074;
                         }
-                        let _e1741 = phi_3405_;
-                        let _e1743 = phi_3406_;
-                        let _e1745 = phi_3407_;
-                        phi_3415_ = select(_e1743, _e1741, _e1745);
+                        let _e2117 = phi_3960_;
+                        let _e2119 = phi_3961_;
+                        let _e2121 = phi_3962_;
+                        phi_3970_ = select(_e2119, _e2117, _e2121);
                     }
-                    let _e1749 = phi_3415_;
-                    phi_2973_ = _e1749;
+                    let _e2125 = phi_3970_;
+                    phi_3528_ = _e2125;
                 } else {
-                    phi_2973_ = _e1672;
+                    phi_3528_ = _e2048;
                 }
-                let _e1751 = phi_2973_;
-                phi_2974_ = _e1751;
+                let _e2127 = phi_3528_;
+                phi_3529_ = _e2127;
             }
-            let _e1753 = phi_2974_;
-            let _e1754 = bitcast<u32>(_e1753);
-            if ((_e1754 & 2147483647u) >= 2139095040u) {
-                phi_2986_ = bitcast<f32>(((_e1754 & 2147483648u) | 2139095039u));
+            let _e2129 = phi_3529_;
+            let _e2130 = bitcast<u32>(_e2129);
+            if ((_e2130 & 2147483647u) >= 2139095040u) {
+                phi_3541_ = bitcast<f32>(((_e2130 & 2147483648u) | 2139095039u));
             } else {
-                phi_2986_ = _e1753;
+                phi_3541_ = _e2129;
             }
-            let _e1761 = phi_2986_;
-            phi_2991_ = SlimbvhTypeH(_e1761, _e1642.member.member.member_1, _e1642.member.member.member_2, _e1642.member.member.member_3);
+            let _e2137 = phi_3541_;
+            phi_3546_ = SlimbvhTypeJ(_e2137, _e2018.member.member.member_1, _e2018.member.member.member_2, _e2018.member.member.member_3);
         } else {
-            phi_2991_ = _e82;
+            phi_3546_ = _e93;
         }
-        let _e1766 = phi_2991_;
-        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1766.member), bitcast<u32>(_e1766.member_1), bitcast<u32>(_e1766.member_2), _e1766.member_3);
-        phi_3004_ = _e1640;
-        phi_3005_ = _e1640;
-        phi_3006_ = select(true, false, _e1640);
+        let _e2142 = phi_3546_;
+        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2142.member), bitcast<u32>(_e2142.member_1), bitcast<u32>(_e2142.member_2), _e2142.member_3);
+        phi_3559_ = _e2016;
+        phi_3560_ = _e2016;
+        phi_3561_ = select(true, false, _e2016);
     } else {
-        phi_3004_ = bool();
-        phi_3005_ = false;
-        phi_3006_ = true;
+        phi_3559_ = bool();
+        phi_3560_ = false;
+        phi_3561_ = true;
     }
-    let _e1777 = phi_3004_;
-    let _e1779 = phi_3005_;
-    let _e1781 = phi_3006_;
-    if _e1781 {
+    let _e2153 = phi_3559_;
+    let _e2155 = phi_3560_;
+    let _e2157 = phi_3561_;
+    if _e2157 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }
-    slimbvh_overflowed.member = select(0u, 1u, !(select(_e1777, _e1779, _e1781)));
+    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2153, _e2155, _e2157)));
     return;
 }
 
@@ -1068,11 +1220,11 @@ struct SlimbvhTriedAny {
     overflowed: bool,
 }
 
-fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+fn slimbvh_try_closest_hit_from(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhTriedHit {
     slimbvh_lane.member = lane;
     slimbvh_origin.member = vec4<f32>(origin, t_min);
     slimbvh_direction.member = vec4<f32>(direction, t_max);
-    slimbvh_any_will_do.member = 0u;
+    slimbvh_question.member = vec2<u32>(0u, skip);
     slimbvh_trace_in_group();
     let hit = slimbvh_hit.member;
     return SlimbvhTriedHit(
@@ -1081,27 +1233,43 @@ fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: 
     );
 }
 
-fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+fn slimbvh_try_closest_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedHit {
+    return slimbvh_try_closest_hit_from(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_try_any_hit_from(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhTriedAny {
     slimbvh_lane.member = lane;
     slimbvh_origin.member = vec4<f32>(origin, t_min);
     slimbvh_direction.member = vec4<f32>(direction, t_max);
-    slimbvh_any_will_do.member = 1u;
+    slimbvh_question.member = vec2<u32>(1u, skip);
     slimbvh_trace_in_group();
     return SlimbvhTriedAny(slimbvh_hit.member.w != 0xffffffffu, slimbvh_overflowed.member != 0u);
 }
 
-fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
-    let tried = slimbvh_try_closest_hit(lane, origin, t_min, direction, t_max);
+fn slimbvh_try_any_hit(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhTriedAny {
+    return slimbvh_try_any_hit_from(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_closest_hit_from_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhHit {
+    let tried = slimbvh_try_closest_hit_from(lane, origin, t_min, direction, t_max, skip);
     if tried.overflowed {
-        return slimbvh_closest_hit(origin, t_min, direction, t_max);
+        return slimbvh_closest_hit_from(origin, t_min, direction, t_max, skip);
     }
     return tried.hit;
 }
 
-fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
-    let tried = slimbvh_try_any_hit(lane, origin, t_min, direction, t_max);
+fn slimbvh_closest_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> SlimbvhHit {
+    return slimbvh_closest_hit_from_in_group(lane, origin, t_min, direction, t_max, 0xffffffffu);
+}
+
+fn slimbvh_any_hit_from_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> bool {
+    let tried = slimbvh_try_any_hit_from(lane, origin, t_min, direction, t_max, skip);
     if tried.overflowed {
-        return slimbvh_any_hit(origin, t_min, direction, t_max);
+        return slimbvh_any_hit_from(origin, t_min, direction, t_max, skip);
     }
     return tried.found;
+}
+
+fn slimbvh_any_hit_in_group(lane: u32, origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32) -> bool {
+    return slimbvh_any_hit_from_in_group(lane, origin, t_min, direction, t_max, 0xffffffffu);
 }

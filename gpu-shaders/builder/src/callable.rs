@@ -1,5 +1,6 @@
-//! The texts for users' own WGSL: what the entry points `call_trace` and `call_trace_in_group` do, as functions that other WGSL
-//! can call. The second text goes behind the first: it has no item that the first one has. Of each kind of tree there are both.
+//! The texts for users' own WGSL: what the entry points `call_trace`, `call_surface` and `call_trace_in_group` do, as functions that
+//! other WGSL can call. The second text goes behind the first: it has no item that the first one has. Of each kind of tree there are
+//! both.
 
 use anyhow::{Context, Result, anyhow, bail};
 use naga::back::wgsl::{WriterFlags, write_string};
@@ -40,41 +41,96 @@ const KINDS: [Kind; 5] = [
 ];
 
 impl Kind {
-    /// What bindings are called, in order, and how many of them stay bindings; the others become private variables, by which callers
-    /// hand over rays and take hits.
-    fn globals(&self) -> (Vec<&'static str>, u32) {
+    /// What bindings of a tree are called, in order.
+    fn bindings(&self) -> Vec<&'static str> {
         let root = if self.has_root {
             &["slimbvh_root"][..]
         } else {
             &[]
         };
-        let bindings = [&TREE, root].concat();
-        let count = bindings.len() as u32;
-        ([&bindings[..], &CALL].concat(), count)
+        [&TREE, root, &RULE].concat()
     }
 }
 
 /// Bindings that all trees have.
 const TREE: [&str; 3] = ["slimbvh_exponent", "slimbvh_nodes", "slimbvh_triangles"];
 
-/// What a call hands over, and takes.
-const CALL: [&str; 6] = [
-    "slimbvh_origin",
-    "slimbvh_direction",
-    "slimbvh_any_will_do",
-    "slimbvh_hit",
-    "slimbvh_lane",
-    "slimbvh_overflowed",
-];
+/// Bindings of a tree's rule.
+const RULE: [&str; 2] = ["slimbvh_sides", "slimbvh_target"];
+
+/// An entry point that becomes a function of a text.
+struct Function {
+    /// The entry point, but for its end if it traces a kind of tree.
+    entry_point: &'static str,
+    /// Whether it traces trees; others read the exponent only.
+    is_of_kind: bool,
+    /// What it is called in the text.
+    name: &'static str,
+    /// The bindings behind the tree's, which become private variables: what a call hands over, and takes.
+    call: &'static [&'static str],
+}
+
+const TRACE: Function = Function {
+    entry_point: "call_trace",
+    is_of_kind: true,
+    name: "slimbvh_trace",
+    call: &[
+        "slimbvh_origin",
+        "slimbvh_direction",
+        "slimbvh_question",
+        "slimbvh_hit",
+    ],
+};
+
+const TRACE_IN_GROUP: Function = Function {
+    entry_point: "call_trace_in_group",
+    is_of_kind: true,
+    name: "slimbvh_trace_in_group",
+    call: &[
+        "slimbvh_origin",
+        "slimbvh_direction",
+        "slimbvh_question",
+        "slimbvh_hit",
+        "slimbvh_lane",
+        "slimbvh_overflowed",
+    ],
+};
+
+const SURFACE: Function = Function {
+    entry_point: "call_surface",
+    is_of_kind: false,
+    name: "slimbvh_find_surface",
+    call: &[
+        "slimbvh_corners",
+        "slimbvh_weights",
+        "slimbvh_from",
+        "slimbvh_point",
+    ],
+};
+
+impl Function {
+    fn entry_point_of(&self, kind: &Kind) -> String {
+        let suffix = if self.is_of_kind { kind.suffix } else { "" };
+        format!("{}{suffix}", self.entry_point)
+    }
+
+    /// What its bindings are called, in order, and how many of them stay bindings.
+    fn globals(&self, kind: &Kind) -> (Vec<&'static str>, usize) {
+        let bindings = if self.is_of_kind {
+            kind.bindings()
+        } else {
+            TREE[..1].to_vec()
+        };
+        ([&bindings, self.call].concat(), bindings.len())
+    }
+}
 
 /// A text.
 struct Text {
-    /// The entry point that it is made of, but for its end.
-    entry_point: &'static str,
+    /// What it is made of.
+    functions: &'static [Function],
     /// Its file, but for its end.
     file: &'static str,
-    /// What the entry point's function is called in it.
-    function: &'static str,
     head: &'static str,
     /// The functions that callers use.
     wrappers: &'static str,
@@ -85,18 +141,24 @@ struct Text {
 /// In the order in which they are put one behind the other.
 const TEXTS: [Text; 2] = [
     Text {
-        entry_point: "call_trace",
+        functions: &[TRACE, SURFACE],
         file: "slimbvh",
-        function: "slimbvh_trace",
         head: "\
 // Made by slimbvh's shader builder from its Rust: rays traced from your own WGSL. Put this text before yours, bind the
-// tree's exponent, nodes, triangles and, if it has one, root to group 0, and call
+// tree's exponent, nodes, triangles, if it has one its root, sides and target to group 0, and call
 //
 //   slimbvh_closest_hit(origin, t_min, direction, t_max) -> SlimbvhHit
 //   slimbvh_any_hit(origin, t_min, direction, t_max) -> bool
 //
 // from any stage. t is in units of the direction's length; a miss has the primitive 0xffffffff. The stack is private
 // memory, up to 1 KiB an invocation: in compute shaders the functions of the text slimbvh_compute are faster.
+//
+//   slimbvh_surface(v0, v1, v2, hit, direction) -> SlimbvhSurface { position, error, normal, side, leave, enter }
+//   slimbvh_closest_hit_from(origin, t_min, direction, t_max, skip) -> SlimbvhHit
+//   slimbvh_any_hit_from(origin, t_min, direction, t_max, skip) -> bool
+//
+// send rays from where one hit: from the corners of the triangle, the hit and its ray's direction to the surface there. A
+// shadow or mirror ray begins at leave, a refracted one at enter, and skip is the primitive that was hit.
 
 ",
         wrappers: include_str!("callable.wgsl"),
@@ -109,13 +171,18 @@ fn caller(@builtin(global_invocation_id) id: vec3<u32>) {
     if hit.primitive != 0xffffffffu && !slimbvh_any_hit(vec3<f32>(), 0.0, vec3<f32>(1.0), hit.t) {
         caller_distances[id.x] = hit.t + hit.u + hit.v;
     }
+    let corner = vec3<f32>(1.0, 0.0, 0.0);
+    let surface = slimbvh_surface(corner, corner.yxz, corner.zyx, hit, vec3<f32>(0.0, 0.0, -1.0));
+    let next = slimbvh_closest_hit_from(surface.leave, 0.0, surface.normal, 1e30, hit.primitive);
+    if !slimbvh_any_hit_from(surface.enter, 0.0, surface.position + surface.error, surface.side, next.primitive) {
+        caller_distances[id.x] = next.t;
+    }
 }
 ",
     },
     Text {
-        entry_point: "call_trace_in_group",
+        functions: &[TRACE_IN_GROUP],
         file: "slimbvh_compute",
-        function: "slimbvh_trace_in_group",
         head: "\
 // Made by slimbvh's shader builder from its Rust: rays traced from your own compute shaders, with the stacks in workgroup
 // memory. Put this text behind the text slimbvh of the same kind of tree, and call
@@ -133,6 +200,9 @@ fn caller(@builtin(global_invocation_id) id: vec3<u32>) {
 //
 // trace nothing again: where overflowed is true, hit is a miss and found is false, and mean nothing. A shader that calls
 // only these needs no private stack: it can list the rays that overflowed for a second dispatch.
+//
+// Each of the four has a variant for rays that leave a surface, with _from behind hit and a last argument skip, as in the
+// first text: slimbvh_closest_hit_from_in_group, slimbvh_try_any_hit_from.
 
 ",
         wrappers: include_str!("callable_compute.wgsl"),
@@ -149,16 +219,14 @@ fn caller(@builtin(local_invocation_index) lane: u32) {
             caller_distances[lane] = tried.hit.t;
         }
     }
+    let next = slimbvh_closest_hit_from_in_group(lane, vec3<f32>(), 0.0, vec3<f32>(1.0), 1e30, hit.primitive);
+    if !slimbvh_any_hit_from_in_group(lane, vec3<f32>(), 0.0, vec3<f32>(1.0), 1e30, next.primitive) {
+        caller_distances[lane] = next.t;
+    }
 }
 ",
     },
 ];
-
-impl Text {
-    fn entry_point_of(&self, kind: &Kind) -> String {
-        format!("{}{}", self.entry_point, kind.suffix)
-    }
-}
 
 /// What the variable in workgroup memory is called.
 const STACKS: &str = "slimbvh_stacks";
@@ -166,35 +234,42 @@ const STACKS: &str = "slimbvh_stacks";
 /// Whether an entry point becomes a text.
 #[must_use]
 pub fn is_called(entry_point: &str) -> bool {
-    let mut texts = TEXTS
-        .iter()
-        .flat_map(|text| KINDS.iter().map(move |kind| (text, kind)));
-    texts.any(|(text, kind)| text.entry_point_of(kind) == entry_point)
+    let mut functions = TEXTS.iter().flat_map(|text| text.functions);
+    functions.any(|function| {
+        let mut kinds = KINDS.iter();
+        kinds.any(|kind| function.entry_point_of(kind) == entry_point)
+    })
 }
 
 /// Turns the modules of the entry points into texts, by their files.
 ///
 /// # Errors
 /// Where one is missing, its bindings are not those expected, or the texts cannot be used.
-pub fn texts(mut modules: BTreeMap<String, Module>) -> Result<Vec<(String, String)>> {
+pub fn texts(modules: &BTreeMap<String, Module>) -> Result<Vec<(String, String)>> {
     let mut texts = Vec::new();
     for kind in &KINDS {
-        texts.extend(texts_of(kind, &mut modules)?);
+        texts.extend(texts_of(kind, modules)?);
     }
     Ok(texts)
 }
 
 /// The texts of one kind of tree.
-fn texts_of(kind: &Kind, modules: &mut BTreeMap<String, Module>) -> Result<Vec<(String, String)>> {
+fn texts_of(kind: &Kind, modules: &BTreeMap<String, Module>) -> Result<Vec<(String, String)>> {
     let mut structs = Structs::default();
     let (mut all, mut declared) = (String::new(), BTreeSet::new());
     let mut texts = Vec::new();
     for text in TEXTS {
-        let entry_point = text.entry_point_of(kind);
-        let module = modules.remove(&entry_point).context(entry_point.clone())?;
-        let own = translated(&text, kind, module, &mut structs).context(entry_point)?;
-        let new = items(&own).filter(|&item| declared.insert(item.to_owned()));
-        let new: String = new.map(|item| format!("{item}\n\n")).collect();
+        let mut new = String::new();
+        for function in text.functions {
+            let entry_point = function.entry_point_of(kind);
+            let module = modules.get(&entry_point).context(entry_point.clone())?;
+            let own = translated(function, kind, module.clone(), &mut structs);
+            for item in items(&own.context(entry_point)?) {
+                if declared.insert(item.to_owned()) {
+                    new += &format!("{item}\n\n");
+                }
+            }
+        }
         let made = format!("{}{new}{}", text.head, text.wrappers);
         all += &made;
         let called = format!("{all}{}", text.caller);
@@ -208,15 +283,15 @@ fn texts_of(kind: &Kind, modules: &mut BTreeMap<String, Module>) -> Result<Vec<(
 
 /// The module in WGSL, all names its own.
 fn translated(
-    text: &Text,
+    function: &Function,
     kind: &Kind,
     mut module: Module,
     structs: &mut Structs,
 ) -> Result<String> {
     module.entry_points.clear();
-    name_function(&mut module, text.function)?;
+    name_function(&mut module, function.name)?;
     structs.name(&mut module)?;
-    name_globals(&mut module, kind)?;
+    name_globals(&mut module, function.globals(kind))?;
     let info = validate(&module)?;
     write_string(&module, &info, WriterFlags::empty()).context("naga cannot translate it")
 }
@@ -291,8 +366,10 @@ fn shape(module: &Module, ty: Handle<Type>) -> String {
     }
 }
 
-fn name_globals(module: &mut Module, kind: &Kind) -> Result<()> {
-    let (globals, binding_count) = kind.globals();
+fn name_globals(
+    module: &mut Module,
+    (globals, binding_count): (Vec<&'static str>, usize),
+) -> Result<()> {
     let mut has_stacks = false;
     for (_, global) in module.global_variables.iter_mut() {
         let Some(binding) = global.binding else {
@@ -307,7 +384,7 @@ fn name_globals(module: &mut Module, kind: &Kind) -> Result<()> {
             .get(binding.binding as usize)
             .context("too many bindings")?;
         global.name = Some((*name).to_owned());
-        if binding.binding >= binding_count {
+        if binding.binding as usize >= binding_count {
             global.binding = None;
             global.space = AddressSpace::Private;
         }

@@ -119,7 +119,7 @@ fn build(root: &Path) -> Result<Files> {
             }
         }
         if !called.is_empty() {
-            for (file, text) in callable::texts(called)? {
+            for (file, text) in callable::texts(&called)? {
                 files.insert(format!("{output}/{file}"), text.into_bytes());
             }
         }

@@ -1,23 +1,27 @@
 //! Entry points that become functions for other people's WGSL: the shader builder makes private variables of the bindings behind
 //! the tree's, and of it all the texts `host/shaders/slimbvh.wgsl` and `slimbvh_compute.wgsl`, and those of wide trees.
 //!
-//! All read the scene's exponent, the tree, a ray's origin with `t_min` and its direction with `t_max`, and whether any hit will
-//! do: 1, or else 0. All store the hit, as bits.
+//! All read the scene's exponent, the tree, the packed sides of the primitives and a target, a ray's origin with `t_min` and its
+//! direction with `t_max`, whether any hit will do (1, or else 0), and a primitive that is no hit. All store the hit, as bits.
 
+use super::rays::SkipFilter;
 use super::{root_words, step};
-use glam::{UVec4, Vec4};
+use glam::{UVec2, UVec4, Vec2, Vec3, Vec4};
 use slimbvh_core::codec::{
     LatticeTriangles, MixedWideRow, PackedWideNodes, PackedWideRow, SharedTriangles,
     WideMixedNodes, WideNodes, WideRow,
 };
+use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::launch::LANES;
 use slimbvh_core::ray::PreparedRay;
+use slimbvh_core::snap::snap_triangle;
+use slimbvh_core::surface::Surface;
 use slimbvh_core::trace::{
     ClosestOrAny, Distance, Empty, Fork, FullWideNodes, FullWideRow, LaneListStack, LaneStack,
-    LaneWords, NodeRow, NodeRows, NodeSource, Skip, TrianglePair, TriangleRows, TriangleSource,
-    Waiting, traverse_with,
+    LaneWords, NodeRow, NodeRows, NodeSource, TrianglePair, TriangleRows, TriangleSource, Waiting,
+    traverse_with,
 };
-use slimbvh_core::{Hit, Ray};
+use slimbvh_core::{Hit, Ray, SurfacePoint, Triangle};
 use spirv_std_macros::spirv;
 
 /// Both entry points of one kind of tree. The first line lists the bindings: after the root, where the tree has one, come the numbers
@@ -28,7 +32,7 @@ use spirv_std_macros::spirv;
 ///   then a miss. For lanes without rows, those from [`LANES`] on, it always is.
 macro_rules! call_kernels {
     (
-        [($($root:ident 3)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt]
+        [($($root:ident 3)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt $g:tt $h:tt]
         [$stack:path]
         |$nodes:ident: $node:ty, $triangles:ident: $triangle:ty| $node_source:expr, $triangle_source:expr;
         pub fn $alone:ident;
@@ -41,16 +45,19 @@ macro_rules! call_kernels {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $triangles: &[$triangle],
             $(#[spirv(uniform, descriptor_set = 0, binding = 3)] $root: &[UVec4; 2],)?
-            #[spirv(uniform, descriptor_set = 0, binding = $a)] origin: &Vec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $b)] direction: &Vec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $c)] any_will_do: &u32,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] hit: &mut UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $a)] sides: &[u32],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] origin: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $d)] direction: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $e)] question: &UVec2,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] hit: &mut UVec4,
         ) {
             $(let $root = root_words($root);)?
             let (nodes, triangles) = ($node_source, $triangle_source);
             let mut stack = private_stack(&nodes);
             let ray = prepared(origin, direction, exponent);
-            answer(&mut stack, (&nodes, &triangles), &ray, *any_will_do, hit);
+            let filter = SkipFilter { skip: question.y, exponent: exponent.x, sides, target };
+            answer(&mut stack, (&nodes, &triangles), &ray, &filter, question, hit);
         }
 
         /// For compute shaders: the stack is the lane's rows of an array of the workgroup.
@@ -60,21 +67,24 @@ macro_rules! call_kernels {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] $nodes: &[$node],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $triangles: &[$triangle],
             $(#[spirv(uniform, descriptor_set = 0, binding = 3)] $root: &[UVec4; 2],)?
-            #[spirv(uniform, descriptor_set = 0, binding = $a)] origin: &Vec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $b)] direction: &Vec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $c)] any_will_do: &u32,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] hit: &mut UVec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $e)] lane: &u32,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] overflowed: &mut u32,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $a)] sides: &[u32],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] origin: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $d)] direction: &Vec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $e)] question: &UVec2,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] hit: &mut UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $g)] lane: &u32,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] overflowed: &mut u32,
             #[spirv(workgroup)] words: &mut LaneWords,
         ) {
             $(let $root = root_words($root);)?
             let tree = (&$node_source, &$triangle_source);
             let ray = prepared(origin, direction, exponent);
+            let filter = SkipFilter { skip: question.y, exponent: exponent.x, sides, target };
             let mut is_whole = false;
             if *lane < LANES as u32 {
                 let stack = &mut $stack(words, *lane);
-                is_whole = answer(stack, tree, &ray, *any_will_do, hit);
+                is_whole = answer(stack, tree, &ray, &filter, question, hit);
             }
             if !is_whole {
                 *hit = bits(Hit::MISS);
@@ -85,7 +95,7 @@ macro_rules! call_kernels {
 }
 
 call_kernels! {
-    [() 3 4 5 6 7 8]
+    [() 3 4 5 6 7 8 9 10]
     [LaneStack::new]
     |nodes: NodeRow, triangles: TrianglePair| NodeRows(nodes), TriangleRows(triangles);
     pub fn call_trace;
@@ -93,7 +103,7 @@ call_kernels! {
 }
 
 call_kernels! {
-    [() 3 4 5 6 7 8]
+    [() 3 4 5 6 7 8 9 10]
     [LaneListStack::new]
     |nodes: FullWideRow, triangles: TrianglePair| FullWideNodes(nodes), TriangleRows(triangles);
     pub fn call_trace_w4_f32;
@@ -101,7 +111,7 @@ call_kernels! {
 }
 
 call_kernels! {
-    [(root 3) 4 5 6 7 8 9]
+    [(root 3) 4 5 6 7 8 9 10 11]
     [LaneListStack::new]
     |nodes: WideRow, triangles: TrianglePair|
         WideNodes { nodes, root: root.lattice(), step: step(&root) }, TriangleRows(triangles);
@@ -110,7 +120,7 @@ call_kernels! {
 }
 
 call_kernels! {
-    [(root 3) 4 5 6 7 8 9]
+    [(root 3) 4 5 6 7 8 9 10 11]
     [LaneListStack::new]
     |nodes: MixedWideRow, triangles: u32|
         WideMixedNodes { nodes, root: root.lattice(), step: step(&root) },
@@ -120,7 +130,7 @@ call_kernels! {
 }
 
 call_kernels! {
-    [(root 3) 4 5 6 7 8 9]
+    [(root 3) 4 5 6 7 8 9 10 11]
     [LaneListStack::new]
     |nodes: PackedWideRow, triangles: u32|
         PackedWideNodes { nodes, root: root.lattice(), step: step(&root) },
@@ -133,6 +143,43 @@ call_kernels! {
 #[inline(always)]
 fn private_stack<N: NodeSource>(_: &N) -> <N::Node as Fork>::PrivateStack {
     Empty::EMPTY
+}
+
+/// The point of a triangle that a ray hits, for any stage. Reads the scene's exponent, the triangle's corners in the caller's unit, the
+/// hit's u and v, and the ray's direction. Stores the position and the side that the ray came from, the position's error, the normal,
+/// and where rays leave the surface on that side and on the other.
+#[spirv(compute(threads(1)))]
+pub fn call_surface(
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] corners: &[Vec4; 3],
+    #[spirv(uniform, descriptor_set = 0, binding = 2)] weights: &Vec2,
+    #[spirv(uniform, descriptor_set = 0, binding = 3)] direction: &Vec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] point: &mut [Vec4; 5],
+) {
+    let triangle = Triangle {
+        v0: corners[0].truncate(),
+        v1: corners[1].truncate(),
+        v2: corners[2].truncate(),
+    };
+    let exponent = exponent.x as i32;
+    let triangle = snap_triangle(&triangle, &PowerOfTwo::new(exponent));
+    let hit = Hit {
+        u: weights.x,
+        v: weights.y,
+        ..Hit::MISS
+    };
+    let surface = Surface::new(triangle, &hit, direction.truncate(), [Vec3::ZERO; 3]);
+    let found = SurfacePoint::new(&surface, hit.primitive, exponent);
+    point[0] = four(found.position, found.side);
+    point[1] = four(found.error, 0.0);
+    point[2] = four(found.normal, 0.0);
+    point[3] = four(found.leave(), 0.0);
+    point[4] = four(found.enter(), 0.0);
+}
+
+#[inline(always)]
+const fn four([x, y, z]: [f32; 3], w: f32) -> Vec4 {
+    Vec4::new(x, y, z, w)
 }
 
 #[inline(always)]
@@ -152,7 +199,8 @@ fn answer<S, N, T>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     ray: &PreparedRay,
-    any_will_do: u32,
+    filter: &SkipFilter,
+    question: &UVec2,
     hit: &mut UVec4,
 ) -> bool
 where
@@ -160,12 +208,12 @@ where
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
-    let mut collector = if any_will_do == 1 {
+    let mut collector = if question.x == 1 {
         ClosestOrAny::any(ray.t_max)
     } else {
         ClosestOrAny::closest(ray.t_max)
     };
-    let is_whole = traverse_with(stack, nodes, triangles, ray, &Skip::NONE, &mut collector);
+    let is_whole = traverse_with(stack, nodes, triangles, ray, filter, &mut collector);
     *hit = bits(ray.restore(collector.closest.hit));
     is_whole
 }

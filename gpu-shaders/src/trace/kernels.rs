@@ -6,7 +6,9 @@
 /// names the stack in workgroup memory: its words, and how a lane's is made of them. A source expression sees the bound slices under the
 /// names given and the root, decoded.
 ///
-/// - closest: one thread per ray. Reads the scene's exponent, the tree and the ray. Stores the closest hit.
+/// - closest: one thread per ray. Reads the scene's exponent, a target, the number of rays, the tree, the packed sides of the
+///   primitives, the ray and its ends. Stores the closest hit: a triangle that faces the target and that no end of the ray lies on.
+///   Where sides are 0, all triangles face it; rays beyond the last ends have none. Answers of rays beyond the number are not stored.
 /// - any: one thread per ray. Stores 1 where the ray hits anything, else 0.
 /// - nearest: one thread per ray. Stores the nearest hits in order, misses at the end.
 /// - counted: one thread per ray. Stores how many nodes and triangles the search for the closest hit visits.
@@ -23,7 +25,7 @@
 /// `trace_groups` stored: for rays one for all three questions, `params.x` being the number of hits a ray, 0 for any.
 macro_rules! trace_kernels {
     (
-        [($($root:ident)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt $g:tt $h:tt $i:tt]
+        [($($root:ident)?) $a:tt $b:tt $c:tt $d:tt $e:tt $f:tt $g:tt $h:tt $i:tt $j:tt $k:tt]
         [$words:ty, $stack:path]
         |$nodes:ident: $node:ty, $triangles:ident: $triangle:ty| $node_source:expr, $triangle_source:expr;
         pub fn $closest:ident;
@@ -44,16 +46,21 @@ macro_rules! trace_kernels {
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] hits: &mut [Hit],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] list: &mut [u32],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] count: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] ends: &[RayEnds],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] hits: &mut [Hit],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $j)] list: &mut [u32],
             #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
             let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
-            store::closest(stack, tree, thread_index(id), exponent.x as i32, rays, hits, list);
+            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            store::closest(stack, tree, thread_index(id), rays, hits, list);
         }
 
         /// Answers rays by whether they hit anything.
@@ -63,16 +70,21 @@ macro_rules! trace_kernels {
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] found: &mut [u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] list: &mut [u32],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] count: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] ends: &[RayEnds],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] found: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $j)] list: &mut [u32],
             #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
             let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
-            store::any(stack, tree, thread_index(id), exponent.x as i32, rays, found, list);
+            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            store::any(stack, tree, thread_index(id), rays, found, list);
         }
 
         /// Answers rays by their nearest hits.
@@ -82,16 +94,21 @@ macro_rules! trace_kernels {
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] hits: &mut [[Hit; NEAREST_COUNT]],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] list: &mut [u32],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] count: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] ends: &[RayEnds],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] hits: &mut [[Hit; NEAREST_COUNT]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $j)] list: &mut [u32],
             #[spirv(workgroup)] words: &mut $words,
         ) {
             $(let $root = root_words($root);)?
             let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
-            store::nearest(stack, tree, thread_index(id), exponent.x as i32, rays, hits, list);
+            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            store::nearest(stack, tree, thread_index(id), rays, hits, list);
         }
 
         /// Answers the rays of the list.
@@ -100,18 +117,21 @@ macro_rules! trace_kernels {
             #[spirv(global_invocation_id)] id: UVec3,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $b)] groups: &UVec4,
-            #[spirv(uniform, descriptor_set = 0, binding = $c)] params: &UVec4,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] list: &[u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] answers: &mut [u32],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] groups: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $d)] params: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] ends: &[RayEnds],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $j)] list: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $k)] answers: &mut [u32],
         ) {
             $(let $root = root_words($root);)?
             let tree = (&$node_source, &$triangle_source);
-            let (thread, question) = (thread_index(id), (exponent.x as i32, params.x));
-            store::listed_rays(tree, (thread, groups.x), question, rays, list, answers);
+            let rays = Rays { rays, ends, count: u32::MAX, exponent: exponent.x, sides, target };
+            store::listed_rays(tree, (thread_index(id), groups.x), params.x, rays, list, answers);
         }
 
         /// Answers rays by what the search for the closest hit visits.
@@ -120,14 +140,18 @@ macro_rules! trace_kernels {
             #[spirv(global_invocation_id)] id: UVec3,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
             #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $b)] $nodes: &[$node],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $triangles: &[$triangle],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] rays: &[Ray],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] counts: &mut [[u32; 2]],
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] target: &[UVec4; 2],
+            #[spirv(uniform, descriptor_set = 0, binding = $c)] count: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] sides: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $h)] ends: &[RayEnds],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] counts: &mut [[u32; 2]],
         ) {
             $(let $root = root_words($root);)?
-            let (i, exponent) = (thread_index(id), exponent.x as i32);
-            store::counted(i, exponent, &$node_source, &$triangle_source, rays, counts);
+            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            store::counted(thread_index(id), &$node_source, &$triangle_source, rays, counts);
         }
 
         /// Finds the paths' closest hits that face a target.

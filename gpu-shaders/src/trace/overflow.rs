@@ -6,8 +6,8 @@
 use crate::group::atomic_add;
 #[cfg(feature = "plain")]
 use {
-    glam::UVec3,
-    slimbvh_core::launch::{LANES, dispatch},
+    glam::{UVec3, UVec4},
+    slimbvh_core::launch::{count_in_part, dispatch_each},
     spirv_std_macros::spirv,
 };
 
@@ -57,8 +57,23 @@ pub fn trace_groups(
     if id.x == 0 && !list.is_empty() && !groups.is_empty() {
         let length = list[0];
         list[0] = 0;
-        let [x, y, z] = dispatch(length.div_ceil(LANES as u32));
-        groups[0] = [length, x, y, z];
+        groups[0] = dispatch_each(length);
+    }
+}
+
+/// One thread works. Reads the number of rays, the word `params.x` of a buffer; `params.y` is the first ray of this dispatch, and
+/// `params.z` how many rays it has room for. Stores `[count, x, y, z]`, with the dispatch of a thread for each ray of it.
+#[cfg(feature = "plain")]
+#[spirv(compute(threads(64)))]
+pub fn trace_count(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] params: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] words: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] groups: &mut [[u32; 4]],
+) {
+    let word = params.x as usize;
+    if id.x == 0 && word < words.len() && !groups.is_empty() {
+        groups[0] = dispatch_each(count_in_part(words[word], params.y, params.z));
     }
 }
 
@@ -75,6 +90,17 @@ mod tests {
         let rays: [u32; 3] = [0, 1, 2].map(|thread| noted(thread, 2, 3, &words));
         assert_eq!(rays, [9, 8, u32::MAX]);
         assert_eq!(noted(0, 2, 9, &words), u32::MAX);
+    }
+
+    #[test]
+    fn counts_become_dispatches_of_parts() {
+        let parts = [[0, 100], [100, 100], [200, 100]].map(|[first, most]| {
+            let mut groups = [[7; 4]];
+            let params = UVec4::new(1, first, most, 0);
+            trace_count(UVec3::ZERO, &params, &[9, 165, 9], &mut groups);
+            groups[0]
+        });
+        assert_eq!(parts, [[100, 2, 1, 1], [65, 2, 1, 1], [0, 0, 0, 1]]);
     }
 
     #[test]

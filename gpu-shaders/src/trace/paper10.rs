@@ -1,6 +1,7 @@
 //! Kernels that trace trees in the paper10 codec, a row each.
 
 use super::overflow::noted;
+use super::rays::Rays;
 use super::{root_words, scaled_target, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
@@ -9,11 +10,11 @@ use slimbvh_core::codec::{Paper10Node, Paper10Nodes, Paper10Triangle, Paper10Tri
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{LaneBoxStack, LaneBoxWords, TrianglePair, TriangleRows};
-use slimbvh_core::{Hit, Ray};
+use slimbvh_core::{Hit, Ray, RayEnds};
 use spirv_std_macros::spirv;
 
 trace_kernels! {
-    [(root) 1 2 3 4 5 6 7 8 9]
+    [(root) 1 2 3 4 5 6 7 8 9 10 11]
     [LaneBoxWords, LaneBoxStack::new]
     |nodes: Paper10Node, triangles: TrianglePair|
         Paper10Nodes { nodes, root: root.paper10(), opaque_zero: root.opaque_zero() },
@@ -31,7 +32,7 @@ trace_kernels! {
 }
 
 trace_kernels! {
-    [(root) 1 2 3 4 5 6 7 8 9]
+    [(root) 1 2 3 4 5 6 7 8 9 10 11]
     [LaneBoxWords, LaneBoxStack::new]
     |nodes: Paper10Node, triangles: Paper10Triangle|
         Paper10Nodes { nodes, root: root.paper10(), opaque_zero: root.opaque_zero() },

@@ -1,6 +1,7 @@
 //! Kernels that trace trees in full.
 
 use super::overflow::noted;
+use super::rays::Rays;
 use super::{scaled_target, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
@@ -10,11 +11,11 @@ use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
     LaneStack, LaneWords, NodeRow, NodeRows, Skip, TrianglePair, TriangleRows,
 };
-use slimbvh_core::{Hit, Ray};
+use slimbvh_core::{Hit, Ray, RayEnds};
 use spirv_std_macros::spirv;
 
 trace_kernels! {
-    [() 0 1 2 3 4 5 6 7 8]
+    [() 0 1 2 3 4 5 6 7 8 9 10]
     [LaneWords, LaneStack::new]
     |nodes: NodeRow, triangles: TrianglePair| NodeRows(nodes), TriangleRows(triangles);
     pub fn trace_closest;

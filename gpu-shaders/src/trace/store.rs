@@ -1,8 +1,10 @@
 //! What one thread does of each question, whatever the tree.
 
 use super::overflow::{note, noted};
+use super::rays::{RayFilter, Rays};
 use crate::count;
 use glam::Vec3;
+use slimbvh_core::Hit;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
 use slimbvh_core::shade::{Path, Shadow};
@@ -10,15 +12,13 @@ use slimbvh_core::trace::{
     AnyHit, ClosestHit, Counted, Empty, Fork, HitFilter, NearestHits, NodeSource, Skip,
     TriangleSource, UpTo, Waiting, traverse, traverse_with,
 };
-use slimbvh_core::{Hit, Ray};
 
 #[inline(always)]
 pub fn closest<S, N, T>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     i: u32,
-    exponent: i32,
-    rays: &[Ray],
+    rays: Rays,
     hits: &mut [Hit],
     list: &mut [u32],
 ) where
@@ -26,14 +26,15 @@ pub fn closest<S, N, T>(
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
-    let i = i as usize;
-    if i < rays.len() && i < hits.len() {
-        let ray = PreparedRay::new(&rays[i], exponent);
+    let slot = i as usize;
+    if rays.has(i) && slot < hits.len() {
+        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
+        let filter = RayFilter::new(rays, i, ray);
         let mut collector = ClosestHit::new(ray.t_max);
-        if traverse_with(stack, nodes, triangles, &ray, &Skip::NONE, &mut collector) {
-            hits[i] = ray.restore(collector.hit);
+        if traverse_with(stack, nodes, triangles, &ray, &filter, &mut collector) {
+            hits[slot] = ray.restore(collector.hit);
         } else {
-            note(i as u32, rays.len() as u32, list);
+            note(i, rays.room(), list);
         }
     }
 }
@@ -43,8 +44,7 @@ pub fn any<S, N, T>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     i: u32,
-    exponent: i32,
-    rays: &[Ray],
+    rays: Rays,
     found: &mut [u32],
     list: &mut [u32],
 ) where
@@ -52,14 +52,15 @@ pub fn any<S, N, T>(
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
-    let i = i as usize;
-    if i < rays.len() && i < found.len() {
-        let ray = PreparedRay::new(&rays[i], exponent);
+    let slot = i as usize;
+    if rays.has(i) && slot < found.len() {
+        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
+        let filter = RayFilter::new(rays, i, ray);
         let mut collector = AnyHit::new(ray.t_max);
-        if traverse_with(stack, nodes, triangles, &ray, &Skip::NONE, &mut collector) {
-            found[i] = collector.found as u32;
+        if traverse_with(stack, nodes, triangles, &ray, &filter, &mut collector) {
+            found[slot] = collector.found as u32;
         } else {
-            note(i as u32, rays.len() as u32, list);
+            note(i, rays.room(), list);
         }
     }
 }
@@ -69,8 +70,7 @@ pub fn nearest<S, N, T>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     i: u32,
-    exponent: i32,
-    rays: &[Ray],
+    rays: Rays,
     hits: &mut [[Hit; NEAREST_COUNT]],
     list: &mut [u32],
 ) where
@@ -78,16 +78,17 @@ pub fn nearest<S, N, T>(
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
 {
-    let i = i as usize;
-    if i < rays.len() && i < hits.len() {
-        let ray = PreparedRay::new(&rays[i], exponent);
+    let slot = i as usize;
+    if rays.has(i) && slot < hits.len() {
+        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
+        let filter = RayFilter::new(rays, i, ray);
         let mut collector = NearestHits::<NEAREST_COUNT>::new(ray.t_max);
-        if traverse_with(stack, nodes, triangles, &ray, &Skip::NONE, &mut collector) {
+        if traverse_with(stack, nodes, triangles, &ray, &filter, &mut collector) {
             for k in 0..NEAREST_COUNT {
-                hits[i][k] = ray.restore(collector.hits[k]);
+                hits[slot][k] = ray.restore(collector.hits[k]);
             }
         } else {
-            note(i as u32, rays.len() as u32, list);
+            note(i, rays.room(), list);
         }
     }
 }
@@ -97,24 +98,18 @@ pub fn nearest<S, N, T>(
 pub fn listed_rays<N: NodeSource, T: TriangleSource<N::Bounds>>(
     (nodes, triangles): (&N, &T),
     (thread, length): (u32, u32),
-    (exponent, hit_count): (i32, u32),
-    rays: &[Ray],
+    hit_count: u32,
+    rays: Rays,
     list: &[u32],
     answers: &mut [u32],
 ) {
-    let i = noted(thread, length, rays.len() as u32, list);
-    if (i as usize) < rays.len() {
-        let ray = PreparedRay::new(&rays[i as usize], exponent);
+    let i = noted(thread, length, rays.room(), list);
+    if rays.has(i) {
+        let ray = PreparedRay::new(&rays.rays[i as usize], rays.exponent as i32);
+        let filter = RayFilter::new(rays, i, ray);
         let mut collector = UpTo::<NEAREST_COUNT>::new(hit_count, ray.t_max);
         let mut stack = <<N::Node as Fork>::PrivateStack as Empty>::EMPTY;
-        traverse_with(
-            &mut stack,
-            nodes,
-            triangles,
-            &ray,
-            &Skip::NONE,
-            &mut collector,
-        );
+        traverse_with(&mut stack, nodes, triangles, &ray, &filter, &mut collector);
         if hit_count == 0 {
             put(i, collector.hits[0].is_hit() as u32, answers);
         } else {
@@ -146,18 +141,18 @@ fn put(place: u32, word: u32, words: &mut [u32]) {
 #[inline(always)]
 pub fn counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
     i: u32,
-    exponent: i32,
     nodes: &N,
     triangles: &T,
-    rays: &[Ray],
+    rays: Rays,
     counts: &mut [[u32; 2]],
 ) {
-    let i = i as usize;
-    if i < rays.len() && i < counts.len() {
-        let ray = PreparedRay::new(&rays[i], exponent);
+    let slot = i as usize;
+    if rays.has(i) && slot < counts.len() {
+        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
+        let filter = RayFilter::new(rays, i, ray);
         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
-        traverse(nodes, triangles, &ray, &Skip::NONE, &mut collector);
-        counts[i] = [collector.node_count, collector.triangle_count];
+        traverse(nodes, triangles, &ray, &filter, &mut collector);
+        counts[slot] = [collector.node_count, collector.triangle_count];
     }
 }
 

@@ -1,6 +1,7 @@
 //! Kernels that trace trees of wide nodes, a row each.
 
 use super::overflow::noted;
+use super::rays::Rays;
 use super::{root_words, scaled_target, step, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
@@ -14,11 +15,11 @@ use slimbvh_core::shade::{Path, Shadow};
 use slimbvh_core::trace::{
     FullWideNodes, FullWideRow, LaneListStack, LaneWords, TrianglePair, TriangleRows,
 };
-use slimbvh_core::{Hit, Ray};
+use slimbvh_core::{Hit, Ray, RayEnds};
 use spirv_std_macros::spirv;
 
 trace_kernels! {
-    [() 0 1 2 3 4 5 6 7 8]
+    [() 0 1 2 3 4 5 6 7 8 9 10]
     [LaneWords, LaneListStack::new]
     |nodes: FullWideRow, triangles: TrianglePair| FullWideNodes(nodes), TriangleRows(triangles);
     pub fn trace_closest_w4_f32;
@@ -34,7 +35,7 @@ trace_kernels! {
 }
 
 trace_kernels! {
-    [(root) 1 2 3 4 5 6 7 8 9]
+    [(root) 1 2 3 4 5 6 7 8 9 10 11]
     [LaneWords, LaneListStack::new]
     |nodes: WideRow, triangles: TrianglePair|
         WideNodes { nodes, root: root.lattice(), step: step(&root) },
@@ -52,7 +53,7 @@ trace_kernels! {
 }
 
 trace_kernels! {
-    [(root) 1 2 3 4 5 6 7 8 9]
+    [(root) 1 2 3 4 5 6 7 8 9 10 11]
     [LaneWords, LaneListStack::new]
     |nodes: MixedWideRow, triangles: u32|
         WideMixedNodes { nodes, root: root.lattice(), step: step(&root) },
@@ -70,7 +71,7 @@ trace_kernels! {
 }
 
 trace_kernels! {
-    [(root) 1 2 3 4 5 6 7 8 9]
+    [(root) 1 2 3 4 5 6 7 8 9 10 11]
     [LaneWords, LaneListStack::new]
     |nodes: PackedWideRow, triangles: u32|
         PackedWideNodes { nodes, root: root.lattice(), step: step(&root) },

@@ -308,7 +308,10 @@ impl<'g> Backend for &'g Gpu {
         to: &mut TargetSides,
     ) -> Result<(), GpuError> {
         let Some(decisions) = &held.decisions else {
-            return to.set(frame, &host.target, &host.frustum, &host.sides);
+            let components = held.components.as_ref();
+            let components = components.ok_or_else(|| Misfit::NotLoaded.of("the scene"))?;
+            let target = (&host.target, &host.frustum);
+            return to.set(frame, components, target, &host.sides);
         };
         let answer = match (held.lights, eye) {
             (LightSets::Smaller, Some(eye)) => Answer::Smaller { eye },

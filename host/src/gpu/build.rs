@@ -63,9 +63,9 @@ struct Key {
 
 impl Builder {
     /// The possible stages of a build.
-    pub const STAGES: [&str; 12] = [
-        "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap", "topology",
-        "refit", "wide", "encode",
+    pub const STAGES: [&str; 13] = [
+        "gather", "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap",
+        "topology", "refit", "wide", "encode",
     ];
 
     /// A builder with empty buffers. Codecs without GPU kernels are refused by the build.

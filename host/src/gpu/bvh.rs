@@ -8,6 +8,7 @@ use super::buffer::{Download, Range, Slot};
 use super::coding::Coding;
 use super::encode::Encoder;
 use super::program::Uniform;
+use super::sides::TargetRanges;
 use super::{Frame, Gpu, GpuError, Misfit};
 use crate::{BuildConfig, MeshCodec, NodeCodec};
 use slimbvh_core::encode::RootWords;
@@ -324,12 +325,19 @@ impl Bvh {
         Ok(self.built()?.codecs)
     }
 
-    /// The bindings that the functions of [`super::wgsl_for`] and [`super::wgsl_compute_for`] read: 0 the scene's exponent, 1 the
-    /// nodes, 2 the triangles, and if nodes are on a lattice 3 the root.
+    /// [`super::Tree::bindings`] of all triangles.
     ///
     /// # Errors
     /// If it is not built yet, or is stored in a codec without such a text.
     pub fn bindings(&self) -> Result<Vec<wgpu::BindGroupEntry<'_>>, GpuError> {
+        self.bindings_with(None)
+    }
+
+    /// The bindings with this rule.
+    pub(super) fn bindings_with<'a>(
+        &'a self,
+        rule: Option<&'a TargetRanges>,
+    ) -> Result<Vec<wgpu::BindGroupEntry<'a>>, GpuError> {
         let built = self.built()?;
         let pairs = wgpu::BufferBinding {
             size: wgpu::BufferSize::new(paired(built.triangles.size)),
@@ -350,6 +358,9 @@ impl Bvh {
                 }
             }
         }
+        let none = [&built.placeholder; 2];
+        let rule = rule.map_or(none, |rule| [&rule.packed, &rule.target]);
+        ranges.extend(rule.map(Range::binding));
         let entries = (0..)
             .zip(ranges)
             .map(|(binding, range)| wgpu::BindGroupEntry {

@@ -63,7 +63,8 @@ impl TargetSides {
             Answer::Smaller { eye } => Some(eye_sides(eye, side_count)?),
         };
         gpu.checked(|| {
-            let ranges = self.reserve(frame, side_count as usize, frustum);
+            let components = decisions.components();
+            let ranges = self.reserve(frame, components, side_count as usize, frustum);
             Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
             let key = Key {
                 ranges: ranges.clone(),
@@ -151,6 +152,7 @@ fn record(
         if count == 0 {
             let all = mesh.triangle_count;
             recorder.write(counts, &[all, all, 0, 0]);
+            key.ranges.record_packed(&mut recorder);
             return recorder.finish(gpu);
         }
         let blocks = &decisions.blocks;
@@ -176,6 +178,7 @@ fn record(
             threads(count),
         );
     }
+    key.ranges.record_packed(&mut recorder);
     recorder.finish(gpu)
 }
 

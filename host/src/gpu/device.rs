@@ -1,12 +1,15 @@
 //! A device with its compiled kernels and its reported errors.
 
+use super::buffer::Range;
+use super::frame::COMPILE;
 use super::kernel::{Kernel, Pipelines, compile};
 use super::timer::TimerPool;
 use super::trace::overflow::{Lists, Overflow};
 use super::{AdapterChoice, Frame, GpuError, adapter};
+use crate::Stages;
 use pollster::block_on;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// An open GPU: its own device, or one that the caller opened.
 ///
@@ -147,24 +150,68 @@ impl Gpu {
         Frame::new(self)
     }
 
+    /// Begins a frame in the caller's encoder, between the caller's own commands. [`Frame::end`] ends it.
+    ///
+    /// ```no_run
+    /// use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh, wgpu};
+    /// # fn run(gpu: &Gpu, builder: &mut Builder, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
+    /// let mut encoder = gpu.device().create_command_encoder(&Default::default());
+    /// // Here the caller's compute pass may move the mesh's vertices.
+    /// let mut frame = gpu.frame_in(&mut encoder);
+    /// builder.build(&mut frame, mesh, bvh)?;
+    /// let recorded = frame.end()?;
+    /// // Here the caller's passes may trace the tree.
+    /// let index = gpu.queue().submit([encoder.finish()]);
+    /// println!("{}", recorded.submitted(gpu, index).wait()?);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn frame_in<'f>(&'f self, encoder: &'f mut wgpu::CommandEncoder) -> Frame<'f> {
+        Frame::within(self, encoder)
+    }
+
     /// A compiled kernel, for the caller's own dispatches; see [`Kernel`].
     ///
     /// # Errors
     /// Those of the driver's compiler, and if the kernel is not compiled in ([`Kernel`]).
     pub fn pipeline(&self, kernel: Kernel) -> Result<wgpu::ComputePipeline, GpuError> {
+        self.pipeline_in(kernel, &mut Stages::default())
+    }
+
+    /// [`Self::pipeline`], with the time of compiling added to stage `compile`.
+    pub(super) fn pipeline_in(
+        &self,
+        kernel: Kernel,
+        stages: &mut Stages,
+    ) -> Result<wgpu::ComputePipeline, GpuError> {
         if let Some(pipeline) = self.pipelines.compiled(kernel) {
             return Ok(pipeline);
         }
         // Kept only if compilation reported no error.
-        let pipeline = self.checked(|| compile(&self.device, kernel))?;
+        let compiled = || self.checked(|| compile(&self.device, kernel));
+        let pipeline = stages.time(COMPILE, compiled)?;
         self.pipelines.keep(kernel, &pipeline);
         Ok(pipeline)
     }
 
     /// The list of a trace of this many rays, which is recorded next.
     pub(super) fn overflow(&self, ray_count: u64) -> Overflow {
-        let mut lists = self.lists.lock().unwrap_or_else(PoisonError::into_inner);
-        lists.overflow(self, ray_count)
+        self.lists().overflow(self, ray_count)
+    }
+
+    /// [`Lists::ray_groups`].
+    pub(super) fn ray_groups(&self) -> Range {
+        self.lists().ray_groups(self)
+    }
+
+    /// [`Lists::no_ends`].
+    pub(super) fn no_ends(&self) -> wgpu::Buffer {
+        self.lists().no_ends(self)
+    }
+
+    fn lists(&self) -> MutexGuard<'_, Lists> {
+        self.lists.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Runs commands, and turns what the driver objects to into an error.

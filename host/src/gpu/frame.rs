@@ -5,13 +5,28 @@ use super::timer::Timer;
 use super::{Gpu, GpuError, Misfit};
 use crate::Stages;
 
-/// Commands for the GPU in the order of recording; one submission.
+/// The stage of compiling kernels, which takes the host's time.
+pub const COMPILE: &str = "compile";
+
+/// Commands for the GPU in the order of recording: one submission of its own ([`Gpu::frame`]), or a part of the caller's
+/// ([`Gpu::frame_in`]).
+///
+/// Frames run in the order in which they were recorded, so command buffers are submitted in that order.
 #[derive(Debug)]
 pub struct Frame<'g> {
     gpu: &'g Gpu,
-    encoder: wgpu::CommandEncoder,
+    encoder: Encoder<'g>,
     timer: Option<Timer>,
     fault: Option<GpuError>,
+    /// Stage `compile`, if kernels were compiled for this frame.
+    compiling: Stages,
+}
+
+/// Where a frame's commands go.
+#[derive(Debug)]
+enum Encoder<'g> {
+    Own(wgpu::CommandEncoder),
+    Callers(&'g mut wgpu::CommandEncoder),
 }
 
 impl<'g> Frame<'g> {
@@ -19,7 +34,16 @@ impl<'g> Frame<'g> {
         let descriptor = wgpu::CommandEncoderDescriptor {
             label: Some("slimbvh frame"),
         };
-        // Errors from here on are returned when the frame is submitted.
+        let encoder = gpu.device().create_command_encoder(&descriptor);
+        Self::over(gpu, Encoder::Own(encoder))
+    }
+
+    pub(super) fn within(gpu: &'g Gpu, encoder: &'g mut wgpu::CommandEncoder) -> Self {
+        Self::over(gpu, Encoder::Callers(encoder))
+    }
+
+    fn over(gpu: &'g Gpu, encoder: Encoder<'g>) -> Self {
+        // Errors from here on are returned when the frame ends.
         let (mut timer, mut fault) = (None, None);
         let made = gpu.checked(|| {
             timer = gpu.timers.take(gpu.device());
@@ -30,9 +54,10 @@ impl<'g> Frame<'g> {
         }
         Self {
             gpu,
-            encoder: gpu.device().create_command_encoder(&descriptor),
+            encoder,
             timer,
             fault,
+            compiling: Stages::default(),
         }
     }
 
@@ -43,8 +68,16 @@ impl<'g> Frame<'g> {
     }
 
     /// The encoder, for the caller's own commands before, between and after those of slimbvh.
-    pub fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
-        &mut self.encoder
+    pub const fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
+        match &mut self.encoder {
+            Encoder::Own(encoder) => encoder,
+            Encoder::Callers(encoder) => encoder,
+        }
+    }
+
+    /// Adds to stage `compile`.
+    pub(super) fn compiled(&mut self, compiling: &Stages) {
+        self.compiling.merge(compiling);
     }
 
     /// Begins a pass that is timed as part of a stage.
@@ -54,14 +87,17 @@ impl<'g> Frame<'g> {
             label: Some(stage),
             timestamp_writes,
         };
-        self.encoder
-            .begin_compute_pass(&descriptor)
-            .forget_lifetime()
+        // Not by the method: the timer stays borrowed.
+        let encoder = match &mut self.encoder {
+            Encoder::Own(encoder) => encoder,
+            Encoder::Callers(encoder) => encoder,
+        };
+        encoder.begin_compute_pass(&descriptor).forget_lifetime()
     }
 
     /// Copies a range, to be read when the frame is done.
     pub(super) fn download(&mut self, range: &Range) -> Download {
-        Download::record(self.gpu, &mut self.encoder, range)
+        Download::record(self.gpu, self.encoder(), range)
     }
 
     /// Copies a buffer's contents at this point of the frame, to be read when the frame is done.
@@ -95,21 +131,92 @@ impl<'g> Frame<'g> {
     /// Submits all recorded commands.
     ///
     /// # Errors
-    /// If the device refuses a command, memory is exhausted, or the device was lost.
-    pub fn submit(mut self) -> Result<Submission<'g>, GpuError> {
+    /// If the device refuses a command, memory is exhausted, or the device was lost; and for a frame in the caller's encoder.
+    pub fn submit(self) -> Result<Submission<'g>, GpuError> {
         let gpu = self.gpu;
+        let (commands, recorded) = self.finish()?;
+        let index = gpu.checked(|| Ok(gpu.queue().submit([commands])))?;
+        Ok(recorded.submitted(gpu, index))
+    }
+
+    /// Ends recording: the caller submits the commands, alone or with others.
+    ///
+    /// ```no_run
+    /// use slimbvh::gpu::{Bvh, Gpu, GpuError, Query, wgpu};
+    /// # fn run(gpu: &Gpu, bvh: &Bvh, rays: &wgpu::Buffer, hits: &wgpu::Buffer, others: wgpu::CommandBuffer) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// bvh.trace(&mut frame, Query::Closest, rays.slice(..), hits.slice(..))?;
+    /// let (commands, recorded) = frame.finish()?;
+    /// let index = gpu.queue().submit([commands, others]);
+    /// println!("{}", recorded.submitted(gpu, index).wait()?);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// If the device refuses a command, memory is exhausted, or the device was lost; and for a frame in the caller's encoder,
+    /// which only the caller can finish: [`Self::end`] ends it.
+    pub fn finish(self) -> Result<(wgpu::CommandBuffer, Recorded), GpuError> {
+        let (gpu, encoder, recorded) = self.ended()?;
+        match encoder {
+            Encoder::Own(encoder) => Ok((gpu.checked(|| Ok(encoder.finish()))?, recorded)),
+            Encoder::Callers(_) => Err(Misfit::CallersEncoder.of("the frame")),
+        }
+    }
+
+    /// Ends a frame in the caller's encoder. What the device objects to in its commands, wgpu reports where the caller finishes the
+    /// encoder.
+    ///
+    /// # Errors
+    /// If memory is exhausted, or the device was lost; and for a frame with an encoder of its own, which [`Self::submit`] and
+    /// [`Self::finish`] end.
+    pub fn end(self) -> Result<Recorded, GpuError> {
+        let (_, encoder, recorded) = self.ended()?;
+        match encoder {
+            Encoder::Callers(_) => Ok(recorded),
+            Encoder::Own(_) => Err(Misfit::OwnEncoder.of("the frame")),
+        }
+    }
+
+    /// The encoder with all commands.
+    fn ended(mut self) -> Result<(&'g Gpu, Encoder<'g>, Recorded), GpuError> {
         if let Some(fault) = self.fault {
             return Err(fault);
         }
-        if let Some(timer) = &self.timer {
-            timer.resolve(&mut self.encoder);
+        if let Some(timer) = self.timer.take() {
+            timer.resolve(self.encoder());
+            self.timer = Some(timer);
         }
-        let index = gpu.checked(|| Ok(gpu.queue().submit([self.encoder.finish()])))?;
-        Ok(Submission {
+        let recorded = Recorded {
+            timer: self.timer,
+            compiling: self.compiling,
+        };
+        Ok((self.gpu, self.encoder, recorded))
+    }
+}
+
+/// What remains of a frame whose commands the caller submits: its times. Dropping it is fine.
+#[derive(Debug)]
+pub struct Recorded {
+    timer: Option<Timer>,
+    compiling: Stages,
+}
+
+impl Recorded {
+    /// Stage `compile`, if kernels were compiled for the frame.
+    pub(super) fn into_compiling(self) -> Stages {
+        self.compiling
+    }
+
+    /// The submission of the frame's commands, on the GPU that recorded them.
+    #[must_use]
+    pub fn submitted(self, gpu: &Gpu, index: wgpu::SubmissionIndex) -> Submission<'_> {
+        Submission {
             gpu,
             index,
             timer: self.timer,
-        })
+            compiling: self.compiling,
+        }
     }
 }
 
@@ -119,20 +226,23 @@ pub struct Submission<'g> {
     gpu: &'g Gpu,
     index: wgpu::SubmissionIndex,
     timer: Option<Timer>,
+    compiling: Stages,
 }
 
 impl Submission<'_> {
-    /// Waits until the frame is done. Returns the time of each stage; empty if the adapter has no timestamps. Passes after
-    /// the first 1024 of a frame are not timed.
+    /// Waits until the frame is done. Returns the time of each stage, if the adapter has timestamps; passes after the first 1024 of a
+    /// frame are not timed. Where kernels were compiled for the frame, the host's time for that is stage `compile`:
+    /// [`Gpu::warm_up`] compiles them before.
     ///
     /// # Errors
     /// If the device was lost.
     pub fn wait(mut self) -> Result<Stages, GpuError> {
         self.gpu.wait(Some(self.index.clone()))?;
-        match self.timer.take() {
-            Some(timer) => timer.read(self.gpu),
-            None => Ok(Stages::default()),
+        let mut stages = std::mem::take(&mut self.compiling);
+        if let Some(timer) = self.timer.take() {
+            stages.merge(&timer.read(self.gpu)?);
         }
+        Ok(stages)
     }
 }
 

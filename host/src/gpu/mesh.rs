@@ -1,20 +1,22 @@
 //! A mesh in the GPU's memory.
 
-use super::buffer::{Range, upload};
+use super::buffer::{Range, Slot, upload};
+use super::gather::{ELEMENT_BYTES, IndexLayout, Source, VertexLayout};
 use super::{Gpu, GpuError, Misfit};
 use crate::MeshError;
 use slimbvh_core::MAX_TRIANGLES;
 use wgpu::BufferUsages;
 
-/// Bytes of a vertex, and of a triangle's three indices.
-const ELEMENT_BYTES: u64 = 12;
-
 /// Triangles as indices into shared vertices, in buffers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
+    /// Positions without gaps.
     pub(super) vertices: Range,
+    /// Three `u32` a triangle without gaps.
     pub(super) indices: Range,
     pub(super) triangle_count: u32,
+    /// What vertices and indices are gathered from, where those are not the caller's own buffers.
+    pub(super) sources: [Option<Source>; 2],
 }
 
 impl Mesh {
@@ -39,12 +41,84 @@ impl Mesh {
                 vertices: Range::whole(&vertices),
                 indices: Range::whole(&indices),
                 triangle_count: mesh.indices.len() as u32,
+                sources: [None, None],
             })
         })
     }
 
-    /// Uses the caller's buffers: three `f32` a vertex and three `u32` a triangle, without gaps. The lengths of the slices
+    /// Uses the caller's buffers in any layout: positions anywhere in interleaved vertices, indices of 16 or 32 bits.
+    ///
+    /// What kernels cannot read in place is copied into buffers of slimbvh's own, 12 bytes a vertex and 12 bytes a triangle, at the
+    /// beginning of each sort, build and refit (stage `gather`): they see what the caller's buffers hold at that point of the frame.
+    /// Positions 12 bytes apart and indices of 32 bits are read in place.
+    ///
+    /// Nothing is read back, so the contents are unchecked: coordinates must be finite. A corner whose index is out of
+    /// range counts as a vertex at the origin.
+    ///
+    /// ```no_run
+    /// use slimbvh::gpu::{Gpu, GpuError, IndexLayout, Mesh, VertexLayout, wgpu};
+    /// # fn run(gpu: &Gpu, vertices: &wgpu::Buffer, indices: &wgpu::Buffer) -> Result<Mesh, GpuError> {
+    /// // Position, normal and texture coordinates in 32 bytes a vertex; two bytes an index.
+    /// let vertices = VertexLayout { slice: vertices.slice(..), stride: 32, offset: 0 };
+    /// let indices = IndexLayout { slice: indices.slice(..), format: wgpu::IndexFormat::Uint16 };
+    /// let mesh = Mesh::from_layout(gpu, vertices, indices)?;
+    /// # Ok(mesh)
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// For numbers and slices that do not fit each other, by name and number; for a buffer without the usage `STORAGE`, more bytes
+    /// than a storage binding allows, and more than 2^28 triangles.
+    pub fn from_layout(
+        gpu: &Gpu,
+        vertices: VertexLayout,
+        indices: IndexLayout,
+    ) -> Result<Self, GpuError> {
+        let sources = [vertices.source(gpu)?, indices.source(gpu)?];
+        check_triangle_count(sources[1].count)?;
+        let are_tight = [
+            vertices.is_tight(),
+            indices.format == wgpu::IndexFormat::Uint32,
+        ];
+        let alignment = u64::from(gpu.limits().min_storage_buffer_offset_alignment);
+        let triangle_count = sources[1].count as u32;
+        let [mut own_vertices, mut own_indices] = [
+            Slot::storage("slimbvh gathered vertices"),
+            Slot::storage("slimbvh gathered indices"),
+        ];
+        gpu.check_sizes(
+            &[
+                ("the vertices without gaps", sources[0].tight_bytes()),
+                ("the indices without gaps", sources[1].tight_bytes()),
+            ],
+            "take a part of them",
+        )?;
+        gpu.checked(|| {
+            let place =
+                |slice: wgpu::BufferSlice, is_tight: bool, source: Source, own: &mut Slot| {
+                    if is_tight && slice.offset().is_multiple_of(alignment) {
+                        (Range::of_slice(slice), None)
+                    } else {
+                        (own.range(gpu, source.tight_bytes()), Some(source))
+                    }
+                };
+            let [first, second] = sources;
+            let (vertices, from) = place(vertices.slice, are_tight[0], first, &mut own_vertices);
+            let (indices, and_from) = place(indices.slice, are_tight[1], second, &mut own_indices);
+            Ok(Self {
+                vertices,
+                indices,
+                triangle_count,
+                sources: [from, and_from],
+            })
+        })
+    }
+
+    /// Uses the caller's buffers in place: three `f32` a vertex and three `u32` a triangle, without gaps. The lengths of the slices
     /// give the counts.
+    ///
+    /// Any bytes are read as that: interleaved vertices and indices of 16 bits, whose sizes may fit by chance, take
+    /// [`Self::from_layout`].
     ///
     /// Nothing is read back, so the contents are unchecked: coordinates must be finite. A corner whose index is out of
     /// range counts as a vertex at the origin.
@@ -65,16 +139,12 @@ impl Mesh {
             check_storage(gpu, what, range, ELEMENT_BYTES)?;
         }
         let triangle_count = indices.size / ELEMENT_BYTES;
-        if triangle_count > u64::from(MAX_TRIANGLES) {
-            return Err(GpuError::Mesh(MeshError::TooManyTriangles {
-                triangle_count: triangle_count as usize,
-                limit: MAX_TRIANGLES as usize,
-            }));
-        }
+        check_triangle_count(triangle_count)?;
         Ok(Self {
             vertices,
             indices,
             triangle_count: triangle_count as u32,
+            sources: [None, None],
         })
     }
 
@@ -108,17 +178,30 @@ impl Mesh {
         self.triangle_count
     }
 
-    /// The buffer of vertices, to move them.
+    /// The buffer of vertices, to move them: the caller's where there is one.
     #[must_use]
     pub fn vertex_buffer(&self) -> &wgpu::Buffer {
-        &self.vertices.buffer
+        let [source, _] = &self.sources;
+        let range = source.as_ref().map_or(&self.vertices, |from| &from.words);
+        &range.buffer
     }
 
-    /// Bytes of both buffers.
+    /// Bytes of the vertices and indices that kernels read, without gaps.
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.vertices.size + self.indices.size
     }
+}
+
+/// Refuses more triangles than a hierarchy can number.
+fn check_triangle_count(triangle_count: u64) -> Result<(), GpuError> {
+    if triangle_count > u64::from(MAX_TRIANGLES) {
+        return Err(GpuError::Mesh(MeshError::TooManyTriangles {
+            triangle_count: triangle_count as usize,
+            limit: MAX_TRIANGLES as usize,
+        }));
+    }
+    Ok(())
 }
 
 /// Refuses a range of the caller's that cannot be bound.
@@ -157,4 +240,34 @@ pub fn check_parts(
         });
     }
     Ok(())
+}
+
+/// Refuses a range of the caller's whose words cannot be bound. Returns a range of words that can be and holds it, and how many bytes
+/// of that are before the given one, which begins at any multiple of `unit_bytes`.
+pub fn check_words(
+    gpu: &Gpu,
+    what: &'static str,
+    range: &Range,
+    unit_bytes: u64,
+) -> Result<(Range, u64), GpuError> {
+    if !range.buffer.usage().contains(BufferUsages::STORAGE) {
+        return Err(Misfit::MissingUsage { usage: "STORAGE" }.of(what));
+    }
+    if !range.offset.is_multiple_of(unit_bytes) {
+        let fault = Misfit::MisalignedOffset {
+            offset: range.offset,
+            alignment: unit_bytes,
+        };
+        return Err(fault.of(what));
+    }
+    let end = range.offset + range.size;
+    let whole_end = end.next_multiple_of(4);
+    if whole_end > range.buffer.size() {
+        return Err(Misfit::EndsWithinWord { end }.of(what));
+    }
+    let alignment = u64::from(gpu.limits().min_storage_buffer_offset_alignment).max(4);
+    let begin = range.offset / alignment * alignment;
+    let words = Range::whole(&range.buffer).part(begin, whole_end - begin);
+    gpu.check_sizes(&[(what, words.size)], "take a part of it")?;
+    Ok((words, range.offset - begin))
 }

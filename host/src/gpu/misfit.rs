@@ -30,6 +30,44 @@ pub enum Misfit {
         /// An element's size.
         element_bytes: u64,
     },
+    /// A range ends within a vertex or an index.
+    #[error("has {bytes} bytes, which are no whole {elements} of {element_bytes} bytes")]
+    PartialElements {
+        /// The range's size.
+        bytes: u64,
+        /// What its elements are.
+        elements: &'static str,
+        /// An element's size.
+        element_bytes: u64,
+    },
+    /// A range ends within a triangle.
+    #[error("has {index_count} indices, which are no whole triangles")]
+    PartialTriangle {
+        /// Indices in the range.
+        index_count: u64,
+    },
+    /// A number of a layout is not in words.
+    #[error("has a {number} of {bytes} bytes, which is no multiple of 4")]
+    UnalignedNumber {
+        /// Which number.
+        number: &'static str,
+        /// The number.
+        bytes: u64,
+    },
+    /// Positions reach beyond their vertices.
+    #[error("has positions of 12 bytes at byte {offset} of vertices of {stride} bytes")]
+    PositionOutside {
+        /// Where a vertex has its position.
+        offset: u64,
+        /// Bytes from one vertex to the next.
+        stride: u64,
+    },
+    /// A range's last word is not in the buffer: kernels read words.
+    #[error("ends at byte {end}, within a word; make it a multiple of 4 bytes long")]
+    EndsWithinWord {
+        /// Where the range ends.
+        end: u64,
+    },
     /// A range cannot be copied: only whole words can.
     #[error("is to be read from byte {offset} for {bytes} bytes, which are not multiples of 4")]
     PartialWord {
@@ -47,6 +85,20 @@ pub enum Misfit {
         ray_count: u64,
         /// Size of the answer to a ray.
         answer_bytes: u64,
+    },
+    /// The ends of all rays are not there.
+    #[error("has {bytes} bytes, but {ray_count} rays have ends of 16 bytes each")]
+    TooFewEnds {
+        /// The buffer's size.
+        bytes: u64,
+        /// Rays.
+        ray_count: u64,
+    },
+    /// A number is not one word.
+    #[error("has {bytes} bytes; pass a slice of one `u32`")]
+    NotOneWord {
+        /// The slice's size.
+        bytes: u64,
     },
     /// More bits than indices can number.
     #[error("take {bytes} bytes; fewer than {limit_bytes} can be numbered")]
@@ -96,6 +148,15 @@ pub enum Misfit {
         /// Entries that are needed.
         needs: u64,
     },
+    /// A rule's sides were set or decided for the components of another mesh.
+    #[error("has sides of other components; set or decide them for these")]
+    OthersSides,
+    /// A frame is in an encoder that only the caller can finish.
+    #[error("is in the caller's encoder; end it, and submit that encoder's commands")]
+    CallersEncoder,
+    /// A frame has an encoder of its own, which would be lost.
+    #[error("has an encoder of its own; submit or finish it")]
+    OwnEncoder,
     /// A scene was not loaded.
     #[error("is not on the GPU; load it first")]
     NotLoaded,

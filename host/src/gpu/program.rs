@@ -3,7 +3,9 @@
 use super::buffer::{ALIGNMENT, Range, upload};
 use super::work::{Traffic, Work};
 use super::{Frame, Gpu, Kernel};
+use crate::Stages;
 use slimbvh_core::launch::{LANES, dispatch};
+use std::sync::{Mutex, PoisonError};
 
 /// The number of workgroups of a dispatch.
 #[derive(Clone, Debug)]
@@ -17,12 +19,6 @@ pub enum Groups {
 /// Enough workgroups for a thread an item.
 pub fn threads(item_count: u32) -> Groups {
     Groups::Direct(dispatch(item_count.div_ceil(LANES as u32)))
-}
-
-/// A number of items, and the workgroups for a thread each, in the form of an indirect dispatch.
-pub fn counted(item_count: u32) -> [u32; 4] {
-    let [x, y, z] = dispatch(item_count.div_ceil(LANES as u32));
-    [item_count, x, y, z]
 }
 
 /// This many workgroups.
@@ -199,6 +195,7 @@ impl Recorder {
                 &self.params,
             )
         });
+        let mut compiling = Stages::default();
         let mut steps = Vec::with_capacity(self.steps.len());
         for step in self.steps {
             steps.push(match step {
@@ -207,7 +204,9 @@ impl Recorder {
                 Step::Clear(range) => Step::Clear(range),
                 Step::Write(offset, to) => Step::Write(offset, to),
                 Step::Callback(id) => Step::Callback(id),
-                Step::Dispatch(call) => Step::Dispatch(bind(gpu, params.as_ref(), call)?),
+                Step::Dispatch(call) => {
+                    Step::Dispatch(bind(gpu, params.as_ref(), call, &mut compiling)?)
+                }
             });
         }
         let mut work = self.work;
@@ -218,6 +217,7 @@ impl Recorder {
             steps,
             params,
             work,
+            compiling: Mutex::new(compiling),
         })
     }
 }
@@ -271,8 +271,13 @@ fn push_params(bytes: &mut Vec<u8>, params: &[u32; 4]) -> u64 {
     offset as u64
 }
 
-fn bind(gpu: &Gpu, params: Option<&wgpu::Buffer>, call: Call) -> Result<Dispatch, super::GpuError> {
-    let pipeline = gpu.pipeline(call.kernel)?;
+fn bind(
+    gpu: &Gpu,
+    params: Option<&wgpu::Buffer>,
+    call: Call,
+    compiling: &mut Stages,
+) -> Result<Dispatch, super::GpuError> {
+    let pipeline = gpu.pipeline_in(call.kernel, compiling)?;
     let entries = call
         .bindings
         .iter()
@@ -309,6 +314,8 @@ pub struct Program {
     steps: Vec<Step<Dispatch>>,
     params: Option<wgpu::Buffer>,
     work: Vec<Work>,
+    /// Stage `compile`, for the first frame.
+    compiling: Mutex<Stages>,
 }
 
 impl std::fmt::Debug for Program {
@@ -333,6 +340,7 @@ impl Program {
         frame: &mut Frame<'g>,
         callback: &mut dyn FnMut(&mut Frame<'g>, usize) -> Result<(), super::GpuError>,
     ) -> Result<(), super::GpuError> {
+        frame.compiled(&self.take_compiling());
         let mut stage = "slimbvh";
         let mut pass: Option<wgpu::ComputePass> = None;
         for step in &self.steps {
@@ -383,6 +391,14 @@ impl Program {
             }
         }
         Ok(())
+    }
+
+    fn take_compiling(&self) -> Stages {
+        let mut compiling = self
+            .compiling
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        std::mem::take(&mut *compiling)
     }
 
     /// The work of each stage.

@@ -5,6 +5,7 @@ mod image;
 mod wave;
 
 use super::buffer::{Download, Range, Slot};
+use super::frame::COMPILE;
 use super::program::{Program, Recorder};
 use super::sort::Sort;
 use super::trace::overflow::{groups_range, groups_slot, list_bytes};
@@ -17,7 +18,6 @@ use crate::scene::{Camera, Light, ViewError};
 use crate::{Stages, Stopwatch};
 pub use counters::Counters;
 pub(super) use image::{Image, check_view};
-use slimbvh_core::classify::SIDES_PER_WORD;
 use slimbvh_core::launch::row_texels;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
 use slimbvh_core::{Hit, camera::Camera as CoreCamera};
@@ -56,7 +56,6 @@ pub struct Renderer {
     /// The counters, and the list of rays to trace again.
     counters: Slot,
     groups: Slot,
-    packed: Vec<Slot>,
     picture: Slot,
     pub(super) texels: Slot,
     kept: Option<(Key, Vec<Program>)>,
@@ -123,7 +122,6 @@ impl Renderer {
             range: Slot::new("slimbvh range", copied_to.union(BufferUsages::UNIFORM)),
             counters: Slot::new("slimbvh counters", copied_to),
             groups: groups_slot(),
-            packed: Vec::new(),
             picture: Slot::new("slimbvh picture", copied_to),
             texels: Slot::storage("slimbvh texels"),
             kept: None,
@@ -203,7 +201,7 @@ impl Renderer {
     ) -> Result<PicturePlan<'a>, GpuError> {
         let gpu = frame.gpu();
         assert_eq!(trees.lights.len(), lights.len(), "a tree for each light");
-        let mut trees = trees.ranges()?;
+        let trees = trees.ranges()?;
         for built in trees.all() {
             if scene.mesh.triangle_count != built.triangle_count {
                 return Err(GpuError::View(ViewError::OtherMesh {
@@ -226,7 +224,6 @@ impl Renderer {
             0
         };
         let planned = gpu.checked(|| {
-            self.make_room_for_sides(gpu, &mut trees);
             let buffers = self.reserve(gpu, settings, core_lights.len(), &waves);
             let environment = crate::Scene::environment(camera.up);
             upload_view(
@@ -335,8 +332,8 @@ impl Renderer {
     }
 
     /// Submits the frame that ends a picture, waits, and reads the picture. Returns the times of the build and the report
-    /// of the render. `stages`, the times of earlier frames, are added. Without timestamps, the only time is that since
-    /// `begin`.
+    /// of the render. `stages`, the times of earlier frames, are added. Without timestamps, the only times are those of
+    /// compiling and the rest since `begin`.
     ///
     /// # Errors
     /// If nothing was rendered, the device refuses a command, memory is exhausted, or the device was lost.
@@ -353,8 +350,8 @@ impl Renderer {
         stages.merge(&frame.submit()?.wait()?);
         texels.read(gpu, picture)?;
         let mut report = counters.read(gpu)?;
-        if stages.iter().next().is_none() {
-            stages.add("all", begin.elapsed());
+        if stages.iter().all(|(stage, _)| stage == COMPILE) {
+            stages.add("all", begin.elapsed().saturating_sub(stages.total()));
         }
         let mut build = Stages::default();
         for (stage, time) in stages.iter() {
@@ -383,7 +380,7 @@ impl Renderer {
             &self.picture,
             &self.texels,
         ];
-        let all = slots.into_iter().chain([&self.groups]).chain(&self.packed);
+        let all = slots.into_iter().chain([&self.groups]);
         all.map(Slot::bytes).sum::<u64>() + self.sort.bytes()
     }
 
@@ -399,19 +396,6 @@ impl Renderer {
             return Err(Misfit::NotRendered.of("the picture"));
         }
         Ok(self.picture.range(gpu, picture_bytes(self.size)))
-    }
-
-    /// A range for the packed sides of each tree with a filter.
-    fn make_room_for_sides(&mut self, gpu: &Gpu, trees: &mut TreesRanges) {
-        let rules = trees.filtered_mut().filter_map(|tree| tree.rule.as_mut());
-        for (i, rule) in rules.enumerate() {
-            if self.packed.len() == i {
-                self.packed.push(Slot::storage("slimbvh packed sides"));
-            }
-            let primitives = rule.components.0.size / 4;
-            let bytes = 4 * primitives.div_ceil(SIDES_PER_WORD.into()).max(1);
-            rule.packed = Some(self.packed[i].range(gpu, bytes));
-        }
     }
 
     fn key(&self, plan: &PicturePlan) -> Key {

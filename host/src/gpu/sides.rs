@@ -2,8 +2,11 @@
 
 use super::buffer::{Range, Slot, upload};
 use super::decide::Decider;
-use super::program::Uniform;
-use super::{Frame, Gpu, GpuError, Misfit};
+use super::program::{Program, Recorder, Uniform, threads};
+use super::{Frame, Gpu, GpuError, Kernel, Misfit};
+#[cfg(doc)]
+use slimbvh_core::classify::PackedSides;
+use slimbvh_core::classify::SIDES_PER_WORD;
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 use wgpu::BufferUsages;
@@ -39,9 +42,12 @@ pub struct TargetSides {
     frustum: Slot,
     needed: Slot,
     sides: Slot,
+    packed: Slot,
     /// The sizes of both sets of a light.
     pub(super) counts: Slot,
     pub(super) decider: Option<Decider>,
+    /// Packs the sides that the host set.
+    packer: Option<(TargetRanges, Program)>,
     pub(super) ranges: Option<TargetRanges>,
 }
 
@@ -55,7 +61,12 @@ pub struct TargetRanges {
     pub frustum: Range,
     /// Whether any ray needs the set: the first word is 0 if none does.
     pub needed: Range,
+    /// By component.
     pub sides: Range,
+    /// The component of each triangle.
+    pub components: Components,
+    /// By primitive, packed ([`PackedSides`]): what rays through whole trees ask.
+    pub packed: Range,
 }
 
 impl TargetRanges {
@@ -69,6 +80,15 @@ impl TargetRanges {
 
     pub const fn frustum(&self) -> Uniform<'_> {
         Uniform::Stored(&self.frustum)
+    }
+
+    /// Records that the sides of components are packed by primitive.
+    pub fn record_packed(&self, recorder: &mut Recorder) {
+        recorder.stage("classify");
+        let reads = [&self.components.0, &self.sides];
+        let each = threads((self.packed.size / 4) as u32);
+        let to = [&self.packed];
+        recorder.dispatch(Kernel::classify_sides, &[], &reads, &to, each);
     }
 }
 
@@ -85,11 +105,13 @@ impl Default for TargetSides {
                     .union(copied),
             ),
             sides: Slot::new("slimbvh sides", BufferUsages::STORAGE.union(copied)),
+            packed: Slot::storage("slimbvh packed sides"),
             counts: Slot::new(
                 "slimbvh set counts of a light",
                 BufferUsages::STORAGE.union(copied),
             ),
             decider: None,
+            packer: None,
             ranges: None,
         }
     }
@@ -102,26 +124,36 @@ impl TargetSides {
         Self::default()
     }
 
-    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and these sides: 1 if
-    /// front faces of the component count, −1 if back faces count, 0 if both count. The frustum bounds sets only.
+    /// Records that later commands of the frame find this target and frustum, in the mesh's unit, and these sides of the components:
+    /// 1 if front faces of the component count, −1 if back faces count, 0 if both count. The frustum bounds sets only.
     ///
     /// # Errors
     /// If memory is exhausted.
     pub fn set(
         &mut self,
         frame: &mut Frame,
-        target: &Target,
-        frustum: &Frustum,
+        components: &Components,
+        (target, frustum): (&Target, &Frustum),
         sides: &[i32],
     ) -> Result<(), GpuError> {
         let gpu = frame.gpu();
         let sides: &[i32] = if sides.is_empty() { &[0] } else { sides };
         gpu.checked(|| {
-            let ranges = self.reserve(frame, sides.len(), frustum);
+            let ranges = self.reserve(frame, components, sides.len(), frustum);
             Self::put(frame, bytemuck::bytes_of(target), &ranges.target);
             Self::put(frame, bytemuck::cast_slice(sides), &ranges.sides);
             // These sides have no counts.
             self.decider = None;
+            self.ranges = None;
+            if self.packer.as_ref().is_none_or(|(kept, _)| *kept != ranges) {
+                self.packer = None;
+                let mut recorder = Recorder::default();
+                ranges.record_packed(&mut recorder);
+                self.packer = Some((ranges.clone(), recorder.finish(gpu)?));
+            }
+            if let Some((_, program)) = &self.packer {
+                program.encode(frame);
+            }
             self.ranges = Some(ranges);
             Ok(())
         })
@@ -132,15 +164,20 @@ impl TargetSides {
     pub(super) fn reserve(
         &mut self,
         frame: &mut Frame,
+        components: &Components,
         side_count: usize,
         frustum: &Frustum,
     ) -> TargetRanges {
         let gpu = frame.gpu();
+        let primitive_count = components.0.size / 4;
+        let packed_bytes = 4 * primitive_count.div_ceil(SIDES_PER_WORD.into()).max(1);
         let ranges = TargetRanges {
             target: self.target.range(gpu, size_of::<Target>() as u64),
             frustum: self.frustum.range(gpu, size_of::<Frustum>() as u64),
             needed: self.needed.range(gpu, size_of_val(&NEEDED) as u64),
             sides: self.sides.range(gpu, 4 * side_count as u64),
+            components: components.clone(),
+            packed: self.packed.range(gpu, packed_bytes),
         };
         Self::put(frame, bytemuck::bytes_of(frustum), &ranges.frustum);
         Self::put(frame, bytemuck::bytes_of(&NEEDED), &ranges.needed);

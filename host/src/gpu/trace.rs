@@ -2,14 +2,16 @@
 
 pub(super) mod overflow;
 pub(super) mod paths;
+mod rays;
 
 use super::buffer::{ALIGNMENT, Range};
 use super::kernel::{Traces, traces};
 use super::mesh::check_parts;
-use super::program::{Recorder, Uniform, threads};
-use super::{Bvh, Frame, GpuError, Kernel, Misfit};
+use super::program::{Groups, Recorder, Uniform, threads};
+use super::{Bvh, Frame, GpuError, Kernel, Misfit, Tree};
+pub use rays::Rays;
 use slimbvh_core::launch::NEAREST_COUNT;
-use slimbvh_core::{Hit, Ray};
+use slimbvh_core::{Hit, Ray, RayEnds};
 
 /// The query for each ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,33 +58,67 @@ impl Query {
     }
 }
 
+/// Bytes of a ray.
+const RAY_BYTES: u64 = size_of::<Ray>() as u64;
+
+/// Bytes of what a ray's ends lie on.
+const ENDS_BYTES: u64 = size_of::<RayEnds>() as u64;
+
 impl Bvh {
-    /// Records the trace of all rays of a buffer: 32 bytes each, in the layout of [`Ray`]. The answers go to the beginning
-    /// of the other buffer. More rays than fit into a storage binding take several dispatches.
+    /// [`Tree::trace`] with all triangles.
     ///
     /// # Errors
-    /// If the hierarchy is not built, a buffer lacks the usage `STORAGE`, or not all answers fit.
-    pub fn trace(
+    /// Those of [`Tree::trace`].
+    pub fn trace<'a>(
         &self,
         frame: &mut Frame,
         query: Query,
-        rays: wgpu::BufferSlice,
+        rays: impl Into<Rays<'a>>,
         answers: wgpu::BufferSlice,
     ) -> Result<(), GpuError> {
-        const RAY_BYTES: u64 = size_of::<Ray>() as u64;
-        // A multiple of this many rays begins at an aligned offset in both buffers, for every query.
+        Tree::all(self).trace(frame, query, rays, answers)
+    }
+}
+
+impl Tree<'_> {
+    /// Records the trace of rays in a buffer: 32 bytes each, in the layout of [`Ray`]. The answers go to the beginning of the other
+    /// buffer. What the tree's rule rejects is no hit. More rays than fit into a storage binding take several dispatches.
+    ///
+    /// ```no_run
+    /// use slimbvh::gpu::{Bvh, Frame, GpuError, Query, Rays, wgpu};
+    /// # fn run(frame: &mut Frame, bvh: &Bvh, buffers: &[wgpu::Buffer; 4]) -> Result<(), GpuError> {
+    /// let [rays, ends, count, hits] = buffers;
+    /// bvh.trace(frame, Query::Closest, rays.slice(..), hits.slice(..))?;
+    /// // Rays that leave surfaces, whose number an earlier pass has stored.
+    /// let next = Rays::new(rays.slice(..)).with_ends(ends.slice(..)).counted_by(count.slice(..4));
+    /// bvh.trace(frame, Query::Closest, next, hits.slice(..))?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// If the hierarchy is not built, or its rule's sides are not decided, or are those of other components; if a buffer lacks the
+    /// usage `STORAGE`, or not all answers or ends fit.
+    pub fn trace<'a>(
+        &self,
+        frame: &mut Frame,
+        query: Query,
+        rays: impl Into<Rays<'a>>,
+        answers: wgpu::BufferSlice,
+    ) -> Result<(), GpuError> {
+        // A multiple of this many rays begins at an aligned offset in all buffers, for every query.
         const RAYS_PER_STEP: u64 = ALIGNMENT / 4;
-        let built = self.built()?;
+        let tree = self.ranges()?;
+        let built = &tree.built;
         let gpu = frame.gpu();
-        let (rays, answers) = (Range::of_slice(rays), Range::of_slice(answers));
+        let rays = rays.into().ranges(gpu)?;
+        let answers = Range::of_slice(answers);
         let answer_bytes = query.answer_bytes();
-        check_parts(gpu, "the buffer of rays", &rays, RAY_BYTES)?;
         check_parts(gpu, "the buffer of answers", &answers, answer_bytes)?;
-        let ray_count = rays.size / RAY_BYTES;
-        if answers.size < ray_count * answer_bytes {
+        if answers.size < rays.count * answer_bytes {
             let fault = Misfit::TooFewAnswers {
                 bytes: answers.size,
-                ray_count,
+                ray_count: rays.count,
                 answer_bytes,
             };
             return Err(fault.of("the buffer of answers"));
@@ -91,20 +127,39 @@ impl Bvh {
         let most = limit / answer_bytes.max(RAY_BYTES) / RAYS_PER_STEP * RAYS_PER_STEP;
         let most = most.clamp(RAYS_PER_STEP, u64::from(u32::MAX) / 2);
         gpu.checked(|| {
+            let no_ends = Range::whole(&gpu.no_ends());
             let mut recorder = Recorder::default();
             recorder.stage("trace");
             let kernels = traces(built.coding());
             let kernel = query.kernel(&kernels);
             let [nodes, triangles] = &built.traced();
-            let mut uniforms: Vec<Uniform> = built.root().into_iter().collect();
-            uniforms.push(Uniform::Stored(&built.exponent));
+            let mut tree_uniforms: Vec<Uniform> = built.root().into_iter().collect();
+            tree_uniforms.extend([
+                Uniform::Stored(&built.exponent),
+                Uniform::Stored(tree.target()),
+            ]);
             let mut first = 0;
-            while first < ray_count {
-                let count = most.min(ray_count - first);
-                let rays = &rays.part(first * RAY_BYTES, count * RAY_BYTES);
+            while first < rays.count {
+                let count = most.min(rays.count - first);
+                let own_rays = &rays.rays.part(first * RAY_BYTES, count * RAY_BYTES);
+                let ends = rays.ends.as_ref();
+                let ends = ends.map(|ends| ends.part(first * ENDS_BYTES, count * ENDS_BYTES));
+                let ends = ends.as_ref().unwrap_or(&no_ends);
                 let answers = &answers.part(first * answer_bytes, count * answer_bytes);
-                let reads = [nodes, triangles, rays];
-                let each = threads(count as u32);
+                let counted = rays.record_count(gpu, &mut recorder, first as u32, count as u32);
+                let reads = [nodes, triangles, tree.sides(), own_rays, ends];
+                let (uniform, each) = match &counted {
+                    Some(groups) => (
+                        Uniform::Stored(groups),
+                        Groups::Indirect(groups.part(4, 12)),
+                    ),
+                    None => (
+                        Uniform::Params([count as u32, 0, 0, 0]),
+                        threads(count as u32),
+                    ),
+                };
+                let mut uniforms = tree_uniforms.clone();
+                uniforms.push(uniform);
                 first += count;
                 let Some(hit_count) = query.hit_count() else {
                     recorder.dispatch(kernel, &uniforms, &reads, &[answers], each);
@@ -115,10 +170,11 @@ impl Bvh {
                 let to = [answers, &list.touching(0)];
                 recorder.dispatch(kernel, &uniforms, &reads, &to, each);
                 let groups = overflow.record(&mut recorder);
-                let mut uniforms = uniforms.clone();
+                let mut uniforms = tree_uniforms.clone();
                 uniforms.push(overflow.length());
                 uniforms.push(Uniform::Params([hit_count, 0, 0, 0]));
-                let untouched = [nodes, triangles, rays, list].map(|range| range.touching(0));
+                let reads = [nodes, triangles, tree.sides(), own_rays, ends, list];
+                let untouched = reads.map(|range| range.touching(0));
                 recorder.dispatch(
                     kernels.rays_overflow,
                     &uniforms,

@@ -3,7 +3,7 @@
 use super::buffer::Range;
 use super::bvh::Built;
 use super::sides::TargetRanges;
-use super::{Bvh, Components, Gpu, GpuError, TargetSides};
+use super::{Bvh, Components, Gpu, GpuError, Misfit, TargetSides};
 use crate::backend::{self, Deferral};
 
 /// A hierarchy for rays of one kind.
@@ -14,18 +14,35 @@ pub type Trees<'a> = backend::Trees<'a, Bvh, (&'a Components, &'a TargetSides)>;
 
 impl Tree<'_> {
     pub(super) fn ranges(&self) -> Result<TreeRanges, GpuError> {
-        let rule = match self.rule {
-            Some((components, sides)) => Some(RuleRanges {
-                components: components.clone(),
-                sides: sides.ranges()?.clone(),
-                packed: None,
-            }),
-            None => None,
-        };
         Ok(TreeRanges {
             built: self.bvh.built()?.clone(),
-            rule,
+            rule: self.rule_ranges()?.cloned(),
         })
+    }
+
+    /// The bindings that the functions of [`super::wgsl_for`] and [`super::wgsl_compute_for`] read, numbered from 0: the scene's
+    /// exponent, the nodes, the triangles, if nodes are on a lattice the root, then the rule's sides and target. They are as many with
+    /// a rule and without one, so one shader serves both.
+    ///
+    /// The rule is that of the latest [`TargetSides::set`] or [`TargetSides::decide`] before the shader runs.
+    ///
+    /// # Errors
+    /// If the hierarchy is not built yet, or is stored in a codec without such a text; if the rule's sides are not decided, or are those
+    /// of other components.
+    pub fn bindings(&self) -> Result<Vec<wgpu::BindGroupEntry<'_>>, GpuError> {
+        self.bvh.bindings_with(self.rule_ranges()?)
+    }
+
+    /// The ranges of the rule: its packed sides belong to its components.
+    pub(super) fn rule_ranges(&self) -> Result<Option<&TargetRanges>, GpuError> {
+        let Some((components, sides)) = self.rule else {
+            return Ok(None);
+        };
+        let ranges = sides.ranges()?;
+        if ranges.components != *components {
+            return Err(Misfit::OthersSides.of("the rule"));
+        }
+        Ok(Some(ranges))
     }
 }
 
@@ -45,16 +62,23 @@ impl Trees<'_> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct TreeRanges {
     pub built: Built,
-    pub rule: Option<RuleRanges>,
+    pub rule: Option<TargetRanges>,
 }
 
-/// The ranges of a filter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RuleRanges {
-    pub components: Components,
-    pub sides: TargetRanges,
-    /// Room for the sides by primitives, once the renderer has made it.
-    pub packed: Option<Range>,
+impl TreeRanges {
+    /// The packed sides of the primitives, or zeros: then all triangles are hits.
+    pub fn sides(&self) -> &Range {
+        self.rule
+            .as_ref()
+            .map_or(&self.built.placeholder, |rule| &rule.packed)
+    }
+
+    /// The rule's target, or zeros.
+    pub fn target(&self) -> &Range {
+        self.rule
+            .as_ref()
+            .map_or(&self.built.placeholder, |rule| &rule.target)
+    }
 }
 
 /// A light's deferral in a program.
@@ -92,15 +116,5 @@ impl TreesRanges {
     pub fn all(&self) -> impl Iterator<Item = &Built> {
         let trees = self.lights.iter().chain(&self.mirrors);
         trees.chain([&self.primary]).map(|tree| &tree.built)
-    }
-
-    /// The trees whose rays may have a filter.
-    pub fn filtered(&self) -> impl Iterator<Item = &TreeRanges> {
-        [&self.primary].into_iter().chain(&self.lights)
-    }
-
-    /// As [`Self::filtered`].
-    pub fn filtered_mut(&mut self) -> impl Iterator<Item = &mut TreeRanges> {
-        [&mut self.primary].into_iter().chain(&mut self.lights)
     }
 }

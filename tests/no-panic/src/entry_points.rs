@@ -3,8 +3,9 @@
 
 use slimbvh_shaders::{
     bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*,
-    morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*, trace::called::*,
-    trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*, view::*, wide::*,
+    gather::*, morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*,
+    trace::called::*, trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*, view::*,
+    wide::*,
 };
 
 macro_rules! kernels {
@@ -13,6 +14,7 @@ macro_rules! kernels {
         const ADDRESSES: &[fn() -> *const ()] = &[
             $(|| $shipped as *const (),)*
             $(|| $lab as *const (),)*
+            || call_surface as *const (),
             || call_trace as *const (),
             || call_trace_in_group as *const (),
             || call_trace_w4_f32 as *const (),

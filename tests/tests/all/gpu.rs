@@ -8,8 +8,10 @@ mod codecs;
 mod contract;
 mod decisions;
 mod dispatches;
+mod encoders;
 mod generated;
 mod kernels;
+mod layouts;
 mod limits;
 mod lost;
 mod order;
@@ -24,6 +26,7 @@ mod textures;
 mod trace;
 mod uploads;
 mod views;
+mod warm_up;
 mod waves;
 
 /// Sizes at and around the borders of words, workgroups, blocks and rows of blocks.

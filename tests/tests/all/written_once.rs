@@ -18,6 +18,14 @@ struct Stage {
 
 const STAGES: &[Stage] = &[
     Stage {
+        name: "gather",
+        what: "positions and indices out of the caller's buffers of any layout (on the GPU)",
+        core: &["build/gather"],
+        shaders: &["gather"],
+        cpu: &[],
+        gpu: &["gather", "mesh"],
+    },
+    Stage {
         name: "bounds",
         what: "box of all triangles, the scene's power of two",
         core: &["build/bounds", "geometry/aabb"],
@@ -343,12 +351,13 @@ fn the_table_of_stages_is_that_of_the_code() {
     );
 }
 
-/// The pass of a stage is in the file of its name, on the CPU and on the GPU. Stage `cluster` exists on the CPU only.
+/// The pass of a stage is in the file of its name, on the CPU and on the GPU. Stage `cluster` exists on the CPU only, `gather` on the
+/// GPU only.
 #[test]
 fn passes_bear_the_name_of_their_stage() {
     for stage in STAGES {
         for (folder, files) in [("cpu", stage.cpu), ("gpu", stage.gpu)] {
-            if (stage.name, folder) == ("cluster", "gpu") {
+            if [("cluster", "gpu"), ("gather", "cpu")].contains(&(stage.name, folder)) {
                 assert!(files.is_empty());
                 continue;
             }

@@ -2,7 +2,7 @@
 
 use super::super::buffer::Range;
 use super::super::bvh::Built;
-use super::super::program::{Groups, Recorder, Uniform, counted, threads};
+use super::super::program::{Groups, Recorder, Uniform, threads};
 use super::super::sides::{Components, TargetRanges};
 use super::super::wide::Topology;
 use super::super::{Gpu, Kernel, Mesh};
@@ -11,10 +11,12 @@ use crate::CodeBits;
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
 use slimbvh_core::encode::FINEST_STEP;
+use slimbvh_core::launch::dispatch_each;
 
 impl Builder {
-    /// Stages `bounds`, `morton` and `sort`.
+    /// Stages `gather`, `bounds`, `morton` and `sort`.
     pub(super) fn record_sort(&mut self, gpu: &Gpu, recorder: &mut Recorder, mesh: &Mesh) {
+        mesh.record_gather(recorder);
         let grid = &self.record_bounds(gpu, recorder, mesh);
         let items = self.record_morton(gpu, recorder, mesh, grid);
         recorder.stage("sort");
@@ -31,7 +33,7 @@ impl Builder {
     ) {
         recorder.stage("snap");
         self.copy_state(gpu, recorder, bvh);
-        recorder.write(&bvh.count, &counted(mesh.triangle_count));
+        recorder.write(&bvh.count, &dispatch_each(mesh.triangle_count));
         let items = self.items(gpu, mesh);
         self.record_tree(gpu, recorder, mesh, bvh, &items);
     }
@@ -72,6 +74,7 @@ impl Builder {
         mesh: &Mesh,
         bvh: &Built,
     ) {
+        mesh.record_gather(recorder);
         self.record_bounds(gpu, recorder, mesh);
         self.record_snap_again(gpu, recorder, mesh, bvh);
         self.record_boxes(gpu, recorder, bvh, true);

@@ -3,9 +3,9 @@
 use super::{Built, Bvh, Coding, PLACEHOLDER_BYTES, STATE_BYTES, full_triangles};
 use crate::BuildConfig;
 use crate::gpu::buffer::Range;
-use crate::gpu::program::counted;
 use crate::gpu::{Gpu, GpuError, Misfit};
 use bytemuck::{bytes_of, cast_slice};
+use slimbvh_core::launch::dispatch_each;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 /// Advice for a hierarchy that is too large.
@@ -89,9 +89,9 @@ impl Bvh {
             } else {
                 0
             };
-            write(&coded.word_total, bytes_of(&counted(words + inner)));
+            write(&coded.word_total, bytes_of(&dispatch_each(words + inner)));
             if coded.coding.is_wide() {
-                write(&coded.inner_total, bytes_of(&counted(inner)));
+                write(&coded.inner_total, bytes_of(&dispatch_each(inner)));
             }
         }
         let bounds = bvh.bounds().unwrap_or(Aabb::EMPTY);
@@ -99,10 +99,13 @@ impl Bvh {
         write(&built.bounds, cast_slice(&corners));
         let exponent = [bvh.scene_exponent(), 0, 0, 0];
         write(&built.exponent, bytes_of(&exponent));
-        write(&built.total, bytes_of(&counted(bvh.node_count() as u32)));
+        write(
+            &built.total,
+            bytes_of(&dispatch_each(bvh.node_count() as u32)),
+        );
         write(
             &built.count,
-            bytes_of(&counted(bvh.triangle_count() as u32)),
+            bytes_of(&dispatch_each(bvh.triangle_count() as u32)),
         );
         self.built = Some(built);
     }

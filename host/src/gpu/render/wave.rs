@@ -57,12 +57,6 @@ impl PicturePlan<'_> {
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
         let each = || threads(wave.sample_count);
 
-        if wave.first_pixel == 0 && self.trees.filtered().any(|tree| tree.rule.is_some()) {
-            recorder.stage("classify");
-            for tree in self.trees.filtered() {
-                tree.record_sides(recorder);
-            }
-        }
         self.record_rays(recorder, wave);
 
         recorder.stage("trace primary");

@@ -1,8 +1,9 @@
 //! The second pass of a trace: rays whose stack in workgroup memory was full are traced again, with private stacks.
 
-use crate::gpu::buffer::{Range, Slot};
+use crate::gpu::buffer::{Range, Slot, upload};
 use crate::gpu::program::{Groups, Recorder, Uniform, groups};
 use crate::gpu::{Gpu, Kernel};
+use slimbvh_core::RayEnds;
 use wgpu::BufferUsages;
 
 /// Bytes of `[length, x, y, z]`.
@@ -21,11 +22,13 @@ pub const fn groups_slot() -> Slot {
     Slot::new("slimbvh overflow dispatch", usage)
 }
 
-/// The lists of traces of rays in the caller's buffers, one after the other.
+/// What traces of rays in the caller's buffers share, one after the other: lists, and what stands in for what a caller leaves out.
 #[derive(Debug)]
 pub struct Lists {
     list: Slot,
     groups: Slot,
+    ray_groups: Slot,
+    no_ends: Option<wgpu::Buffer>,
 }
 
 impl Default for Lists {
@@ -33,6 +36,8 @@ impl Default for Lists {
         Self {
             list: Slot::storage("slimbvh overflow list"),
             groups: groups_slot(),
+            ray_groups: groups_slot(),
+            no_ends: None,
         }
     }
 }
@@ -44,6 +49,24 @@ impl Lists {
             list: self.list.range(gpu, list_bytes(ray_count)),
             groups: groups_range(gpu, &mut self.groups),
         }
+    }
+
+    /// The range of a number of rays that only the GPU knows, and of the dispatch with a thread for each.
+    pub fn ray_groups(&mut self, gpu: &Gpu) -> Range {
+        groups_range(gpu, &mut self.ray_groups)
+    }
+
+    /// Ends of one ray, which lie on nothing: bound for rays without ends.
+    pub fn no_ends(&mut self, gpu: &Gpu) -> wgpu::Buffer {
+        let made = || {
+            upload(
+                gpu,
+                "slimbvh no ends",
+                BufferUsages::STORAGE,
+                &[RayEnds::NONE],
+            )
+        };
+        self.no_ends.get_or_insert_with(made).clone()
     }
 }
 

@@ -4,7 +4,7 @@ use super::overflow::Overflow;
 use crate::gpu::Kernel;
 use crate::gpu::buffer::Range;
 use crate::gpu::kernel::traces;
-use crate::gpu::program::{Groups, Recorder, Uniform, threads};
+use crate::gpu::program::{Groups, Recorder, Uniform};
 use crate::gpu::trees::TreeRanges;
 
 /// Where rays are counted, and where those are listed that are traced again.
@@ -101,7 +101,7 @@ impl TreeRanges {
             (None, Some(_)) => facing,
             (Some(_), _) => kernel,
         };
-        let reads = vec![nodes, triangles, self.sides()];
+        let reads = vec![nodes, triangles, self.sides().clone()];
         (kernel, self.filter(exponent), reads)
     }
 
@@ -114,34 +114,15 @@ impl TreeRanges {
         let [nodes, triangles] = self.built.traced();
         let mut uniforms = self.filter(exponent);
         uniforms.push(tally.overflow.length());
-        let reads = [nodes, triangles, self.sides()].map(|range| range.touching(0));
+        let sides = self.sides().clone();
+        let reads = [nodes, triangles, sides].map(|range| range.touching(0));
         (uniforms, reads.into())
     }
 
     /// The uniforms of kernels with a filter: the root of a coded tree, the exponent and the target.
     fn filter<'a>(&'a self, exponent: Uniform<'a>) -> Vec<Uniform<'a>> {
-        let target = match &self.rule {
-            Some(rule) => rule.sides.target(),
-            None => Uniform::Stored(&self.built.placeholder),
-        };
+        let target = Uniform::Stored(self.target());
         let root = self.built.root();
         root.into_iter().chain([exponent, target]).collect()
-    }
-
-    /// The packed sides of the primitives, or zeros: then all triangles are hits.
-    fn sides(&self) -> Range {
-        let packed = self.rule.as_ref().and_then(|rule| rule.packed.clone());
-        packed.unwrap_or_else(|| self.built.placeholder.clone())
-    }
-
-    /// Records that the sides of components are packed by primitives, where there are any.
-    pub fn record_sides(&self, recorder: &mut Recorder) {
-        if let Some(rule) = &self.rule
-            && let Some(packed) = &rule.packed
-        {
-            let reads = [&rule.components.0, &rule.sides.sides];
-            let each = threads((packed.size / 4) as u32);
-            recorder.dispatch(Kernel::classify_sides, &[], &reads, &[packed], each);
-        }
     }
 }

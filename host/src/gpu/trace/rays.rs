@@ -1,0 +1,117 @@
+//! Rays in buffers of the caller's.
+
+use super::{ENDS_BYTES, RAY_BYTES};
+use crate::gpu::buffer::Range;
+use crate::gpu::mesh::{check_parts, check_words};
+use crate::gpu::program::{Recorder, Uniform, groups};
+use crate::gpu::{Gpu, GpuError, Kernel, Misfit};
+#[cfg(doc)]
+use slimbvh_core::{Ray, RayEnds};
+use wgpu::BufferSlice;
+
+/// Rays for [`crate::gpu::Tree::trace`]. A slice of rays alone becomes this, too.
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub struct Rays<'a> {
+    rays: BufferSlice<'a>,
+    ends: Option<BufferSlice<'a>>,
+    count: Option<BufferSlice<'a>>,
+}
+
+impl<'a> Rays<'a> {
+    /// Rays of 32 bytes each, in the layout of [`Ray`].
+    pub const fn new(rays: BufferSlice<'a>) -> Self {
+        Self {
+            rays,
+            ends: None,
+            count: None,
+        }
+    }
+
+    /// What the ends of each ray lie on: 16 bytes a ray, in the layout of [`RayEnds`]. Such triangles are no hits.
+    pub const fn with_ends(mut self, ends: BufferSlice<'a>) -> Self {
+        self.ends = Some(ends);
+        self
+    }
+
+    /// How many of the rays there are: one `u32`, as the GPU finds it there when the trace runs. A larger number than that of all rays
+    /// counts as that; answers of rays beyond the number stay as they are.
+    pub const fn counted_by(mut self, count: BufferSlice<'a>) -> Self {
+        self.count = Some(count);
+        self
+    }
+
+    /// Where all of it is.
+    ///
+    /// # Errors
+    /// For what cannot be bound, and for ends that are not those of all rays.
+    pub(super) fn ranges(&self, gpu: &Gpu) -> Result<RayRanges, GpuError> {
+        let rays = Range::of_slice(self.rays);
+        check_parts(gpu, "the buffer of rays", &rays, RAY_BYTES)?;
+        let ray_count = rays.size / RAY_BYTES;
+        let ends = self.ends.map(Range::of_slice);
+        if let Some(ends) = &ends {
+            const NAME: &str = "the buffer of ends";
+            check_parts(gpu, NAME, ends, ENDS_BYTES)?;
+            if ends.size < ray_count * ENDS_BYTES {
+                let fault = Misfit::TooFewEnds {
+                    bytes: ends.size,
+                    ray_count,
+                };
+                return Err(fault.of(NAME));
+            }
+        }
+        let count = match self.count {
+            Some(slice) => {
+                const NAME: &str = "the buffer of the number of rays";
+                let range = Range::of_slice(slice);
+                if range.size != 4 {
+                    return Err(Misfit::NotOneWord { bytes: range.size }.of(NAME));
+                }
+                Some(check_words(gpu, NAME, &range, 4)?)
+            }
+            None => None,
+        };
+        Ok(RayRanges {
+            rays,
+            count: ray_count,
+            ends,
+            counter: count,
+        })
+    }
+}
+
+impl<'a> From<BufferSlice<'a>> for Rays<'a> {
+    fn from(rays: BufferSlice<'a>) -> Self {
+        Self::new(rays)
+    }
+}
+
+/// Where rays are.
+pub struct RayRanges {
+    pub rays: Range,
+    /// Rays that there is room for.
+    pub count: u64,
+    pub ends: Option<Range>,
+    /// Words that hold the number of rays, and its byte among them.
+    counter: Option<(Range, u64)>,
+}
+
+impl RayRanges {
+    /// Records how many rays the dispatch has that begins at this ray and has room for this many; `None` where that is all of them.
+    /// Returns the number and the dispatch.
+    pub fn record_count(
+        &self,
+        gpu: &Gpu,
+        recorder: &mut Recorder,
+        first: u32,
+        most: u32,
+    ) -> Option<Range> {
+        let (words, byte) = self.counter.as_ref()?;
+        let to = gpu.ray_groups();
+        let params = Uniform::Params([(byte / 4) as u32, first, most, 0]);
+        let words = &words.touching(4);
+        recorder.dispatch(Kernel::trace_count, &[params], &[words], &[&to], groups(1));
+        Some(to)
+    }
+}
