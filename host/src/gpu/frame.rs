@@ -105,17 +105,8 @@ impl<'g> Frame<'g> {
     /// # Errors
     /// For a buffer without the usage `COPY_SRC`, and a slice whose ends are not multiples of 4 bytes.
     pub fn read_later(&mut self, slice: wgpu::BufferSlice) -> Result<Download, GpuError> {
-        self.read_range("the buffer to read", &Range::of_slice(slice))
-    }
-
-    /// As [`Self::read_later`], by this name in errors.
-    pub(super) fn read_range(
-        &mut self,
-        what: &'static str,
-        range: &Range,
-    ) -> Result<Download, GpuError> {
-        let gpu = self.gpu;
-        let unfit = |fault: Misfit| Err(fault.of(what));
+        let (gpu, range) = (self.gpu, Range::of_slice(slice));
+        let unfit = |fault: Misfit| Err(fault.of("the buffer to read"));
         if !range.buffer.usage().contains(wgpu::BufferUsages::COPY_SRC) {
             return unfit(Misfit::MissingUsage { usage: "COPY_SRC" });
         }
@@ -125,7 +116,7 @@ impl<'g> Frame<'g> {
                 bytes: range.size,
             });
         }
-        gpu.checked(|| Ok(self.download(range)))
+        gpu.checked(|| Ok(self.download(&range)))
     }
 
     /// Submits all recorded commands.

@@ -1,10 +1,10 @@
 //! Stage `gather` on the GPU: meshes in buffers of any layout.
 
-use super::buffer::Range;
+use super::buffer::{Range, Slot};
 use super::mesh::check_words;
 use super::program::{Recorder, Uniform, threads};
 use super::{Gpu, GpuError, Kernel, Mesh, Misfit};
-use wgpu::{BufferSlice, IndexFormat};
+use wgpu::{BufferSlice, BufferUsages, IndexFormat};
 
 /// Bytes of a position, and of a triangle's three indices as kernels read them.
 pub const ELEMENT_BYTES: u64 = 12;
@@ -129,7 +129,30 @@ fn check_whole(
     Ok(())
 }
 
+/// How kernels take lists without gaps.
+const TIGHT: [[u32; 4]; 2] = [[0, 3, 0, 0], [0, 32, 0, 0]];
+
 impl Mesh {
+    /// The same mesh, gathered from the caller's buffers where these cannot be copied from.
+    pub(super) fn readable(&self, gpu: &Gpu) -> Self {
+        let mut mesh = self.clone();
+        let labels = ["slimbvh copied vertices", "slimbvh copied indices"];
+        let lists = [&mut mesh.vertices, &mut mesh.indices].into_iter();
+        let lists = lists.zip(&mut mesh.sources).zip(labels).zip(TIGHT);
+        for (((range, source), label), params) in lists {
+            if source.is_none() && !range.buffer.usage().contains(BufferUsages::COPY_SRC) {
+                let words = range.clone();
+                *range = Slot::storage(label).range(gpu, words.size);
+                *source = Some(Source {
+                    count: words.size / ELEMENT_BYTES,
+                    params,
+                    words,
+                });
+            }
+        }
+        mesh
+    }
+
     /// Stage `gather`, for what is not without gaps.
     pub(super) fn record_gather(&self, recorder: &mut Recorder) {
         let lists = [

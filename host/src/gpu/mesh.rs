@@ -2,6 +2,7 @@
 
 use super::buffer::{Range, Slot, upload};
 use super::gather::{ELEMENT_BYTES, IndexLayout, Source, VertexLayout};
+use super::program::Recorder;
 use super::{Gpu, GpuError, Misfit};
 use crate::MeshError;
 use slimbvh_core::MAX_TRIANGLES;
@@ -156,14 +157,22 @@ impl Mesh {
         }
     }
 
-    /// Reads the mesh back: positions and indices. Waits for all work that was submitted before.
+    /// Reads the mesh back: positions and indices, as they are once all work submitted before is done. Waits for that.
     ///
     /// # Errors
-    /// For a buffer without the usage `COPY_SRC`, and if the device was lost.
+    /// If memory is exhausted, or the device was lost.
     pub fn download(&self, gpu: &Gpu) -> Result<crate::Mesh, GpuError> {
         let mut frame = gpu.frame();
-        let vertices = frame.read_range("the buffer of vertices", &self.vertices)?;
-        let indices = frame.read_range("the buffer of indices", &self.indices)?;
+        let (vertices, indices) = gpu.checked(|| {
+            let mesh = self.readable(gpu);
+            let mut recorder = Recorder::default();
+            mesh.record_gather(&mut recorder);
+            recorder.finish(gpu)?.encode(&mut frame);
+            Ok((
+                frame.download(&mesh.vertices),
+                frame.download(&mesh.indices),
+            ))
+        })?;
         frame.submit()?;
         Ok(crate::Mesh {
             vertices: vertices.read(gpu)?,
