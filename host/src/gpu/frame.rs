@@ -1,6 +1,7 @@
 //! A frame: commands recorded together and submitted together.
 
 use super::buffer::{Download, Range};
+use super::signal::signal;
 use super::timer::Timer;
 use super::{Gpu, GpuError, Misfit};
 use crate::Stages;
@@ -118,10 +119,33 @@ impl Submission<'_> {
     ///
     /// # Errors
     /// If the device was lost.
-    pub fn wait(mut self) -> Result<Stages, GpuError> {
-        self.gpu.wait(Some(self.index.clone()))?;
+    pub fn wait(self) -> Result<Stages, GpuError> {
+        let gpu = self.gpu;
+        gpu.wait(Some(self.index.clone()))?;
+        gpu.block_on(self.stages())
+    }
+
+    /// [`Self::wait`], without blocking. Waits also for what was submitted before the future is first polled.
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of all earlier calls.
+    pub async fn wait_async(self) -> Result<Stages, GpuError> {
+        let (sender, done) = signal();
+        self.gpu
+            .queue()
+            .on_submitted_work_done(move || sender.send(()));
+        let done = done.await;
+        self.gpu.settle().await?;
+        if done.is_none() {
+            return Err(self.gpu.lost("its work did not end"));
+        }
+        self.stages().await
+    }
+
+    /// The time of each stage of a finished frame.
+    async fn stages(mut self) -> Result<Stages, GpuError> {
         match self.timer.take() {
-            Some(timer) => timer.read(self.gpu),
+            Some(timer) => timer.read(self.gpu).await,
             None => Ok(Stages::default()),
         }
     }

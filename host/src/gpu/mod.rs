@@ -50,8 +50,10 @@ mod refit;
 mod render;
 mod scan;
 mod scene;
+mod scopes;
 mod shade;
 mod sides;
+mod signal;
 mod snap;
 mod sort;
 mod timer;
@@ -63,7 +65,9 @@ mod wgsl;
 mod wide;
 mod work;
 
-pub use adapter::{AdapterChoice, AdapterSummary, adapters};
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+pub use adapter::adapters;
+pub use adapter::{AdapterChoice, AdapterSummary, adapters_async};
 pub use backend::{HeldScene, LightSets};
 pub use buffer::Download;
 pub use build::Builder;

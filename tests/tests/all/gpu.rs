@@ -1,5 +1,6 @@
 //! The GPU's results equal the CPU's: single kernels, whole builds and pictures; and the GPU's own buffers, limits and errors.
 
+mod asynchronous;
 mod browsers;
 mod buffers;
 mod builds;
