@@ -314,6 +314,17 @@ impl Gpu {
     /// Runs the callbacks of finished work, which wake the futures of `_async` methods, and does not wait. Natively
     /// someone must poll while a future waits: this method, a method that blocks, or wgpu's own. Browsers need no polls.
     ///
+    /// ```no_run
+    /// use std::task::{Context, Waker};
+    /// # fn run(gpu: &slimbvh::gpu::Gpu) -> Result<(), slimbvh::gpu::GpuError> {
+    /// let mut stages = Box::pin(gpu.frame().submit()?.wait_async());
+    /// // Once in each turn of an event loop:
+    /// gpu.poll()?;
+    /// let is_done = stages.as_mut().poll(&mut Context::from_waker(Waker::noop())).is_ready();
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// If the device was lost.
     pub fn poll(&self) -> Result<(), GpuError> {

@@ -127,6 +127,14 @@ impl Submission<'_> {
 
     /// [`Self::wait`], without blocking. Waits also for what was submitted before the future is first polled.
     ///
+    /// ```no_run
+    /// # async fn run(gpu: &slimbvh::gpu::Gpu) -> Result<(), slimbvh::gpu::GpuError> {
+    /// let frame = gpu.frame();
+    /// println!("{}", frame.submit()?.wait_async().await?);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// If the device was lost; in a browser, also the errors of all earlier calls.
     pub async fn wait_async(self) -> Result<Stages, GpuError> {
