@@ -1,7 +1,6 @@
 //! The GPUs of this machine, and the choice of one.
 
 use super::AdapterError;
-use pollster::block_on;
 
 /// Which GPU to use.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -22,7 +21,7 @@ pub struct AdapterSummary {
     pub name: String,
     /// Discrete, integrated, virtual, software, or other.
     pub kind: &'static str,
-    /// Vulkan, Metal, or Direct3D 12.
+    /// Vulkan, Metal, Direct3D 12, or WebGPU.
     pub api: &'static str,
     /// The driver and its version.
     pub driver: String,
@@ -42,14 +41,28 @@ pub struct AdapterSummary {
     pub subgroup_size: [u32; 2],
 }
 
-/// All adapters, in order of preference.
+/// All adapters, in order of preference. Not in browsers: [`adapters_async`].
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 #[must_use]
 pub fn adapters() -> Vec<AdapterSummary> {
-    enumerate().iter().map(summarize).collect()
+    pollster::block_on(adapters_async())
 }
 
-pub(super) fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, AdapterError> {
-    let adapters = enumerate();
+/// All adapters, in order of preference; in a browser, the one that it offers.
+///
+/// ```no_run
+/// # async fn run() {
+/// for adapter in slimbvh::gpu::adapters_async().await {
+///     println!("{} ({})", adapter.name, adapter.api);
+/// }
+/// # }
+/// ```
+pub async fn adapters_async() -> Vec<AdapterSummary> {
+    enumerate().await.iter().map(summarize).collect()
+}
+
+pub(super) async fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, AdapterError> {
+    let adapters = enumerate().await;
     let names = adapters
         .iter()
         .map(|adapter| format!("{:?}", adapter.get_info().name))
@@ -78,13 +91,13 @@ pub(super) fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, AdapterErr
 }
 
 /// All adapters that run compute shaders, in order of preference.
-fn enumerate() -> Vec<wgpu::Adapter> {
+async fn enumerate() -> Vec<wgpu::Adapter> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
     descriptor.backends = wgpu::Backends::PRIMARY;
     // The crate handles errors itself; a driver's validation layer is for the driver's developers.
     descriptor.flags = wgpu::InstanceFlags::empty().with_env();
     let instance = wgpu::Instance::new(descriptor);
-    let mut adapters = block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
+    let mut adapters = instance.enumerate_adapters(wgpu::Backends::PRIMARY).await;
     let compute = wgpu::DownlevelFlags::COMPUTE_SHADERS;
     adapters.retain(|adapter| adapter.get_downlevel_capabilities().flags.contains(compute));
     adapters.sort_by_key(|adapter| match adapter.get_info().device_type {
@@ -116,6 +129,7 @@ fn summarize(adapter: &wgpu::Adapter) -> AdapterSummary {
             wgpu::Backend::Vulkan => "Vulkan",
             wgpu::Backend::Metal => "Metal",
             wgpu::Backend::Dx12 => "Direct3D 12",
+            wgpu::Backend::BrowserWebGpu => "WebGPU",
             _ => "other",
         },
         driver: driver.trim().into(),

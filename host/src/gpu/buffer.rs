@@ -1,17 +1,13 @@
 //! Reusable buffers, ranges of buffers, and downloads.
 
+use super::signal::signal;
 use super::work::Traffic;
 use super::{Gpu, GpuError};
 use bytemuck::AnyBitPattern;
-use std::sync::mpsc::RecvTimeoutError;
-use std::time::Duration;
 use wgpu::BufferUsages;
 
 /// Ranges begin at multiples of this. Every adapter accepts it.
 pub const ALIGNMENT: u64 = 256;
-
-/// The interval between polls of the GPU.
-const PAUSE: Duration = Duration::from_micros(50);
 
 /// A part of a buffer, and the bytes of it that a kernel accesses.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -199,38 +195,75 @@ impl Download {
         self,
         gpu: &Gpu,
     ) -> Result<Vec<T>, GpuError> {
-        read_mapped(gpu, &self.0)
+        gpu.block_on(self.read_async(gpu))
+    }
+
+    /// [`Self::read`], without blocking.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError};
+    /// # async fn run(gpu: &Gpu, hits: &wgpu::Buffer) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// let download = frame.read_later(hits.slice(..))?;
+    /// let stages = frame.submit()?.wait_async().await?;
+    /// let hits: Vec<slimbvh::Hit> = download.read_async(gpu).await?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_async<T: AnyBitPattern + bytemuck::NoUninit>(
+        self,
+        gpu: &Gpu,
+    ) -> Result<Vec<T>, GpuError> {
+        self.map(gpu).await?.read()
+    }
+
+    /// Waits for the copy.
+    pub(super) async fn map(self, gpu: &Gpu) -> Result<Mapped<'_>, GpuError> {
+        Mapped::new(gpu, self.0).await
     }
 }
 
-/// Maps a buffer, waits for it, and copies its contents.
-pub fn read_mapped<T: AnyBitPattern + bytemuck::NoUninit>(
-    gpu: &Gpu,
-    buffer: &wgpu::Buffer,
-) -> Result<Vec<T>, GpuError> {
-    gpu.checked(|| {
-        let (sender, mapped) = std::sync::mpsc::channel();
-        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-            // After an error the receiver is gone.
-            let _ = sender.send(result);
-        });
-        // `wait` would also wait for later submissions. Another thread that polls may run the callback.
-        let result = loop {
-            gpu.progress()?;
-            match mapped.recv_timeout(PAUSE) {
-                Err(RecvTimeoutError::Timeout) => {}
-                result => break result,
-            }
-        };
-        if !matches!(result, Ok(Ok(()))) {
+/// A buffer that the host can read. It is unmapped when it is dropped.
+#[derive(Debug)]
+pub struct Mapped<'g> {
+    gpu: &'g Gpu,
+    buffer: wgpu::Buffer,
+}
+
+impl<'g> Mapped<'g> {
+    /// Maps a buffer.
+    pub async fn new(gpu: &'g Gpu, buffer: wgpu::Buffer) -> Result<Self, GpuError> {
+        let (sender, mapped) = signal();
+        gpu.checked(|| {
+            buffer.map_async(wgpu::MapMode::Read, .., |result| sender.send(result));
+            Ok(())
+        })?;
+        let result = mapped.await;
+        gpu.settle().await?;
+        if !matches!(result, Some(Ok(()))) {
             return Err(gpu.lost("its memory cannot be read"));
         }
-        let view = buffer
-            .get_mapped_range(..)
-            .map_err(|error| gpu.lost(&error.to_string()))?;
-        let items = bytemuck::pod_collect_to_vec(&view);
-        drop(view);
-        buffer.unmap();
-        Ok(items)
-    })
+        Ok(Self { gpu, buffer })
+    }
+
+    /// The buffer's contents.
+    pub fn read<T: AnyBitPattern + bytemuck::NoUninit>(self) -> Result<Vec<T>, GpuError> {
+        let gpu = self.gpu;
+        gpu.checked(move || {
+            // Unmapped at the end of this block, so that errors of that come back as well.
+            let mapped = self;
+            let view = mapped.buffer.get_mapped_range(..);
+            let view = view.map_err(|error| gpu.lost(&error.to_string()))?;
+            Ok(bytemuck::pod_collect_to_vec(&view))
+        })
+    }
+}
+
+impl Drop for Mapped<'_> {
+    fn drop(&mut self) {
+        self.buffer.unmap();
+    }
 }

@@ -206,10 +206,20 @@ impl SidesDownload {
     /// # Errors
     /// If the device was lost.
     pub fn read(self, gpu: &Gpu) -> Result<Decided, GpuError> {
-        let sides = self.sides.read(gpu)?;
-        let counts: Option<Vec<SetCounts>> =
-            self.counts.map(|counts| counts.read(gpu)).transpose()?;
-        let counts = counts.and_then(|counts| counts.first().copied());
+        gpu.block_on(self.read_async(gpu))
+    }
+
+    /// [`Self::read`], without blocking.
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_async(self, gpu: &Gpu) -> Result<Decided, GpuError> {
+        let sides = self.sides.read_async(gpu).await?;
+        let counts: Vec<SetCounts> = match self.counts {
+            Some(counts) => counts.read_async(gpu).await?,
+            None => Vec::new(),
+        };
+        let counts = counts.first().copied();
         Ok(Decided { sides, counts })
     }
 }

@@ -241,7 +241,15 @@ impl MeasuresDownload {
     /// # Errors
     /// If the device was lost.
     pub fn read(self, gpu: &Gpu) -> Result<Vec<Measured>, GpuError> {
-        let measures: Vec<Measure> = self.download.read(gpu)?;
+        gpu.block_on(self.read_async(gpu))
+    }
+
+    /// [`Self::read`], without blocking.
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_async(self, gpu: &Gpu) -> Result<Vec<Measured>, GpuError> {
+        let measures: Vec<Measure> = self.download.read_async(gpu).await?;
         let measures = self.numbers.into_iter().zip(measures);
         Ok(measures
             .map(|(component, measure)| Measured { component, measure })

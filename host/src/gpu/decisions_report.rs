@@ -36,11 +36,22 @@ impl DecisionsDownload {
     /// # Errors
     /// If the device was lost.
     pub fn read(self, gpu: &Gpu) -> Result<DecisionsReport, GpuError> {
-        let read = |(name, download): (String, SidesDownload)| Ok((name, download.read(gpu)?));
-        let targets = self.targets.into_iter().map(read);
+        gpu.block_on(self.read_async(gpu))
+    }
+
+    /// [`Self::read`], without blocking.
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_async(self, gpu: &Gpu) -> Result<DecisionsReport, GpuError> {
+        let components = self.measures.read_async(gpu).await?;
+        let mut targets = Vec::with_capacity(self.targets.len());
+        for (name, download) in self.targets {
+            targets.push((name, download.read_async(gpu).await?));
+        }
         Ok(DecisionsReport {
-            components: self.measures.read(gpu)?,
-            targets: targets.collect::<Result<_, GpuError>>()?,
+            components,
+            targets,
         })
     }
 }

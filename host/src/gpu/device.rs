@@ -3,18 +3,33 @@
 use super::buffer::Range;
 use super::frame::COMPILE;
 use super::kernel::{Kernel, Pipelines, compile};
+use super::scopes::Unanswered;
 use super::timer::TimerPool;
 use super::trace::overflow::{Lists, Overflow};
 use super::{AdapterChoice, Frame, GpuError, adapter};
 use crate::Stages;
-use pollster::block_on;
+use std::future::Future;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::pin::pin;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::task::{Context, Poll, Wake, Waker};
+use std::thread::{self, Thread};
+use std::time::Duration;
+
+/// Whether a thread may wait for the GPU. On a web page it would keep the browser from going on.
+const CAN_BLOCK: bool = cfg!(not(all(target_family = "wasm", target_os = "unknown")));
+
+/// The interval between polls of the GPU.
+const PAUSE: Duration = Duration::from_micros(50);
 
 /// An open GPU: its own device, or one that the caller opened.
 ///
 /// A kernel is compiled at its first use. All methods that record or submit work return the driver's errors as
 /// [`GpuError`]; none panics or reaches wgpu's own handler.
+///
+/// Methods that wait have twins that end in `_async`. A browser allows only these, and tells the errors of a call later:
+/// the next `wait_async` or `read_async` returns them, or any later call that records or submits. After such an error,
+/// build anew.
 #[derive(Debug)]
 pub struct Gpu {
     device: wgpu::Device,
@@ -27,6 +42,7 @@ pub struct Gpu {
     lists: Mutex<Lists>,
     lost: Arc<OnceLock<String>>,
     late: Arc<Mutex<Option<String>>>,
+    unanswered: Unanswered,
 }
 
 impl Gpu {
@@ -35,7 +51,27 @@ impl Gpu {
     /// # Errors
     /// If there is no such adapter, the driver refuses to open it, or its limits are too small for the kernels.
     pub fn open(choice: &AdapterChoice) -> Result<Self, GpuError> {
-        let adapter = adapter::choose(choice)?;
+        if !CAN_BLOCK {
+            return Err(GpuError::CannotBlock);
+        }
+        pollster::block_on(Self::open_async(choice))
+    }
+
+    /// [`Self::open`], without blocking: for browsers. A browser has one adapter, whose name may be empty.
+    ///
+    /// ```no_run
+    /// use slimbvh::gpu::{AdapterChoice, Gpu};
+    /// # async fn run() -> Result<(), slimbvh::gpu::GpuError> {
+    /// let gpu = Gpu::open_async(&AdapterChoice::Any).await?;
+    /// println!("{}", gpu.name());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Self::open`].
+    pub async fn open_async(choice: &AdapterChoice) -> Result<Self, GpuError> {
+        let adapter = adapter::choose(choice).await?;
         let info = adapter.get_info();
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("slimbvh"),
@@ -44,7 +80,7 @@ impl Gpu {
             memory_hints: wgpu::MemoryHints::MemoryUsage,
             ..wgpu::DeviceDescriptor::default()
         };
-        let opened = block_on(adapter.request_device(&descriptor));
+        let opened = adapter.request_device(&descriptor).await;
         let (device, queue) = opened.map_err(|error| GpuError::Refused {
             adapter: info.name,
             reason: one_line(&error.to_string()),
@@ -117,6 +153,7 @@ impl Gpu {
             pipelines: Pipelines::default(),
             lost: Arc::default(),
             late: Arc::default(),
+            unanswered: Unanswered::default(),
         })
     }
 
@@ -231,6 +268,7 @@ impl Gpu {
                 reason,
             });
         }
+        self.refused(self.unanswered.answered())?;
         let filters = [
             wgpu::ErrorFilter::OutOfMemory,
             wgpu::ErrorFilter::Internal,
@@ -239,21 +277,36 @@ impl Gpu {
         let [memory, internal, validation] = filters.map(|f| self.device.push_error_scope(f));
         let result = work();
         // Scopes end in the order opposite to that in which they began.
-        let (validation, internal, memory) = (
-            block_on(validation.pop()),
-            block_on(internal.pop()),
-            block_on(memory.pop()),
-        );
-        let error = memory.or(internal).or(validation);
+        let (validation, internal, memory) = (validation.pop(), internal.pop(), memory.pop());
+        let error = self.unanswered.error_of(async {
+            let (validation, internal) = (validation.await, internal.await);
+            memory.await.or(internal).or(validation)
+        });
         if error.is_some() {
             // A loss is reported only when the device is polled, and after the errors that it causes.
-            let _ = self.poll(wgpu::PollType::Poll);
+            let _ = self.poll_device(wgpu::PollType::Poll);
         }
         self.check_alive()?;
         match error {
             Some(error) => Err(self.describe(&error)),
             None => result,
         }
+    }
+
+    /// Waits for the errors of all calls. Natively they are known already.
+    pub(super) async fn settle(&self) -> Result<(), GpuError> {
+        let error = self.unanswered.all().await;
+        self.check_alive()?;
+        self.refused(error)
+    }
+
+    /// An error that came after the call that caused it. What that call made is not kept.
+    fn refused(&self, error: Option<wgpu::Error>) -> Result<(), GpuError> {
+        let Some(error) = error else {
+            return Ok(());
+        };
+        self.pipelines.clear();
+        Err(self.describe(&error))
     }
 
     /// Fails once the device is lost.
@@ -273,7 +326,10 @@ impl Gpu {
 
     /// Waits for a submission, or for all.
     pub(super) fn wait(&self, submission: Option<wgpu::SubmissionIndex>) -> Result<(), GpuError> {
-        let waited = self.poll(wgpu::PollType::Wait {
+        if !CAN_BLOCK {
+            return Err(GpuError::CannotBlock);
+        }
+        let waited = self.poll_device(wgpu::PollType::Wait {
             submission_index: submission,
             timeout: None,
         });
@@ -281,16 +337,52 @@ impl Gpu {
         waited.map_err(|reason| self.lost(&reason))
     }
 
-    /// Runs the callbacks of finished work.
-    pub(super) fn progress(&self) -> Result<(), GpuError> {
-        let polled = self.poll(wgpu::PollType::Poll);
+    /// Runs a future to its end on this thread.
+    pub(super) fn block_on<R>(
+        &self,
+        work: impl Future<Output = Result<R, GpuError>>,
+    ) -> Result<R, GpuError> {
+        if !CAN_BLOCK {
+            return Err(GpuError::CannotBlock);
+        }
+        let waker = Waker::from(Arc::new(Unpark(thread::current())));
+        let mut context = Context::from_waker(&waker);
+        let mut work = pin!(work);
+        // `wait` would also wait for later submissions. Another thread that polls may run the callback.
+        loop {
+            if let Poll::Ready(result) = work.as_mut().poll(&mut context) {
+                return result;
+            }
+            self.poll()?;
+            thread::park_timeout(PAUSE);
+        }
+    }
+
+    /// Runs the callbacks of finished work, which wake the futures of `_async` methods, and does not wait. Natively
+    /// someone must poll while a future waits: this method, a method that blocks, or wgpu's own. Browsers need no polls.
+    ///
+    /// ```no_run
+    /// use std::task::{Context, Waker};
+    /// # fn run(gpu: &slimbvh::gpu::Gpu) -> Result<(), slimbvh::gpu::GpuError> {
+    /// let mut stages = Box::pin(gpu.frame().submit()?.wait_async());
+    /// // Once in each turn of an event loop:
+    /// gpu.poll()?;
+    /// let is_done = stages.as_mut().poll(&mut Context::from_waker(Waker::noop())).is_ready();
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// If the device was lost.
+    pub fn poll(&self) -> Result<(), GpuError> {
+        let polled = self.poll_device(wgpu::PollType::Poll);
         self.check_alive()?;
         polled.map_err(|reason| self.lost(&reason))
     }
 
     /// Polls the device. wgpu 30 panics if the driver reports during a wait that the device is lost, after releasing all
     /// its locks.
-    fn poll(&self, how: wgpu::PollType) -> Result<(), String> {
+    fn poll_device(&self, how: wgpu::PollType) -> Result<(), String> {
         match catch_unwind(AssertUnwindSafe(|| self.device.poll(how))) {
             Ok(Ok(_)) => Ok(()),
             Ok(Err(error)) => Err(one_line(&error.to_string())),
@@ -352,6 +444,15 @@ impl Gpu {
                 reason: one_line(description),
             },
         }
+    }
+}
+
+/// Wakes a thread that waits.
+struct Unpark(Thread);
+
+impl Wake for Unpark {
+    fn wake(self: Arc<Self>) {
+        self.0.unpark();
     }
 }
 

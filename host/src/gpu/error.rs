@@ -80,6 +80,11 @@ pub enum GpuError {
         /// What the driver says.
         reason: String,
     },
+    /// A web page cannot wait for its GPU: the browser goes on only when the page's code returns.
+    #[error(
+        "a web page cannot block until its GPU is done; await `open_async`, `wait_async` or `read_async` instead"
+    )]
+    CannotBlock,
     /// The nodes' codec is one of the laboratory's that the CPU alone has.
     #[error("{nodes} nodes are for the CPU only; use {ON_LATTICE} nodes for a lattice on a GPU")]
     Codec {
@@ -112,7 +117,7 @@ pub enum GpuError {
 pub enum AdapterError {
     /// None at all.
     #[error(
-        "there is no GPU that can be used: no driver for Vulkan, Metal or Direct3D 12 was found; use the CPU"
+        "there is no GPU that can be used: no driver for Vulkan, Metal, Direct3D 12 or WebGPU was found; use the CPU"
     )]
     None,
     /// Only those that compute on the CPU.

@@ -1,6 +1,7 @@
 //! A frame: commands recorded together and submitted together.
 
 use super::buffer::{Download, Range};
+use super::signal::signal;
 use super::timer::Timer;
 use super::{Gpu, GpuError, Misfit};
 use crate::Stages;
@@ -227,11 +228,42 @@ impl Submission<'_> {
     ///
     /// # Errors
     /// If the device was lost.
-    pub fn wait(mut self) -> Result<Stages, GpuError> {
-        self.gpu.wait(Some(self.index.clone()))?;
+    pub fn wait(self) -> Result<Stages, GpuError> {
+        let gpu = self.gpu;
+        gpu.wait(Some(self.index.clone()))?;
+        gpu.block_on(self.stages())
+    }
+
+    /// [`Self::wait`], without blocking. Waits also for what was submitted before the future is first polled.
+    ///
+    /// ```no_run
+    /// # async fn run(gpu: &slimbvh::gpu::Gpu) -> Result<(), slimbvh::gpu::GpuError> {
+    /// let frame = gpu.frame();
+    /// println!("{}", frame.submit()?.wait_async().await?);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of all earlier calls.
+    pub async fn wait_async(self) -> Result<Stages, GpuError> {
+        let (sender, done) = signal();
+        self.gpu
+            .queue()
+            .on_submitted_work_done(move || sender.send(()));
+        let done = done.await;
+        self.gpu.settle().await?;
+        if done.is_none() {
+            return Err(self.gpu.lost("its work did not end"));
+        }
+        self.stages().await
+    }
+
+    /// The time of each stage of a finished frame.
+    async fn stages(mut self) -> Result<Stages, GpuError> {
         let mut stages = std::mem::take(&mut self.compiling);
         if let Some(timer) = self.timer.take() {
-            stages.merge(&timer.read(self.gpu)?);
+            stages.merge(&timer.read(self.gpu).await?);
         }
         Ok(stages)
     }

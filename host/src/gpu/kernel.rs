@@ -122,6 +122,11 @@ impl Pipelines {
         self.all().insert(kernel, pipeline.clone());
     }
 
+    /// Drops all pipelines, which are then compiled again.
+    pub fn clear(&self) {
+        self.all().clear();
+    }
+
     fn all(&self) -> MutexGuard<'_, HashMap<Kernel, wgpu::ComputePipeline>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -51,8 +51,10 @@ mod refit;
 mod render;
 mod scan;
 mod scene;
+mod scopes;
 mod shade;
 mod sides;
+mod signal;
 mod snap;
 mod sort;
 mod timer;
@@ -65,7 +67,9 @@ mod wgsl;
 mod wide;
 mod work;
 
-pub use adapter::{AdapterChoice, AdapterSummary, adapters};
+#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+pub use adapter::adapters;
+pub use adapter::{AdapterChoice, AdapterSummary, adapters_async};
 pub use backend::{Geometry, Held, LightSets};
 pub use buffer::Download;
 pub use build::Builder;

@@ -473,8 +473,16 @@ impl PictureDownload {
     /// # Errors
     /// If the device was lost.
     pub fn read(self, gpu: &Gpu, picture: &mut Picture) -> Result<(), GpuError> {
+        gpu.block_on(self.read_async(gpu, picture))
+    }
+
+    /// [`Self::read`], without blocking.
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_async(self, gpu: &Gpu, picture: &mut Picture) -> Result<(), GpuError> {
         let [width, height] = self.size;
-        let texels: Vec<[f32; 4]> = self.texels.read(gpu)?;
+        let texels: Vec<[f32; 4]> = self.texels.read_async(gpu).await?;
         picture.width = width;
         picture.height = height;
         picture.pixels.clear();

@@ -1,6 +1,6 @@
 //! Timestamps at the beginning and the end of each pass, if the adapter has them.
 
-use super::buffer::read_mapped;
+use super::buffer::Mapped;
 use super::{Gpu, GpuError};
 use crate::Stages;
 use std::sync::{Mutex, PoisonError};
@@ -106,10 +106,10 @@ impl Timer {
     }
 
     /// The times of a finished frame. Returns the timer to its pool.
-    pub fn read(self, gpu: &Gpu) -> Result<Stages, GpuError> {
+    pub async fn read(self, gpu: &Gpu) -> Result<Stages, GpuError> {
         let mut stages = Stages::default();
         if !self.stages.is_empty() {
-            let ticks: Vec<u64> = read_mapped(gpu, &self.readable)?;
+            let ticks: Vec<u64> = Mapped::new(gpu, self.readable.clone()).await?.read()?;
             let period = f64::from(gpu.queue().get_timestamp_period());
             for (&stage, pass) in self.stages.iter().zip(ticks.chunks_exact(2)) {
                 let nanoseconds = pass[1].saturating_sub(pass[0]) as f64 * period;

@@ -1,5 +1,6 @@
 //! The GPU's results equal the CPU's: single kernels, whole builds and pictures; and the GPU's own buffers, limits and errors.
 
+mod asynchronous;
 mod browsers;
 mod buffers;
 mod builds;
@@ -25,6 +26,7 @@ mod sorts;
 mod textures;
 mod trace;
 mod uploads;
+mod view_sets;
 mod views;
 mod warm_up;
 mod waves;

@@ -1,7 +1,7 @@
 //! View sets: what they leave out, keep or refit changes no answer to the rays that they are for.
 
 mod frames;
-mod rays;
+pub mod rays;
 
 use glam::{Quat, Vec3};
 use rays::{answers, rays_of};

@@ -1,7 +1,7 @@
 //! Copies of a hierarchy, or of its counts, to the host.
 
 use super::{Bvh, Coded, Coding, Counts};
-use crate::gpu::buffer::Download;
+use crate::gpu::buffer::{Download, Mapped};
 use crate::gpu::{Gpu, GpuError};
 use crate::tree::{ListReader, StoredTree};
 use bytemuck::Pod;
@@ -14,13 +14,25 @@ impl Bvh {
     /// # Errors
     /// If it is not built yet, or the device was lost.
     pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
-        let counts = self.read_all_counts(gpu)?;
+        gpu.block_on(self.read_counts_async(gpu))
+    }
+
+    /// [`Self::read_counts`], without blocking.
+    ///
+    /// # Errors
+    /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_counts_async(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
+        let counts = self.read_all_counts(gpu).await?;
         Ok([counts.nodes, counts.triangles])
     }
 
-    fn read_all_counts(&self, gpu: &Gpu) -> Result<Counts, GpuError> {
+    async fn read_all_counts(&self, gpu: &Gpu) -> Result<Counts, GpuError> {
         let built = self.built()?;
-        Ok(built.counts(read_firsts(gpu, built.totals())?))
+        let ranges = built.totals();
+        let mut frame = gpu.frame();
+        let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
+        frame.submit()?;
+        Ok(built.counts(firsts(gpu, downloads).await?))
     }
 
     /// Reads the bytes that the nodes and the triangles in leaves use. Waits for the GPU. The buffers have room for more.
@@ -28,8 +40,16 @@ impl Bvh {
     /// # Errors
     /// If it is not built yet, or the device was lost.
     pub fn read_bytes(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
+        gpu.block_on(self.read_bytes_async(gpu))
+    }
+
+    /// [`Self::read_bytes`], without blocking.
+    ///
+    /// # Errors
+    /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_bytes_async(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
         let built = self.built()?;
-        let counts = self.read_all_counts(gpu)?;
+        let counts = self.read_all_counts(gpu).await?;
         let coding = built.coding();
         let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
         let triangle_bytes = if coding.is_some_and(Coding::is_mixed) {
@@ -47,6 +67,14 @@ impl Bvh {
     /// # Errors
     /// If it is not built yet, or the device was lost.
     pub fn download(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
+        gpu.block_on(self.download_async(gpu))
+    }
+
+    /// [`Self::download`], without blocking.
+    ///
+    /// # Errors
+    /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn download_async(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
         let built = self.built()?;
         let mut frame = gpu.frame();
         let [nodes, triangles] = built.stored();
@@ -59,11 +87,11 @@ impl Bvh {
             let root = |coded: &Coded| frame.download(&coded.root);
             Ok(coded.map(root))
         })?;
-        frame.submit()?.wait()?;
-        let counts = built.counts(firsts(gpu, totals)?);
+        frame.submit()?;
+        let counts = built.counts(firsts(gpu, totals).await?);
         let triangle_count = counts.triangles as usize;
-        let exponent: Vec<i32> = exponent.read(gpu)?;
-        let corners: Vec<[f32; 3]> = bounds.read(gpu)?;
+        let exponent: Vec<i32> = exponent.read_async(gpu).await?;
+        let corners: Vec<[f32; 3]> = bounds.read_async(gpu).await?;
         let mut bvh = crate::Bvh {
             mesh_triangle_count: built.triangle_count as usize,
             depth_bound: built.depth_bound,
@@ -76,16 +104,15 @@ impl Bvh {
         });
         bvh.scene_exponent = exponent.first().copied().unwrap_or(0);
         let root: Vec<RootWords> = match root {
-            Some(root) => root.read(gpu)?,
+            Some(root) => root.read_async(gpu).await?,
             None => Vec::new(),
         };
         let root = root.first().copied().unwrap_or_default();
         let is_mixed = coded.is_some_and(|coded| coded.coding.is_mixed());
         let mut lists = Lists {
-            gpu,
-            nodes: Some(nodes),
+            nodes: Some(nodes.map(gpu).await?),
             node_count: counts.nodes as usize,
-            triangles: Some(triangles),
+            triangles: Some(triangles.map(gpu).await?),
             triangle_items: if is_mixed {
                 counts.words as usize
             } else {
@@ -98,11 +125,10 @@ impl Bvh {
 }
 
 /// Copies of both lists. Each is read once.
-struct Lists<'a> {
-    gpu: &'a Gpu,
-    nodes: Option<Download>,
+struct Lists<'g> {
+    nodes: Option<Mapped<'g>>,
     node_count: usize,
-    triangles: Option<Download>,
+    triangles: Option<Mapped<'g>>,
     triangle_items: usize,
 }
 
@@ -110,40 +136,29 @@ impl ListReader for Lists<'_> {
     type Error = GpuError;
 
     fn nodes<T: Pod>(&mut self, per_node: usize) -> Result<Vec<T>, GpuError> {
-        take(self.gpu, self.nodes.take(), self.node_count * per_node)
+        take(self.nodes.take(), self.node_count * per_node)
     }
 
     fn triangles<T: Pod>(&mut self) -> Result<Vec<T>, GpuError> {
-        take(self.gpu, self.triangles.take(), self.triangle_items)
+        take(self.triangles.take(), self.triangle_items)
     }
 }
 
 /// The first elements of a buffer.
-fn take<T: Pod>(gpu: &Gpu, from: Option<Download>, count: usize) -> Result<Vec<T>, GpuError> {
+fn take<T: Pod>(from: Option<Mapped>, count: usize) -> Result<Vec<T>, GpuError> {
     let Some(from) = from else {
         return Ok(Vec::new());
     };
-    let mut all = from.read(gpu)?;
+    let mut all = from.read()?;
     all.truncate(count);
     Ok(all)
 }
 
-/// The first word of each range.
-fn read_firsts<const N: usize>(
-    gpu: &Gpu,
-    ranges: [&super::Range; N],
-) -> Result<[u32; N], GpuError> {
-    let mut frame = gpu.frame();
-    let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
-    frame.submit()?.wait()?;
-    firsts(gpu, downloads)
-}
-
 /// The first words of copies.
-fn firsts<const N: usize>(gpu: &Gpu, downloads: [Download; N]) -> Result<[u32; N], GpuError> {
+async fn firsts<const N: usize>(gpu: &Gpu, downloads: [Download; N]) -> Result<[u32; N], GpuError> {
     let mut firsts = [0; N];
     for (first, download) in firsts.iter_mut().zip(downloads) {
-        let words: Vec<u32> = download.read(gpu)?;
+        let words: Vec<u32> = download.read_async(gpu).await?;
         *first = words.first().copied().unwrap_or(0);
     }
     Ok(firsts)

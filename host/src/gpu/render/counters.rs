@@ -22,7 +22,15 @@ impl Counters {
     /// # Errors
     /// If the device was lost.
     pub fn read(self, gpu: &Gpu) -> Result<RenderReport, GpuError> {
-        let words: Vec<u32> = self.0.read(gpu)?;
+        gpu.block_on(self.read_async(gpu))
+    }
+
+    /// [`Self::read`], without blocking.
+    ///
+    /// # Errors
+    /// If the device was lost; in a browser, also the errors of earlier calls.
+    pub async fn read_async(self, gpu: &Gpu) -> Result<RenderReport, GpuError> {
+        let words: Vec<u32> = self.0.read_async(gpu).await?;
         let pair = |slot: u64, i: usize| {
             let word = |i: usize| u64::from(words.get(i).copied().unwrap_or(0));
             let first = slot as usize / 4 + 2 * i;

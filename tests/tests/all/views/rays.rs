@@ -15,8 +15,9 @@ pub struct Rays {
 /// Rays through each pixel; from each point that they hit to the lights; from the probe in all directions; and anywhere.
 pub fn rays_of(mesh: &Mesh, views: &ViewSets<Cpu>) -> Rays {
     let pixels = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]));
-    let core = done(camera().to_core(SIZE, 1));
-    let primary: Vec<Ray> = pixels.map(|pixel| core.ray_through(pixel, 0)).collect();
+    let primary: Vec<Ray> = pixels
+        .map(|pixel| done(camera().ray(pixel, SIZE)))
+        .collect();
     let trees = views.trees();
     let points: Vec<_> = primary
         .iter()
@@ -51,9 +52,9 @@ pub fn rays_of(mesh: &Mesh, views: &ViewSets<Cpu>) -> Rays {
 /// The answers to all rays, each by its target's tree.
 #[derive(Debug, PartialEq)]
 pub struct Answers {
-    from: [Vec<Hit>; 2],
-    to: [Vec<bool>; 2],
-    others: Vec<Hit>,
+    pub from: [Vec<Hit>; 2],
+    pub to: [Vec<bool>; 2],
+    pub others: Vec<Hit>,
 }
 
 /// Asks the trees of `views::targets`.
