@@ -22,7 +22,7 @@ mod wide_stack;
 
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits, UpTo};
 #[cfg(not(target_arch = "spirv"))]
-pub use filter::{EndsAnd, GivenEnds};
+pub use filter::EndsAnd;
 pub use filter::{EndsFilter, EndsSource, HitFilter, PreparedEnds, Skip};
 pub use lane_stack::{LANE_BOX_ROWS, LANE_ROWS, LaneBoxStack, LaneBoxWords, LaneStack, LaneWords};
 #[cfg(not(target_arch = "spirv"))]

@@ -67,6 +67,32 @@ impl Mesh {
         }
     }
 
+    /// The part that holds a triangle; `None` for a mesh without parts, or beyond its end. Takes logarithmic time.
+    ///
+    /// ```
+    /// # use slimbvh::{Mesh, Part};
+    /// let part = |name: &str, first_triangle, triangle_count| Part {
+    ///     name: name.into(),
+    ///     first_triangle,
+    ///     triangle_count,
+    /// };
+    /// let mesh = Mesh {
+    ///     parts: vec![part("wheel", 0, 300), part("door", 300, 20)],
+    ///     ..Mesh::default()
+    /// };
+    /// assert_eq!(mesh.part_of(305).map(|part| part.name.as_str()), Some("door"));
+    /// assert_eq!(mesh.part_of(320), None);
+    /// ```
+    #[must_use]
+    pub fn part_of(&self, primitive: u32) -> Option<&Part> {
+        let after = self
+            .parts
+            .partition_point(|part| part.first_triangle <= primitive);
+        // Parts without triangles begin where the next one does.
+        let part = self.parts.get(after.checked_sub(1)?)?;
+        (primitive - part.first_triangle < part.triangle_count).then_some(part)
+    }
+
     /// Drops every face with an index out of range or a corner that is not finite. Returns how many were dropped.
     pub fn drop_unsound_faces(&mut self) -> usize {
         let sound: Vec<bool> = (0..self.indices.len())
@@ -186,11 +212,7 @@ impl Mesh {
 
     /// The part that holds a face, as a phrase for messages, and the face's number within it.
     fn locate(&self, face: usize) -> (String, usize) {
-        let part = self.parts.iter().find(|part| {
-            let first = part.first_triangle as usize;
-            (first..first + part.triangle_count as usize).contains(&face)
-        });
-        match part {
+        match u32::try_from(face).ok().and_then(|face| self.part_of(face)) {
             Some(part) => (
                 format!("mesh \"{}\", ", excerpt(&part.name)),
                 face - part.first_triangle as usize,

@@ -100,15 +100,25 @@ impl Camera {
     #[must_use]
     pub fn ray_through(&self, [x, y]: [u32; 2], in_pixel: u32) -> Ray {
         let [dx, dy] = sample_offset(in_pixel, self.sample_count.max(1));
-        let s = (x as f32 + dx) / self.width as f32 * 2.0 - 1.0;
-        let t = 1.0 - (y as f32 + dy) / self.height as f32 * 2.0;
+        self.ray_at(
+            [x as f32 + dx, y as f32 + dy],
+            self.sample([x, y], in_pixel),
+        )
+    }
+
+    /// The ray at a position in the picture, in pixels from its upper left corner; through a lens, that of this sample.
+    #[inline]
+    #[must_use]
+    pub fn ray_at(&self, [x, y]: [f32; 2], sample: u32) -> Ray {
+        let s = x / self.width as f32 * 2.0 - 1.0;
+        let t = 1.0 - y / self.height as f32 * 2.0;
         let spread = Vec3::from_array(self.right) * s + Vec3::from_array(self.up) * t;
         let eye = Vec3::from_array(self.eye);
         let forward = Vec3::from_array(self.forward);
         if self.is_parallel == 1 {
             Ray::new((eye + spread).to_array(), self.forward)
         } else if self.lens_radius > 0.0 {
-            let aside = self.lens_point(self.sample([x, y], in_pixel));
+            let aside = self.lens_point(sample);
             // All that leave the lens meet where the eye's own ray passes the plane in focus.
             let direction = forward + spread - aside * self.lens_slope;
             let origin = eye + aside * self.lens_radius;

@@ -1,8 +1,6 @@
 //! Which of the triangles that a ray meets are hits.
 
 use crate::geometry::ends::RayEnds;
-#[cfg(not(target_arch = "spirv"))]
-use crate::geometry::ray::Ray;
 use crate::geometry::ray::{NO_PRIMITIVE, PreparedRay};
 
 /// Which triangles count for a ray.
@@ -58,11 +56,18 @@ impl<S: EndsSource> HitFilter for EndsFilter<S> {
         if ends.skips(primitive) {
             return false;
         }
-        if !ends.have_errors() {
-            return true;
-        }
-        let (exponent, opaque_zero) = (self.0.scene_exponent(), self.0.opaque_zero());
-        ends.are_separated(&self.0.ray(), exponent, corners, opaque_zero)
+        !ends.have_errors() || self.are_separated(corners)
+    }
+}
+
+impl<S: EndsSource> EndsFilter<S> {
+    /// [`RayEnds::are_separated`]. On a CPU a function of its own: within the walk it would take the walk's registers.
+    #[cfg_attr(target_arch = "spirv", inline(always))]
+    #[cfg_attr(not(target_arch = "spirv"), inline(never))]
+    fn are_separated(&self, corners: &[[f32; 3]; 3]) -> bool {
+        let (ray, exponent) = (self.0.ray(), self.0.scene_exponent());
+        let ends = self.0.ends();
+        ends.are_separated(&ray, exponent, corners, self.0.opaque_zero())
     }
 }
 
@@ -86,36 +91,6 @@ impl EndsSource for PreparedEnds<'_> {
     #[inline(always)]
     fn ray(&self) -> PreparedRay {
         *self.ray
-    }
-
-    #[inline(always)]
-    fn scene_exponent(&self) -> i32 {
-        self.scene_exponent
-    }
-}
-
-/// A ray of a packet as its caller gives it, and its ends: prepared again where its ends have errors, for each triangle that it meets.
-#[cfg(not(target_arch = "spirv"))]
-#[derive(Clone, Copy, Debug)]
-pub struct GivenEnds<'a> {
-    /// The ray.
-    pub ray: &'a Ray,
-    /// Its ends.
-    pub ends: &'a RayEnds,
-    /// The exponent that the ray is prepared with.
-    pub scene_exponent: i32,
-}
-
-#[cfg(not(target_arch = "spirv"))]
-impl EndsSource for GivenEnds<'_> {
-    #[inline(always)]
-    fn ends(&self) -> RayEnds {
-        *self.ends
-    }
-
-    #[inline(never)]
-    fn ray(&self) -> PreparedRay {
-        PreparedRay::new(self.ray, self.scene_exponent)
     }
 
     #[inline(always)]

@@ -4,9 +4,9 @@ use super::area::normal;
 use super::{Camera, Light, Material, Projection, Scene};
 use crate::dvec3::{cross, dot, normalized};
 use glam::Vec3;
-use slimbvh_core::Aabb;
 use slimbvh_core::float::{abs, exponent, max, scale_by_power_of_two};
 use slimbvh_core::shade::Environment;
+use slimbvh_core::{Aabb, Ray};
 use thiserror::Error;
 
 /// Why a camera or a light cannot be rendered.
@@ -240,6 +240,73 @@ impl Camera {
         })
     }
 
+    /// The ray of a pixel, `[0, 0]` the upper left one: the ray that a picture of this size with one sample a pixel traces.
+    ///
+    /// Picking: which part and which material a pixel shows.
+    ///
+    /// ```
+    /// use slimbvh::{BuildConfig, Builder, Camera, Material, Mesh, Part, Projection, Scene};
+    /// # let scene = Scene {
+    /// #     mesh: Mesh {
+    /// #         vertices: vec![[-1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [-1.0, 3.0, 0.0]],
+    /// #         indices: vec![[0, 1, 2]],
+    /// #         parts: vec![Part { name: "door".into(), first_triangle: 0, triangle_count: 1 }],
+    /// #         ..Mesh::default()
+    /// #     },
+    /// #     materials: vec![Material { base_color: [1.0, 0.0, 0.0], ..Material::default() }],
+    /// #     ..Scene::default()
+    /// # };
+    ///
+    /// let bvh = Builder::new(BuildConfig::default()).build(&scene.mesh)?;
+    /// let camera = Camera {
+    ///     eye: [0.0, 0.0, 4.0],
+    ///     target: [0.0, 0.0, 0.0],
+    ///     up: [0.0, 1.0, 0.0],
+    ///     projection: Projection::Perspective { vertical_fov: 30.0 },
+    /// };
+    /// let hit = bvh.closest_hit(&camera.ray([320, 180], [640, 360])?);
+    /// if hit.is_hit() {
+    ///     let part = scene.mesh.part_of(hit.primitive).map(|part| part.name.as_str());
+    ///     let color = scene.material_of(hit.primitive).base_color;
+    ///     assert_eq!((part, color), (Some("door"), [1.0, 0.0, 0.0]));
+    /// }
+    /// # assert!(hit.is_hit());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// For a camera that cannot be rendered, and a picture without pixels.
+    pub fn ray(&self, pixel: [u32; 2], size: [u32; 2]) -> Result<Ray, ViewError> {
+        Ok(self.to_core(size, 1)?.ray_through(pixel, 0))
+    }
+
+    /// The ray at a position in the picture, in pixels from its upper left corner: the middle of pixel `[x, y]` is at
+    /// `[x + 0.5, y + 0.5]`. Positions outside continue the picture. A thin lens is passed in its middle.
+    ///
+    /// ```
+    /// # use slimbvh::{Camera, Projection};
+    /// # let camera = Camera {
+    /// #     eye: [0.0, 0.0, 4.0],
+    /// #     target: [0.0, 0.0, 0.0],
+    /// #     up: [0.0, 1.0, 0.0],
+    /// #     projection: Projection::Perspective { vertical_fov: 30.0 },
+    /// # };
+    /// let mouse = [320.0, 180.0];
+    /// let ray = camera.ray_at(mouse, [640, 360])?;
+    /// assert_eq!(ray.direction, [0.0, 0.0, -1.0]);
+    /// # Ok::<(), slimbvh::ViewError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Self::ray`].
+    pub fn ray_at(&self, position: [f32; 2], size: [u32; 2]) -> Result<Ray, ViewError> {
+        let camera = slimbvh_core::camera::Camera {
+            lens_radius: 0.0,
+            ..self.to_core(size, 1)?
+        };
+        Ok(camera.ray_at(position, 0))
+    }
+
     /// The radius of the lens, and its quotient with the distance in focus; zeros without a lens.
     fn lens(&self) -> Result<(f32, f32), ViewError> {
         let Projection::ThinLens {
@@ -393,6 +460,28 @@ impl Scene {
             up: unit(up).unwrap_or(Vec3::Y).to_array(),
             ..Environment::default()
         }
+    }
+
+    /// The material of a triangle, as pictures show it: the first one where `Mesh::materials` is empty or names none, and the default
+    /// material if there are none.
+    ///
+    /// ```
+    /// # use slimbvh::{Material, Mesh, Scene};
+    /// # let glass = Material { transmission: 1.0, ..Material::default() };
+    /// let scene = Scene {
+    ///     mesh: Mesh { materials: vec![1, 0], ..Mesh::default() },
+    ///     materials: vec![Material::default(), glass],
+    ///     ..Scene::default()
+    /// };
+    /// assert_eq!(scene.material_of(0), glass);
+    /// assert_eq!(scene.material_of(1), Material::default());
+    /// ```
+    #[must_use]
+    pub fn material_of(&self, primitive: u32) -> Material {
+        let index = self.mesh.materials.get(primitive as usize);
+        let material = self.materials.get(index.map_or(0, |&index| index as usize));
+        let material = material.or(self.materials.first());
+        material.copied().unwrap_or_default()
     }
 
     /// The materials in core's form; a default one if there are none.

@@ -18,6 +18,7 @@ pub(crate) mod paper10;
 pub(crate) mod parent_frame;
 pub(crate) mod plain;
 mod query;
+mod ray_filter;
 mod rays;
 mod sources;
 mod stored;

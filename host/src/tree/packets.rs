@@ -3,12 +3,13 @@
 use super::bvh::Bvh;
 use super::lanes::{LANES, Numbers};
 use super::query::Query;
+use super::ray_filter::{RayFilter, SharedFilter, are_more_than_skip};
 use super::visitor::Together;
 use crate::parallel::prelude::*;
 use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
-use slimbvh_core::trace::{ClosestOrAny, EndsAnd, EndsFilter, GivenEnds, Lane, PreparedRays};
+use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays};
 use slimbvh_core::{RayEnds, SurfaceRay};
 use std::array::from_fn;
 
@@ -26,14 +27,17 @@ pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter<Sides> {
     }
 }
 
-/// The filter of a query's rays, except the triangles that one ray's ends lie on.
-pub type RayFilter<'a> = EndsAnd<'a, GivenEnds<'a>, FacingFilter<Sides<'a>>>;
-
 /// The filter and the collector of one ray.
 pub type RayLane<'a> = Lane<RayFilter<'a>, ClosestOrAny>;
 
 /// The filters and collectors of a packet's rays.
 pub type Packet<'a> = [RayLane<'a>; LANES];
+
+/// Takes the place of a ray that is not there.
+const IDLE: SurfaceRay = SurfaceRay {
+    ray: Ray::EMPTY,
+    ends: RayEnds::NONE,
+};
 
 /// Rays a parallel task.
 const BLOCK: usize = 512;
@@ -118,32 +122,42 @@ impl Bvh {
     pub(crate) fn trace_rays(
         &self,
         query: &PacketQuery,
-        rays: impl Iterator<Item = (usize, SurfaceRay)>,
+        mut rays: impl Iterator<Item = (usize, SurfaceRay)>,
         mut answer: impl FnMut(usize, Hit),
     ) {
-        let filter = filter_of(query.target);
+        let facing = filter_of(query.target);
         let mut numbers = [0; LANES];
+        let mut asked = [Ray::EMPTY; LANES];
+        let mut given = [IDLE; LANES];
         let mut prepared = PreparedRays::EMPTY;
-        let mut rays = rays.peekable();
-        while rays.peek().is_some() {
-            let mut asked = [Ray::EMPTY; LANES];
-            let mut ends = [RayEnds::NONE; LANES];
-            let mut count = 0;
-            for (i, (number, ray)) in rays.by_ref().take(LANES).enumerate() {
-                asked[i] = ray.ray;
-                ends[i] = ray.ends;
-                numbers[i] = number;
+        loop {
+            let mut skips = [NO_PRIMITIVE; LANES];
+            let (mut count, mut with_ends) = (0, 0);
+            for ((i, to), (number, ray)) in asked.iter_mut().enumerate().zip(rays.by_ref()) {
+                *to = ray.ray;
+                (numbers[i], skips[i]) = (number, ray.ends.skip[0]);
+                if are_more_than_skip(&ray.ends) {
+                    given[i] = ray;
+                    with_ends |= 1 << i;
+                }
                 count += 1;
             }
+            if count == 0 {
+                return;
+            }
+            asked[count..].fill(Ray::EMPTY);
             prepared.prepare(&asked, query.exponent);
+            let shared = SharedFilter {
+                facing: &facing,
+                rays: &given,
+                with_ends,
+                scene_exponent: query.exponent,
+            };
             let mut packet = from_fn(|i| Lane {
-                filter: EndsAnd {
-                    ends: EndsFilter(GivenEnds {
-                        ray: &asked[i],
-                        ends: &ends[i],
-                        scene_exponent: query.exponent,
-                    }),
-                    filter: &filter,
+                filter: RayFilter {
+                    skip: skips[i],
+                    number: i as u32,
+                    shared: &shared,
                 },
                 collector: query.question.collector(prepared.t_max()[i]),
             });

@@ -2,13 +2,14 @@
 
 use super::bvh::Bvh;
 use super::packets::{Question, filter_of};
+use super::ray_filter::{RayFilter, SharedFilter, are_more_than_skip};
 use super::visitor::{Alone, Watched};
 use slimbvh_core::classify::Sides;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, PreparedRay, Ray};
 use slimbvh_core::trace::{
-    self, AnyHit, ClosestHit, Collector, EndsAnd, EndsFilter, GivenEnds, Lane, NearestHits,
-    PreparedEnds,
+    self, AnyHit, ClosestHit, Collector, EndsAnd, EndsFilter, HitFilter, Lane, NearestHits,
+    PreparedEnds, Skip,
 };
 use slimbvh_core::{RayEnds, SurfaceRay};
 
@@ -121,26 +122,18 @@ impl Query<'_> {
 
     #[inline(never)]
     fn ask(&self, question: Question, ray: &SurfaceRay) -> Hit {
-        let rule = filter_of(self.rule);
-        let scene_exponent = self.bvh.scene_exponent();
-        let prepared = PreparedRay::new(&ray.ray, scene_exponent);
-        let ends = EndsFilter(GivenEnds {
-            ray: &ray.ray,
-            ends: &ray.ends,
-            scene_exponent,
-        });
-        let mut lane = Lane {
-            filter: EndsAnd {
-                ends,
-                filter: &rule,
-            },
-            collector: question.collector(prepared.t_max),
+        let shared = SharedFilter {
+            facing: &filter_of(self.rule),
+            rays: std::slice::from_ref(ray),
+            with_ends: are_more_than_skip(&ray.ends).into(),
+            scene_exponent: self.bvh.scene_exponent(),
         };
-        self.bvh.stored.visit(Alone {
-            ray: &prepared,
-            lane: &mut lane,
-        });
-        prepared.restore(lane.collector.closest.hit)
+        let filter = RayFilter {
+            skip: ray.ends.skip[0],
+            number: 0,
+            shared: &shared,
+        };
+        self.bvh.trace_alone(question, &ray.ray, filter)
     }
 }
 
@@ -157,7 +150,7 @@ impl Bvh {
     fn closest_hit_of_all(&self, ray: &Ray) -> Hit {
         // Plain trees use a specialised collector, which is the fastest.
         let Some(plain) = self.stored.as_plain() else {
-            return self.query().ask(Question::Closest, &ray.into());
+            return self.trace_alone(Question::Closest, ray, Skip::NONE);
         };
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         let mut collector = ClosestHit::new(prepared.t_max);
@@ -167,12 +160,23 @@ impl Bvh {
 
     fn has_hit_of_all(&self, ray: &Ray) -> bool {
         let Some(plain) = self.stored.as_plain() else {
-            return self.query().ask(Question::Any, &ray.into()).is_hit();
+            return self.trace_alone(Question::Any, ray, Skip::NONE).is_hit();
         };
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         let mut collector = AnyHit::new(prepared.t_max);
         plain.trace(&prepared, &mut collector);
         collector.found
+    }
+
+    fn trace_alone<F: HitFilter>(&self, question: Question, ray: &Ray, filter: F) -> Hit {
+        let prepared = PreparedRay::new(ray, self.scene_exponent);
+        let collector = question.collector(prepared.t_max);
+        let mut lane = Lane { filter, collector };
+        self.stored.visit(Alone {
+            ray: &prepared,
+            lane: &mut lane,
+        });
+        prepared.restore(lane.collector.closest.hit)
     }
 }
 

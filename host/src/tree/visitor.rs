@@ -1,13 +1,13 @@
 //! Visitors of a stored tree: code compiled once for each way to store nodes and triangles.
 
 use super::lanes::{LANES, Numbers};
-use super::packets::{Packet, RayLane};
+use super::packets::Packet;
 use super::sources::{StoredNodes, StoredTriangles};
 use super::stored::with_stacks;
 use slimbvh_core::Hit;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    Collector, HitFilter, PreparedRays, trace_alone, trace_packet, traverse,
+    ClosestOrAny, Collector, HitFilter, Lane, PreparedRays, trace_alone, trace_packet, traverse,
 };
 
 /// Called with the concrete sources of nodes and triangles: [`StoredTree::visit`](super::StoredTree::visit).
@@ -23,12 +23,12 @@ pub trait TreeVisitor {
 // At most two references: they are passed in registers, and the compiler knows that they do not alias.
 
 /// Traces one ray with the thread's own stack, for the closest hit or any, as its collector asks.
-pub struct Alone<'a, 'b> {
+pub struct Alone<'a, F> {
     pub ray: &'a PreparedRay,
-    pub lane: &'a mut RayLane<'b>,
+    pub lane: &'a mut Lane<F, ClosestOrAny>,
 }
 
-impl TreeVisitor for Alone<'_, '_> {
+impl<F: HitFilter> TreeVisitor for Alone<'_, F> {
     type Output = ();
 
     #[inline(always)]
