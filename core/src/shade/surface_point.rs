@@ -30,12 +30,16 @@ impl SurfacePoint {
     /// Multiplying by a power of two is exact in the normal range. Below it, the error grows by what the position loses.
     #[must_use]
     pub fn new(surface: &Surface, primitive: u32, scene_exponent: i32) -> Self {
-        let ([px, py, pz], [ex, ey, ez]) = (surface.position.to_array(), surface.error.to_array());
-        let axis = |position: f32, error: f32| Restored::new(position, error, scene_exponent);
-        let (x, y, z) = (axis(px, ex), axis(py, ey), axis(pz, ez));
+        // A loop: written out, it would be most of the text that users' WGSL contains.
+        let (mut position, mut error) = (surface.position.to_array(), surface.error.to_array());
+        for axis in 0..3 {
+            let restored = Restored::new(position[axis], error[axis], scene_exponent);
+            position[axis] = restored.position;
+            error[axis] = restored.error;
+        }
         Self {
-            position: [x.position, y.position, z.position],
-            error: [x.error, y.error, z.error],
+            position,
+            error,
             normal: surface.normal.to_array(),
             shading_normal: surface.shading_normal.to_array(),
             side: surface.side,

@@ -288,7 +288,7 @@ fn listed(gpu: &Gpu, kernel: Kernel, bvh: &Bvh, rays: &[Ray]) -> Vec<u32> {
     let outputs = Dispatch {
         kernel,
         group_count: rays.len().div_ceil(LANES) as u32,
-        uniforms: &[&exponent],
+        uniforms: &[&exponent, &[rays.len() as u32; 4]],
         reads: &[
             bytemuck::cast_slice(bvh.nodes()),
             &triangles,
