@@ -38,7 +38,11 @@ fn rays() -> Vec<Ray> {
         let origin = [x, 4.0, z];
         Ray::new(
             origin,
-            [0.1 * x, if i % 3 == 0 { 1.0 } else { -1.0 }, 0.1 * z],
+            [
+                0.1 * x,
+                if i.is_multiple_of(3) { 1.0 } else { -1.0 },
+                0.1 * z,
+            ],
         )
     };
     (0..256).map(ray).collect()
