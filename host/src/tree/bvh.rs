@@ -65,7 +65,8 @@ impl Bvh {
     pub fn nearest_hits<const K: usize>(&self, ray: &Ray) -> [Hit; K] {
         if let Some(plain) = self.stored.as_plain() {
             let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
-            return trace::nearest_hits(&nodes, &triangles, ray, self.scene_exponent);
+            let filter = &Skip::NONE;
+            return trace::nearest_hits(&nodes, &triangles, ray, self.scene_exponent, filter);
         }
         let prepared = PreparedRay::new(ray, self.scene_exponent);
         let mut collector = NearestHits::<K>::new(prepared.t_max);
