@@ -355,7 +355,7 @@ pub fn trace_lattice(
     *to = (
         closest_hit(&mixed, &words, ray, 3, &Skip(4)),
         closest_hit(&full, &triangles, ray, 3, &Skip(4)),
-        nearest_hits::<8, _, _>(&mixed, &words, ray, 3),
+        nearest_hits::<8, _, _, _>(&mixed, &words, ray, 3, &Skip::NONE),
     );
 }
 
@@ -509,7 +509,7 @@ pub fn trace(
     *to = (
         closest_hit(&nodes, &triangles, ray, 3, &Skip(4)),
         any_hit(&nodes, &triangles, ray, 3, &rule),
-        nearest_hits::<8, _, _>(&nodes, &triangles, ray, 3),
+        nearest_hits::<8, _, _, _>(&nodes, &triangles, ray, 3, &Skip::NONE),
         closest_hit(&BruteForce(9), &triangles, ray, 3, &Skip(4)),
     );
 }
