@@ -157,7 +157,8 @@ pub fn compile(device: &wgpu::Device, kernel: Kernel) -> Result<wgpu::ComputePip
             label,
             layout: None,
             module: &module,
-            entry_point: Some(kernel.name()),
+            // The only one. For a browser wgpu writes WGSL, and changes names that end in a digit.
+            entry_point: None,
             compilation_options: wgpu::PipelineCompilationOptions {
                 // Every kernel writes its workgroup memory before it reads it.
                 zero_initialize_workgroup_memory: false,
