@@ -15,7 +15,7 @@ fn main() -> Result<(), MeshError> {
     };
     let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
 
-    let hit = bvh.closest_hit(&Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
+    let hit = bvh.closest_hit(Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
     println!(
         "triangle {} at t = {}, u = {}, v = {}",
         hit.primitive, hit.t, hit.u, hit.v

@@ -81,7 +81,7 @@ fn bits(hits: &[Hit]) -> Vec<[u32; 4]> {
 
 /// A mask, and an alpha test.
 fn is_opaque(hit: &Hit) -> bool {
-    hit.primitive % 3 != 1 && (hit.u * 16.0) as u32 % 2 == 0
+    hit.primitive % 3 != 1 && ((hit.u * 16.0) as u32).is_multiple_of(2)
 }
 
 /// Compares all queries of a tree with the sorted hits of each ray.
@@ -182,11 +182,11 @@ fn each_filter_changes_answers() {
     for i in 0..100u16 {
         let (x, z) = (f32::from(i % 10) * 0.6 - 3.0, f32::from(i / 10) * 0.6 - 3.0);
         let ray = Ray::new([x, 9.0, z], [0.01, -1.0, 0.02]);
-        let hit = bvh.closest_hit(&ray);
+        let hit = bvh.closest_hit(ray);
         assert!(hit.is_hit());
         // Nothing faces a point below.
-        counts[0] += usize::from(!tree.closest_hit(&ray).is_hit());
-        counts[1] += usize::from(bvh.closest_hit_where(&ray, is_opaque) != hit);
+        counts[0] += usize::from(!tree.closest_hit(ray).is_hit());
+        counts[1] += usize::from(bvh.closest_hit_where(ray, is_opaque) != hit);
         let ray = |ends| SurfaceRay { ray, ends };
         let skipped = ray(RayEnds::skipping(hit.primitive));
         counts[2] += usize::from(bvh.closest_hit(skipped) != hit);
@@ -241,7 +241,7 @@ fn rays_of_pixels_hit_what_the_picture_shows() {
         let [x, y] = [pixel % width, pixel / width];
         let shows = |x: u32| {
             let ray = camera.ray([x, y], [width, height]).expect("a sound camera");
-            let hit = bvh.closest_hit(&ray);
+            let hit = bvh.closest_hit(ray);
             hit.is_hit()
                 .then(|| primitive_color(hit.primitive).to_array())
         };
