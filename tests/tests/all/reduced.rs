@@ -199,7 +199,7 @@ fn an_order_may_be_kept_for_a_mesh_that_moved() {
                 let turn = i as f32 * 0.7;
                 let to = [turn.sin(), (turn * 0.37).cos(), (turn * 1.3).cos()];
                 let ray = Ray::new(EYE, [to[0] - EYE[0], to[1] - EYE[1], to[2] - EYE[2]]);
-                assert_eq!(kept.closest_hit(&ray), fresh.closest_hit(&ray));
+                assert_eq!(kept.closest_hit(ray), fresh.closest_hit(ray));
             }
         }
         let other = generate::icosphere(Vec3::ZERO, 1.0, 1);
