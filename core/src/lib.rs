@@ -40,6 +40,11 @@ pub use geometry::ray::{Hit, NO_PRIMITIVE, Ray};
 pub use geometry::triangle::{IndexedTriangles, LeafTriangle, Triangle};
 pub use glam::Vec3;
 
+/// The example of this crate's README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 /// Largest number of triangles in one hierarchy: a leaf reference holds its first triangle in 28 bits.
 pub const MAX_TRIANGLES: u32 = 1 << 28;
 

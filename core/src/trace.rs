@@ -334,15 +334,16 @@ pub fn any_hit<N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
 /// The K hits with the smallest `(t, primitive)` in order, the rest [`Hit::MISS`].
 #[inline]
 #[must_use]
-pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn nearest_hits<const K: usize, N: NodeSource, T: TriangleSource<N::Bounds>, F: HitFilter>(
     nodes: &N,
     triangles: &T,
     ray: &Ray,
     scene_exponent: i32,
+    filter: &F,
 ) -> [Hit; K] {
     let prepared = PreparedRay::new(ray, scene_exponent);
     let mut collector = NearestHits::<K>::new(prepared.t_max);
-    traverse(nodes, triangles, &prepared, &Skip::NONE, &mut collector);
+    traverse(nodes, triangles, &prepared, filter, &mut collector);
     for i in 0..K {
         collector.hits[i] = prepared.restore(collector.hits[i]);
     }

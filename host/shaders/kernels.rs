@@ -64,6 +64,16 @@ kernels! {
         trace_closest_w4_f32,
         trace_count,
         trace_counted,
+        trace_filtered_any,
+        trace_filtered_any_w4_48_lattice,
+        trace_filtered_any_w4_64_f32,
+        trace_filtered_any_w4_64_lattice,
+        trace_filtered_any_w4_f32,
+        trace_filtered_closest,
+        trace_filtered_closest_w4_48_lattice,
+        trace_filtered_closest_w4_64_f32,
+        trace_filtered_closest_w4_64_lattice,
+        trace_filtered_closest_w4_f32,
         trace_groups,
         trace_nearest,
         trace_paths,
@@ -125,6 +135,10 @@ kernels! {
         trace_counted_w4_64_f32,
         trace_counted_w4_64_lattice,
         trace_counted_w4_f32,
+        trace_filtered_any_paper10_f32,
+        trace_filtered_any_paper10_leaf10,
+        trace_filtered_closest_paper10_f32,
+        trace_filtered_closest_paper10_leaf10,
         trace_nearest_paper10_f32,
         trace_nearest_paper10_leaf10,
         trace_nearest_w4_48_lattice,
@@ -147,11 +161,11 @@ kernels! {
 }
 
 traces! {
-    None => trace_closest, trace_any, trace_nearest, trace_rays_overflow, trace_counted, trace_paths, trace_paths_overflow, trace_paths_counted, trace_shadows, trace_shadows_overflow;
-    Some(Coding::Paper10F32) => trace_closest_paper10_f32, trace_any_paper10_f32, trace_nearest_paper10_f32, trace_rays_paper10_f32_overflow, trace_counted_paper10_f32, trace_paths_paper10_f32, trace_paths_paper10_f32_overflow, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32, trace_shadows_paper10_f32_overflow;
-    Some(Coding::Paper10Leaf10) => trace_closest_paper10_leaf10, trace_any_paper10_leaf10, trace_nearest_paper10_leaf10, trace_rays_paper10_leaf10_overflow, trace_counted_paper10_leaf10, trace_paths_paper10_leaf10, trace_paths_paper10_leaf10_overflow, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10, trace_shadows_paper10_leaf10_overflow;
-    Some(Coding::W448Lattice) => trace_closest_w4_48_lattice, trace_any_w4_48_lattice, trace_nearest_w4_48_lattice, trace_rays_w4_48_lattice_overflow, trace_counted_w4_48_lattice, trace_paths_w4_48_lattice, trace_paths_w4_48_lattice_overflow, trace_paths_counted_w4_48_lattice, trace_shadows_w4_48_lattice, trace_shadows_w4_48_lattice_overflow;
-    Some(Coding::W464F32) => trace_closest_w4_64_f32, trace_any_w4_64_f32, trace_nearest_w4_64_f32, trace_rays_w4_64_f32_overflow, trace_counted_w4_64_f32, trace_paths_w4_64_f32, trace_paths_w4_64_f32_overflow, trace_paths_counted_w4_64_f32, trace_shadows_w4_64_f32, trace_shadows_w4_64_f32_overflow;
-    Some(Coding::W464Lattice) => trace_closest_w4_64_lattice, trace_any_w4_64_lattice, trace_nearest_w4_64_lattice, trace_rays_w4_64_lattice_overflow, trace_counted_w4_64_lattice, trace_paths_w4_64_lattice, trace_paths_w4_64_lattice_overflow, trace_paths_counted_w4_64_lattice, trace_shadows_w4_64_lattice, trace_shadows_w4_64_lattice_overflow;
-    Some(Coding::W4F32) => trace_closest_w4_f32, trace_any_w4_f32, trace_nearest_w4_f32, trace_rays_w4_f32_overflow, trace_counted_w4_f32, trace_paths_w4_f32, trace_paths_w4_f32_overflow, trace_paths_counted_w4_f32, trace_shadows_w4_f32, trace_shadows_w4_f32_overflow;
+    None => trace_closest, trace_any, trace_filtered_closest, trace_filtered_any, trace_nearest, trace_rays_overflow, trace_counted, trace_paths, trace_paths_overflow, trace_paths_counted, trace_shadows, trace_shadows_overflow;
+    Some(Coding::Paper10F32) => trace_closest_paper10_f32, trace_any_paper10_f32, trace_filtered_closest_paper10_f32, trace_filtered_any_paper10_f32, trace_nearest_paper10_f32, trace_rays_paper10_f32_overflow, trace_counted_paper10_f32, trace_paths_paper10_f32, trace_paths_paper10_f32_overflow, trace_paths_counted_paper10_f32, trace_shadows_paper10_f32, trace_shadows_paper10_f32_overflow;
+    Some(Coding::Paper10Leaf10) => trace_closest_paper10_leaf10, trace_any_paper10_leaf10, trace_filtered_closest_paper10_leaf10, trace_filtered_any_paper10_leaf10, trace_nearest_paper10_leaf10, trace_rays_paper10_leaf10_overflow, trace_counted_paper10_leaf10, trace_paths_paper10_leaf10, trace_paths_paper10_leaf10_overflow, trace_paths_counted_paper10_leaf10, trace_shadows_paper10_leaf10, trace_shadows_paper10_leaf10_overflow;
+    Some(Coding::W448Lattice) => trace_closest_w4_48_lattice, trace_any_w4_48_lattice, trace_filtered_closest_w4_48_lattice, trace_filtered_any_w4_48_lattice, trace_nearest_w4_48_lattice, trace_rays_w4_48_lattice_overflow, trace_counted_w4_48_lattice, trace_paths_w4_48_lattice, trace_paths_w4_48_lattice_overflow, trace_paths_counted_w4_48_lattice, trace_shadows_w4_48_lattice, trace_shadows_w4_48_lattice_overflow;
+    Some(Coding::W464F32) => trace_closest_w4_64_f32, trace_any_w4_64_f32, trace_filtered_closest_w4_64_f32, trace_filtered_any_w4_64_f32, trace_nearest_w4_64_f32, trace_rays_w4_64_f32_overflow, trace_counted_w4_64_f32, trace_paths_w4_64_f32, trace_paths_w4_64_f32_overflow, trace_paths_counted_w4_64_f32, trace_shadows_w4_64_f32, trace_shadows_w4_64_f32_overflow;
+    Some(Coding::W464Lattice) => trace_closest_w4_64_lattice, trace_any_w4_64_lattice, trace_filtered_closest_w4_64_lattice, trace_filtered_any_w4_64_lattice, trace_nearest_w4_64_lattice, trace_rays_w4_64_lattice_overflow, trace_counted_w4_64_lattice, trace_paths_w4_64_lattice, trace_paths_w4_64_lattice_overflow, trace_paths_counted_w4_64_lattice, trace_shadows_w4_64_lattice, trace_shadows_w4_64_lattice_overflow;
+    Some(Coding::W4F32) => trace_closest_w4_f32, trace_any_w4_f32, trace_filtered_closest_w4_f32, trace_filtered_any_w4_f32, trace_nearest_w4_f32, trace_rays_w4_f32_overflow, trace_counted_w4_f32, trace_paths_w4_f32, trace_paths_w4_f32_overflow, trace_paths_counted_w4_f32, trace_shadows_w4_f32, trace_shadows_w4_f32_overflow;
 }

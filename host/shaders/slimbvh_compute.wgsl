@@ -53,7 +53,7 @@ fn slimbvh_trace_in_group() {
     var phi_678_: u32;
     var phi_679_: u32;
     var phi_680_: bool;
-    var phi_1057_: SlimbvhTypeE;
+    var phi_1057_: SlimbvhTypeD;
     var phi_1269_: SlimbvhTypeN;
     var phi_1284_: SlimbvhTypeN;
     var phi_1287_: u32;
@@ -72,9 +72,9 @@ fn slimbvh_trace_in_group() {
     var local_1: u32;
     var local_2: u32;
     var phi_1602_: SlimbvhTypeN;
-    var phi_1605_: SlimbvhTypeF;
-    var phi_1606_: SlimbvhTypeF;
-    var phi_1628_: SlimbvhTypeF;
+    var phi_1605_: SlimbvhTypeE;
+    var phi_1606_: SlimbvhTypeE;
+    var phi_1628_: SlimbvhTypeE;
     var phi_1707_: array<vec4<f32>, 3>;
     var phi_1708_: array<vec4<f32>, 3>;
     var phi_1782_: array<vec4<f32>, 3>;
@@ -94,13 +94,13 @@ fn slimbvh_trace_in_group() {
     var phi_2176_: vec3<f32>;
     var phi_2177_: vec3<f32>;
     var phi_2356_: f32;
-    var phi_2382_: SlimbvhTypeG;
-    var phi_2383_: SlimbvhTypeG;
-    var phi_2386_: SlimbvhTypeG;
-    var phi_2387_: SlimbvhTypeG;
+    var phi_2382_: SlimbvhTypeF;
+    var phi_2383_: SlimbvhTypeF;
+    var phi_2386_: SlimbvhTypeF;
+    var phi_2387_: SlimbvhTypeF;
     var phi_2388_: bool;
-    var phi_2392_: SlimbvhTypeG;
-    var phi_2401_: SlimbvhTypeH;
+    var phi_2392_: SlimbvhTypeF;
+    var phi_2401_: SlimbvhTypeG;
     var phi_2448_: i32;
     var phi_2588_: SlimbvhTypeI;
     var phi_2612_: u32;
@@ -149,7 +149,7 @@ fn slimbvh_trace_in_group() {
     var phi_3028_: f32;
     var phi_3029_: f32;
     var phi_3041_: f32;
-    var phi_3046_: SlimbvhTypeH;
+    var phi_3046_: SlimbvhTypeG;
     var phi_3059_: bool;
     var phi_3060_: bool;
     var phi_3061_: bool;
@@ -158,7 +158,7 @@ fn slimbvh_trace_in_group() {
     var local_9: u32;
     var local_10: u32;
 
-    let _e87 = SlimbvhTypeH(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e87 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e90 = arrayLength((&slimbvh_nodes.member));
     let _e101 = slimbvh_origin.member;
     let _e107 = slimbvh_origin.member[3u];
@@ -288,7 +288,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e539 = phi_679_;
         let _e541 = phi_680_;
-        phi_1057_ = SlimbvhTypeE(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
+        phi_1057_ = SlimbvhTypeD(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
     } else {
         let _e213 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e138, _e151))) & 2147483647u);
         if (_e213 >= 8388608u) {
@@ -379,7 +379,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e455 = phi_1046_;
         let _e457 = phi_1047_;
-        phi_1057_ = SlimbvhTypeE(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
+        phi_1057_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
     }
     let _e548 = phi_1057_;
     let _e563 = (bitcast<f32>((bitcast<u32>(_e548.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
@@ -530,18 +530,18 @@ fn slimbvh_trace_in_group() {
                     let _e809 = local_1;
                     let _e812 = local_2;
                     phi_1602_ = _e641;
-                    phi_1605_ = SlimbvhTypeF(0u, ((_e812 >> bitcast<u32>(28u)) & 7u));
+                    phi_1605_ = SlimbvhTypeE(0u, ((_e812 >> bitcast<u32>(28u)) & 7u));
                     loop {
                         let _e818 = phi_1602_;
                         let _e820 = phi_1605_;
                         local_4 = _e818;
                         local_7 = _e818;
                         if (_e820.member < _e820.member_1) {
-                            phi_1606_ = SlimbvhTypeF((_e820.member + 1u), _e820.member_1);
-                            phi_1628_ = SlimbvhTypeF(1u, _e820.member);
+                            phi_1606_ = SlimbvhTypeE((_e820.member + 1u), _e820.member_1);
+                            phi_1628_ = SlimbvhTypeE(1u, _e820.member);
                         } else {
                             phi_1606_ = _e820;
-                            phi_1628_ = SlimbvhTypeF(0u, SlimbvhTypeF().member_1);
+                            phi_1628_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                         }
                         let _e833 = phi_1606_;
                         let _e835 = phi_1628_;
@@ -737,11 +737,11 @@ fn slimbvh_trace_in_group() {
                                     let _e1339 = select(_e1070, _e1337, (_e1337 > _e1070));
                                     let _e1342 = select(_e1339, 0f, (bitcast<u32>(_e1339) == 2147483648u));
                                     let _e1343 = (1f / _e1029);
-                                    phi_2382_ = SlimbvhTypeG(_e1342, (_e1023 * _e1343), (_e1027 * _e1343), ((_e1102 && (_e1342 >= _e615)) && (_e1342 <= _e818.member.member_1)));
-                                    phi_2383_ = SlimbvhTypeG();
+                                    phi_2382_ = SlimbvhTypeF(_e1342, (_e1023 * _e1343), (_e1027 * _e1343), ((_e1102 && (_e1342 >= _e615)) && (_e1342 <= _e818.member.member_1)));
+                                    phi_2383_ = SlimbvhTypeF();
                                 } else {
-                                    phi_2382_ = SlimbvhTypeG();
-                                    phi_2383_ = SlimbvhTypeG(0f, 0f, 0f, _e1102);
+                                    phi_2382_ = SlimbvhTypeF();
+                                    phi_2383_ = SlimbvhTypeF(0f, 0f, 0f, _e1102);
                                 }
                                 let _e1352 = phi_2382_;
                                 let _e1354 = phi_2383_;
@@ -749,8 +749,8 @@ fn slimbvh_trace_in_group() {
                                 phi_2387_ = _e1354;
                                 phi_2388_ = select(true, false, _e1102);
                             } else {
-                                phi_2386_ = SlimbvhTypeG();
-                                phi_2387_ = SlimbvhTypeG(0f, 0f, 0f, _e1013);
+                                phi_2386_ = SlimbvhTypeF();
+                                phi_2387_ = SlimbvhTypeF(0f, 0f, 0f, _e1013);
                                 phi_2388_ = true;
                             }
                             let _e1357 = phi_2386_;
@@ -763,7 +763,7 @@ fn slimbvh_trace_in_group() {
                             }
                             let _e1363 = phi_2392_;
                             if _e1363.member_3 {
-                                phi_2401_ = SlimbvhTypeH(_e1363.member, _e1363.member_1, _e1363.member_2, _e881);
+                                phi_2401_ = SlimbvhTypeG(_e1363.member, _e1363.member_1, _e1363.member_2, _e881);
                             } else {
                                 phi_2401_ = _e87;
                             }
@@ -1097,7 +1097,7 @@ fn slimbvh_trace_in_group() {
                 phi_3041_ = _e1912;
             }
             let _e1920 = phi_3041_;
-            phi_3046_ = SlimbvhTypeH(_e1920, _e1801.member.member.member_1, _e1801.member.member.member_2, _e1801.member.member.member_3);
+            phi_3046_ = SlimbvhTypeG(_e1920, _e1801.member.member.member_1, _e1801.member.member.member_2, _e1801.member.member.member_3);
         } else {
             phi_3046_ = _e87;
         }

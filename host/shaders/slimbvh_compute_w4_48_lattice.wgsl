@@ -53,7 +53,7 @@ fn slimbvh_trace_in_group() {
     var phi_847_: u32;
     var phi_848_: u32;
     var phi_849_: bool;
-    var phi_1226_: SlimbvhTypeD;
+    var phi_1226_: SlimbvhTypeC;
     var phi_1472_: SlimbvhTypeP;
     var phi_1535_: array<f32, 3>;
     var phi_1536_: array<f32, 3>;
@@ -76,11 +76,11 @@ fn slimbvh_trace_in_group() {
     var phi_2475_: u32;
     var phi_2488_: u32;
     var phi_2501_: u32;
-    var phi_5247_: SlimbvhTypeE;
-    var phi_5259_: SlimbvhTypeE;
-    var phi_5271_: SlimbvhTypeE;
-    var phi_5283_: SlimbvhTypeE;
-    var phi_5295_: SlimbvhTypeE;
+    var phi_5247_: SlimbvhTypeD;
+    var phi_5259_: SlimbvhTypeD;
+    var phi_5271_: SlimbvhTypeD;
+    var phi_5283_: SlimbvhTypeD;
+    var phi_5295_: SlimbvhTypeD;
     var phi_2585_: u32;
     var phi_2590_: u32;
     var phi_2591_: u32;
@@ -95,9 +95,9 @@ fn slimbvh_trace_in_group() {
     var phi_2836_: u32;
     var phi_2879_: SlimbvhTypeM;
     var phi_2883_: SlimbvhTypeP;
-    var phi_2886_: SlimbvhTypeE;
-    var phi_2887_: SlimbvhTypeE;
-    var phi_2909_: SlimbvhTypeE;
+    var phi_2886_: SlimbvhTypeD;
+    var phi_2887_: SlimbvhTypeD;
+    var phi_2909_: SlimbvhTypeD;
     var phi_2937_: u32;
     var phi_2960_: u32;
     var phi_2969_: u32;
@@ -139,13 +139,13 @@ fn slimbvh_trace_in_group() {
     var phi_3951_: vec3<f32>;
     var phi_3952_: vec3<f32>;
     var phi_4131_: f32;
-    var phi_4157_: SlimbvhTypeF;
-    var phi_4158_: SlimbvhTypeF;
-    var phi_4161_: SlimbvhTypeF;
-    var phi_4162_: SlimbvhTypeF;
+    var phi_4157_: SlimbvhTypeE;
+    var phi_4158_: SlimbvhTypeE;
+    var phi_4161_: SlimbvhTypeE;
+    var phi_4162_: SlimbvhTypeE;
     var phi_4163_: bool;
-    var phi_4167_: SlimbvhTypeF;
-    var phi_4176_: SlimbvhTypeG;
+    var phi_4167_: SlimbvhTypeE;
+    var phi_4176_: SlimbvhTypeF;
     var phi_4229_: i32;
     var phi_4369_: SlimbvhTypeH;
     var phi_4393_: u32;
@@ -197,7 +197,7 @@ fn slimbvh_trace_in_group() {
     var phi_4893_: f32;
     var phi_4894_: f32;
     var phi_4906_: f32;
-    var phi_4911_: SlimbvhTypeG;
+    var phi_4911_: SlimbvhTypeF;
     var phi_4924_: bool;
     var phi_4925_: bool;
     var phi_4926_: bool;
@@ -206,7 +206,7 @@ fn slimbvh_trace_in_group() {
     var local_9: u32;
     var local_10: u32;
 
-    let _e123 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e123 = SlimbvhTypeF(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e127 = arrayLength((&slimbvh_nodes.member));
     let _e130 = arrayLength((&slimbvh_triangles.member));
     let _e142 = slimbvh_root.member[0u][0u];
@@ -345,7 +345,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e617 = phi_848_;
         let _e619 = phi_849_;
-        phi_1226_ = SlimbvhTypeD(array<f32, 3>((_e245 * _e550), (_e249 * _e550), (_e252 * _e550)), array<f32, 3>((_e254 * _e555), (_e256 * _e555), (_e258 * _e555)), bitcast<f32>(((_e203 & 2147483648u) | select(_e587, 0u, _e589))), bitcast<f32>(((_e211 & 2147483648u) | select(_e617, 0u, _e619))), _e544);
+        phi_1226_ = SlimbvhTypeC(array<f32, 3>((_e245 * _e550), (_e249 * _e550), (_e252 * _e550)), array<f32, 3>((_e254 * _e555), (_e256 * _e555), (_e258 * _e555)), bitcast<f32>(((_e203 & 2147483648u) | select(_e587, 0u, _e589))), bitcast<f32>(((_e211 & 2147483648u) | select(_e617, 0u, _e619))), _e544);
     } else {
         let _e291 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e216, _e229))) & 2147483647u);
         if (_e291 >= 8388608u) {
@@ -436,7 +436,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e533 = phi_1215_;
         let _e535 = phi_1216_;
-        phi_1226_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e323 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e323 & 2147483648u))), _e245, _e325) * _e316) * select(0.00000011920929f, 1f, _e325)) * _e322), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e249, _e342) * _e316) * select(0.00000011920929f, 1f, _e342)) * _e322), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e357 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e357 & 2147483648u))), _e252, _e359) * _e316) * select(0.00000011920929f, 1f, _e359)) * _e322)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e254, _e394) * _e385) * select(0.00000011920929f, 1f, _e394)) * _e391), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e409 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e409 & 2147483648u))), _e256, _e411) * _e385) * select(0.00000011920929f, 1f, _e411)) * _e391), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e426 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e426 & 2147483648u))), _e258, _e428) * _e385) * select(0.00000011920929f, 1f, _e428)) * _e391)), bitcast<f32>(((_e203 & 2147483648u) | select(_e485, 0u, _e487))), bitcast<f32>(((_e211 & 2147483648u) | select(_e533, 0u, _e535))), _e305);
+        phi_1226_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e323 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e323 & 2147483648u))), _e245, _e325) * _e316) * select(0.00000011920929f, 1f, _e325)) * _e322), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e249, _e342) * _e316) * select(0.00000011920929f, 1f, _e342)) * _e322), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e357 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e357 & 2147483648u))), _e252, _e359) * _e316) * select(0.00000011920929f, 1f, _e359)) * _e322)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e254, _e394) * _e385) * select(0.00000011920929f, 1f, _e394)) * _e391), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e409 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e409 & 2147483648u))), _e256, _e411) * _e385) * select(0.00000011920929f, 1f, _e411)) * _e391), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e426 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e426 & 2147483648u))), _e258, _e428) * _e385) * select(0.00000011920929f, 1f, _e428)) * _e391)), bitcast<f32>(((_e203 & 2147483648u) | select(_e485, 0u, _e487))), bitcast<f32>(((_e211 & 2147483648u) | select(_e533, 0u, _e535))), _e305);
     }
     let _e626 = phi_1226_;
     let _e641 = (bitcast<f32>((bitcast<u32>(_e626.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
@@ -644,33 +644,33 @@ fn slimbvh_trace_in_group() {
                         }
                         let _e1170 = phi_2501_;
                         if (_e1146 < _e1154) {
-                            phi_5247_ = SlimbvhTypeE(_e1146, _e1154);
+                            phi_5247_ = SlimbvhTypeD(_e1146, _e1154);
                         } else {
-                            phi_5247_ = SlimbvhTypeE(_e1154, _e1146);
+                            phi_5247_ = SlimbvhTypeD(_e1154, _e1146);
                         }
                         let _e1175 = phi_5247_;
                         if (_e1162 < _e1170) {
-                            phi_5259_ = SlimbvhTypeE(_e1162, _e1170);
+                            phi_5259_ = SlimbvhTypeD(_e1162, _e1170);
                         } else {
-                            phi_5259_ = SlimbvhTypeE(_e1170, _e1162);
+                            phi_5259_ = SlimbvhTypeD(_e1170, _e1162);
                         }
                         let _e1182 = phi_5259_;
                         if (_e1175.member < _e1182.member) {
-                            phi_5271_ = SlimbvhTypeE(_e1175.member, _e1182.member);
+                            phi_5271_ = SlimbvhTypeD(_e1175.member, _e1182.member);
                         } else {
-                            phi_5271_ = SlimbvhTypeE(_e1182.member, _e1175.member);
+                            phi_5271_ = SlimbvhTypeD(_e1182.member, _e1175.member);
                         }
                         let _e1189 = phi_5271_;
                         if (_e1175.member_1 < _e1182.member_1) {
-                            phi_5283_ = SlimbvhTypeE(_e1175.member_1, _e1182.member_1);
+                            phi_5283_ = SlimbvhTypeD(_e1175.member_1, _e1182.member_1);
                         } else {
-                            phi_5283_ = SlimbvhTypeE(_e1182.member_1, _e1175.member_1);
+                            phi_5283_ = SlimbvhTypeD(_e1182.member_1, _e1175.member_1);
                         }
                         let _e1196 = phi_5283_;
                         if (_e1196.member < _e1189.member_1) {
-                            phi_5295_ = SlimbvhTypeE(_e1196.member, _e1189.member_1);
+                            phi_5295_ = SlimbvhTypeD(_e1196.member, _e1189.member_1);
                         } else {
-                            phi_5295_ = SlimbvhTypeE(_e1189.member_1, _e1196.member);
+                            phi_5295_ = SlimbvhTypeD(_e1189.member_1, _e1196.member);
                         }
                         let _e1203 = phi_5295_;
                         let _e1218 = (((_e1189.member & 7u) | ((_e1203.member & 7u) << bitcast<u32>(3u))) | (((_e1203.member_1 & 7u) | ((_e1196.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
@@ -788,18 +788,18 @@ fn slimbvh_trace_in_group() {
                     }
                     let _e1519 = phi_2879_;
                     phi_2883_ = _e809;
-                    phi_2886_ = SlimbvhTypeE(0u, _e1519.member_2);
+                    phi_2886_ = SlimbvhTypeD(0u, _e1519.member_2);
                     loop {
                         let _e1523 = phi_2883_;
                         let _e1525 = phi_2886_;
                         local_4 = _e1523;
                         local_7 = _e1523;
                         if (_e1525.member < _e1525.member_1) {
-                            phi_2887_ = SlimbvhTypeE((_e1525.member + 1u), _e1525.member_1);
-                            phi_2909_ = SlimbvhTypeE(1u, _e1525.member);
+                            phi_2887_ = SlimbvhTypeD((_e1525.member + 1u), _e1525.member_1);
+                            phi_2909_ = SlimbvhTypeD(1u, _e1525.member);
                         } else {
                             phi_2887_ = _e1525;
-                            phi_2909_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                            phi_2909_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                         }
                         let _e1538 = phi_2887_;
                         let _e1540 = phi_2909_;
@@ -1186,11 +1186,11 @@ fn slimbvh_trace_in_group() {
                                     let _e2349 = select(_e2080, _e2347, (_e2347 > _e2080));
                                     let _e2352 = select(_e2349, 0f, (bitcast<u32>(_e2349) == 2147483648u));
                                     let _e2353 = (1f / _e2039);
-                                    phi_4157_ = SlimbvhTypeF(_e2352, (_e2033 * _e2353), (_e2037 * _e2353), ((_e2112 && (_e2352 >= _e693)) && (_e2352 <= _e1523.member.member_1)));
-                                    phi_4158_ = SlimbvhTypeF();
+                                    phi_4157_ = SlimbvhTypeE(_e2352, (_e2033 * _e2353), (_e2037 * _e2353), ((_e2112 && (_e2352 >= _e693)) && (_e2352 <= _e1523.member.member_1)));
+                                    phi_4158_ = SlimbvhTypeE();
                                 } else {
-                                    phi_4157_ = SlimbvhTypeF();
-                                    phi_4158_ = SlimbvhTypeF(0f, 0f, 0f, _e2112);
+                                    phi_4157_ = SlimbvhTypeE();
+                                    phi_4158_ = SlimbvhTypeE(0f, 0f, 0f, _e2112);
                                 }
                                 let _e2362 = phi_4157_;
                                 let _e2364 = phi_4158_;
@@ -1198,8 +1198,8 @@ fn slimbvh_trace_in_group() {
                                 phi_4162_ = _e2364;
                                 phi_4163_ = select(true, false, _e2112);
                             } else {
-                                phi_4161_ = SlimbvhTypeF();
-                                phi_4162_ = SlimbvhTypeF(0f, 0f, 0f, _e2023);
+                                phi_4161_ = SlimbvhTypeE();
+                                phi_4162_ = SlimbvhTypeE(0f, 0f, 0f, _e2023);
                                 phi_4163_ = true;
                             }
                             let _e2367 = phi_4161_;
@@ -1212,7 +1212,7 @@ fn slimbvh_trace_in_group() {
                             }
                             let _e2373 = phi_4167_;
                             if _e2373.member_3 {
-                                phi_4176_ = SlimbvhTypeG(_e2373.member, _e2373.member_1, _e2373.member_2, _e1554);
+                                phi_4176_ = SlimbvhTypeF(_e2373.member, _e2373.member_1, _e2373.member_2, _e1554);
                             } else {
                                 phi_4176_ = _e123;
                             }
@@ -1573,7 +1573,7 @@ fn slimbvh_trace_in_group() {
                 phi_4906_ = _e2992;
             }
             let _e3000 = phi_4906_;
-            phi_4911_ = SlimbvhTypeG(_e3000, _e2881.member.member.member_1, _e2881.member.member.member_2, _e2881.member.member.member_3);
+            phi_4911_ = SlimbvhTypeF(_e3000, _e2881.member.member.member_1, _e2881.member.member.member_2, _e2881.member.member.member_3);
         } else {
             phi_4911_ = _e123;
         }

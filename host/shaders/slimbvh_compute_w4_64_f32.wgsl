@@ -53,7 +53,7 @@ fn slimbvh_trace_in_group() {
     var phi_814_: u32;
     var phi_815_: u32;
     var phi_816_: bool;
-    var phi_1193_: SlimbvhTypeE;
+    var phi_1193_: SlimbvhTypeD;
     var phi_1439_: SlimbvhTypeP;
     var phi_1502_: array<f32, 3>;
     var phi_1503_: array<f32, 3>;
@@ -76,11 +76,11 @@ fn slimbvh_trace_in_group() {
     var phi_2436_: u32;
     var phi_2449_: u32;
     var phi_2462_: u32;
-    var phi_4460_: SlimbvhTypeF;
-    var phi_4472_: SlimbvhTypeF;
-    var phi_4484_: SlimbvhTypeF;
-    var phi_4496_: SlimbvhTypeF;
-    var phi_4508_: SlimbvhTypeF;
+    var phi_4460_: SlimbvhTypeE;
+    var phi_4472_: SlimbvhTypeE;
+    var phi_4484_: SlimbvhTypeE;
+    var phi_4496_: SlimbvhTypeE;
+    var phi_4508_: SlimbvhTypeE;
     var phi_2546_: u32;
     var phi_2551_: u32;
     var phi_2552_: u32;
@@ -92,9 +92,9 @@ fn slimbvh_trace_in_group() {
     var local_1: u32;
     var local_2: u32;
     var phi_2592_: SlimbvhTypeP;
-    var phi_2595_: SlimbvhTypeF;
-    var phi_2596_: SlimbvhTypeF;
-    var phi_2618_: SlimbvhTypeF;
+    var phi_2595_: SlimbvhTypeE;
+    var phi_2596_: SlimbvhTypeE;
+    var phi_2618_: SlimbvhTypeE;
     var phi_2697_: array<vec4<f32>, 3>;
     var phi_2698_: array<vec4<f32>, 3>;
     var phi_2778_: array<vec4<f32>, 3>;
@@ -114,13 +114,13 @@ fn slimbvh_trace_in_group() {
     var phi_3198_: vec3<f32>;
     var phi_3199_: vec3<f32>;
     var phi_3378_: f32;
-    var phi_3404_: SlimbvhTypeG;
-    var phi_3405_: SlimbvhTypeG;
-    var phi_3408_: SlimbvhTypeG;
-    var phi_3409_: SlimbvhTypeG;
+    var phi_3404_: SlimbvhTypeF;
+    var phi_3405_: SlimbvhTypeF;
+    var phi_3408_: SlimbvhTypeF;
+    var phi_3409_: SlimbvhTypeF;
     var phi_3410_: bool;
-    var phi_3414_: SlimbvhTypeG;
-    var phi_3423_: SlimbvhTypeH;
+    var phi_3414_: SlimbvhTypeF;
+    var phi_3423_: SlimbvhTypeG;
     var phi_3476_: i32;
     var phi_3616_: SlimbvhTypeI;
     var phi_3640_: u32;
@@ -171,7 +171,7 @@ fn slimbvh_trace_in_group() {
     var phi_4106_: f32;
     var phi_4107_: f32;
     var phi_4119_: f32;
-    var phi_4124_: SlimbvhTypeH;
+    var phi_4124_: SlimbvhTypeG;
     var phi_4137_: bool;
     var phi_4138_: bool;
     var phi_4139_: bool;
@@ -180,7 +180,7 @@ fn slimbvh_trace_in_group() {
     var local_10: u32;
     var local_11: u32;
 
-    let _e99 = SlimbvhTypeH(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e99 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e103 = arrayLength((&slimbvh_nodes.member));
     let _e117 = slimbvh_root.member[0u][0u];
     let _e121 = slimbvh_root.member[0u][1u];
@@ -318,7 +318,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e592 = phi_815_;
         let _e594 = phi_816_;
-        phi_1193_ = SlimbvhTypeE(array<f32, 3>((_e220 * _e525), (_e224 * _e525), (_e227 * _e525)), array<f32, 3>((_e229 * _e530), (_e231 * _e530), (_e233 * _e530)), bitcast<f32>(((_e178 & 2147483648u) | select(_e562, 0u, _e564))), bitcast<f32>(((_e186 & 2147483648u) | select(_e592, 0u, _e594))), _e519);
+        phi_1193_ = SlimbvhTypeD(array<f32, 3>((_e220 * _e525), (_e224 * _e525), (_e227 * _e525)), array<f32, 3>((_e229 * _e530), (_e231 * _e530), (_e233 * _e530)), bitcast<f32>(((_e178 & 2147483648u) | select(_e562, 0u, _e564))), bitcast<f32>(((_e186 & 2147483648u) | select(_e592, 0u, _e594))), _e519);
     } else {
         let _e266 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e191, _e204))) & 2147483647u);
         if (_e266 >= 8388608u) {
@@ -409,7 +409,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e508 = phi_1182_;
         let _e510 = phi_1183_;
-        phi_1193_ = SlimbvhTypeE(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e298 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e298 & 2147483648u))), _e220, _e300) * _e291) * select(0.00000011920929f, 1f, _e300)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e224, _e317) * _e291) * select(0.00000011920929f, 1f, _e317)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e227, _e334) * _e291) * select(0.00000011920929f, 1f, _e334)) * _e297)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e367 & 2147483648u))), _e229, _e369) * _e360) * select(0.00000011920929f, 1f, _e369)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e231, _e386) * _e360) * select(0.00000011920929f, 1f, _e386)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e233, _e403) * _e360) * select(0.00000011920929f, 1f, _e403)) * _e366)), bitcast<f32>(((_e178 & 2147483648u) | select(_e460, 0u, _e462))), bitcast<f32>(((_e186 & 2147483648u) | select(_e508, 0u, _e510))), _e280);
+        phi_1193_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e298 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e298 & 2147483648u))), _e220, _e300) * _e291) * select(0.00000011920929f, 1f, _e300)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e224, _e317) * _e291) * select(0.00000011920929f, 1f, _e317)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e227, _e334) * _e291) * select(0.00000011920929f, 1f, _e334)) * _e297)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e367 & 2147483648u))), _e229, _e369) * _e360) * select(0.00000011920929f, 1f, _e369)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e231, _e386) * _e360) * select(0.00000011920929f, 1f, _e386)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e233, _e403) * _e360) * select(0.00000011920929f, 1f, _e403)) * _e366)), bitcast<f32>(((_e178 & 2147483648u) | select(_e460, 0u, _e462))), bitcast<f32>(((_e186 & 2147483648u) | select(_e508, 0u, _e510))), _e280);
     }
     let _e601 = phi_1193_;
     let _e616 = (bitcast<f32>((bitcast<u32>(_e601.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
@@ -621,33 +621,33 @@ fn slimbvh_trace_in_group() {
                         }
                         let _e1184 = phi_2462_;
                         if (_e1160 < _e1168) {
-                            phi_4460_ = SlimbvhTypeF(_e1160, _e1168);
+                            phi_4460_ = SlimbvhTypeE(_e1160, _e1168);
                         } else {
-                            phi_4460_ = SlimbvhTypeF(_e1168, _e1160);
+                            phi_4460_ = SlimbvhTypeE(_e1168, _e1160);
                         }
                         let _e1189 = phi_4460_;
                         if (_e1176 < _e1184) {
-                            phi_4472_ = SlimbvhTypeF(_e1176, _e1184);
+                            phi_4472_ = SlimbvhTypeE(_e1176, _e1184);
                         } else {
-                            phi_4472_ = SlimbvhTypeF(_e1184, _e1176);
+                            phi_4472_ = SlimbvhTypeE(_e1184, _e1176);
                         }
                         let _e1196 = phi_4472_;
                         if (_e1189.member < _e1196.member) {
-                            phi_4484_ = SlimbvhTypeF(_e1189.member, _e1196.member);
+                            phi_4484_ = SlimbvhTypeE(_e1189.member, _e1196.member);
                         } else {
-                            phi_4484_ = SlimbvhTypeF(_e1196.member, _e1189.member);
+                            phi_4484_ = SlimbvhTypeE(_e1196.member, _e1189.member);
                         }
                         let _e1203 = phi_4484_;
                         if (_e1189.member_1 < _e1196.member_1) {
-                            phi_4496_ = SlimbvhTypeF(_e1189.member_1, _e1196.member_1);
+                            phi_4496_ = SlimbvhTypeE(_e1189.member_1, _e1196.member_1);
                         } else {
-                            phi_4496_ = SlimbvhTypeF(_e1196.member_1, _e1189.member_1);
+                            phi_4496_ = SlimbvhTypeE(_e1196.member_1, _e1189.member_1);
                         }
                         let _e1210 = phi_4496_;
                         if (_e1210.member < _e1203.member_1) {
-                            phi_4508_ = SlimbvhTypeF(_e1210.member, _e1203.member_1);
+                            phi_4508_ = SlimbvhTypeE(_e1210.member, _e1203.member_1);
                         } else {
-                            phi_4508_ = SlimbvhTypeF(_e1203.member_1, _e1210.member);
+                            phi_4508_ = SlimbvhTypeE(_e1203.member_1, _e1210.member);
                         }
                         let _e1217 = phi_4508_;
                         let _e1232 = (((_e1203.member & 7u) | ((_e1217.member & 7u) << bitcast<u32>(3u))) | (((_e1217.member_1 & 7u) | ((_e1210.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
@@ -710,18 +710,18 @@ fn slimbvh_trace_in_group() {
                     let _e1304 = local_1;
                     let _e1307 = local_2;
                     phi_2592_ = _e784;
-                    phi_2595_ = SlimbvhTypeF(0u, ((_e1307 >> bitcast<u32>(28u)) & 7u));
+                    phi_2595_ = SlimbvhTypeE(0u, ((_e1307 >> bitcast<u32>(28u)) & 7u));
                     loop {
                         let _e1313 = phi_2592_;
                         let _e1315 = phi_2595_;
                         local_5 = _e1313;
                         local_8 = _e1313;
                         if (_e1315.member < _e1315.member_1) {
-                            phi_2596_ = SlimbvhTypeF((_e1315.member + 1u), _e1315.member_1);
-                            phi_2618_ = SlimbvhTypeF(1u, _e1315.member);
+                            phi_2596_ = SlimbvhTypeE((_e1315.member + 1u), _e1315.member_1);
+                            phi_2618_ = SlimbvhTypeE(1u, _e1315.member);
                         } else {
                             phi_2596_ = _e1315;
-                            phi_2618_ = SlimbvhTypeF(0u, SlimbvhTypeF().member_1);
+                            phi_2618_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                         }
                         let _e1328 = phi_2596_;
                         let _e1330 = phi_2618_;
@@ -917,11 +917,11 @@ fn slimbvh_trace_in_group() {
                                     let _e1834 = select(_e1565, _e1832, (_e1832 > _e1565));
                                     let _e1837 = select(_e1834, 0f, (bitcast<u32>(_e1834) == 2147483648u));
                                     let _e1838 = (1f / _e1524);
-                                    phi_3404_ = SlimbvhTypeG(_e1837, (_e1518 * _e1838), (_e1522 * _e1838), ((_e1597 && (_e1837 >= _e668)) && (_e1837 <= _e1313.member.member_1)));
-                                    phi_3405_ = SlimbvhTypeG();
+                                    phi_3404_ = SlimbvhTypeF(_e1837, (_e1518 * _e1838), (_e1522 * _e1838), ((_e1597 && (_e1837 >= _e668)) && (_e1837 <= _e1313.member.member_1)));
+                                    phi_3405_ = SlimbvhTypeF();
                                 } else {
-                                    phi_3404_ = SlimbvhTypeG();
-                                    phi_3405_ = SlimbvhTypeG(0f, 0f, 0f, _e1597);
+                                    phi_3404_ = SlimbvhTypeF();
+                                    phi_3405_ = SlimbvhTypeF(0f, 0f, 0f, _e1597);
                                 }
                                 let _e1847 = phi_3404_;
                                 let _e1849 = phi_3405_;
@@ -929,8 +929,8 @@ fn slimbvh_trace_in_group() {
                                 phi_3409_ = _e1849;
                                 phi_3410_ = select(true, false, _e1597);
                             } else {
-                                phi_3408_ = SlimbvhTypeG();
-                                phi_3409_ = SlimbvhTypeG(0f, 0f, 0f, _e1508);
+                                phi_3408_ = SlimbvhTypeF();
+                                phi_3409_ = SlimbvhTypeF(0f, 0f, 0f, _e1508);
                                 phi_3410_ = true;
                             }
                             let _e1852 = phi_3408_;
@@ -943,7 +943,7 @@ fn slimbvh_trace_in_group() {
                             }
                             let _e1858 = phi_3414_;
                             if _e1858.member_3 {
-                                phi_3423_ = SlimbvhTypeH(_e1858.member, _e1858.member_1, _e1858.member_2, _e1376);
+                                phi_3423_ = SlimbvhTypeG(_e1858.member, _e1858.member_1, _e1858.member_2, _e1376);
                             } else {
                                 phi_3423_ = _e99;
                             }
@@ -1294,7 +1294,7 @@ fn slimbvh_trace_in_group() {
                 phi_4119_ = _e2438;
             }
             let _e2446 = phi_4119_;
-            phi_4124_ = SlimbvhTypeH(_e2446, _e2327.member.member.member_1, _e2327.member.member.member_2, _e2327.member.member.member_3);
+            phi_4124_ = SlimbvhTypeG(_e2446, _e2327.member.member.member_1, _e2327.member.member.member_2, _e2327.member.member.member_3);
         } else {
             phi_4124_ = _e99;
         }

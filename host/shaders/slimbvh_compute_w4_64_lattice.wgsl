@@ -53,7 +53,7 @@ fn slimbvh_trace_in_group() {
     var phi_836_: u32;
     var phi_837_: u32;
     var phi_838_: bool;
-    var phi_1215_: SlimbvhTypeD;
+    var phi_1215_: SlimbvhTypeC;
     var phi_1461_: SlimbvhTypeQ;
     var phi_1524_: array<f32, 3>;
     var phi_1525_: array<f32, 3>;
@@ -76,11 +76,11 @@ fn slimbvh_trace_in_group() {
     var phi_2458_: u32;
     var phi_2471_: u32;
     var phi_2484_: u32;
-    var phi_5147_: SlimbvhTypeE;
-    var phi_5159_: SlimbvhTypeE;
-    var phi_5171_: SlimbvhTypeE;
-    var phi_5183_: SlimbvhTypeE;
-    var phi_5195_: SlimbvhTypeE;
+    var phi_5147_: SlimbvhTypeD;
+    var phi_5159_: SlimbvhTypeD;
+    var phi_5171_: SlimbvhTypeD;
+    var phi_5183_: SlimbvhTypeD;
+    var phi_5195_: SlimbvhTypeD;
     var phi_2568_: u32;
     var phi_2573_: u32;
     var phi_2574_: u32;
@@ -95,9 +95,9 @@ fn slimbvh_trace_in_group() {
     var phi_2816_: u32;
     var phi_2819_: SlimbvhTypeN;
     var phi_2823_: SlimbvhTypeQ;
-    var phi_2826_: SlimbvhTypeE;
-    var phi_2827_: SlimbvhTypeE;
-    var phi_2849_: SlimbvhTypeE;
+    var phi_2826_: SlimbvhTypeD;
+    var phi_2827_: SlimbvhTypeD;
+    var phi_2849_: SlimbvhTypeD;
     var phi_2867_: u32;
     var phi_2878_: u32;
     var phi_2894_: u32;
@@ -140,13 +140,13 @@ fn slimbvh_trace_in_group() {
     var phi_3875_: vec3<f32>;
     var phi_3876_: vec3<f32>;
     var phi_4055_: f32;
-    var phi_4081_: SlimbvhTypeF;
-    var phi_4082_: SlimbvhTypeF;
-    var phi_4085_: SlimbvhTypeF;
-    var phi_4086_: SlimbvhTypeF;
+    var phi_4081_: SlimbvhTypeE;
+    var phi_4082_: SlimbvhTypeE;
+    var phi_4085_: SlimbvhTypeE;
+    var phi_4086_: SlimbvhTypeE;
     var phi_4087_: bool;
-    var phi_4091_: SlimbvhTypeF;
-    var phi_4100_: SlimbvhTypeG;
+    var phi_4091_: SlimbvhTypeE;
+    var phi_4100_: SlimbvhTypeF;
     var phi_4153_: i32;
     var phi_4293_: SlimbvhTypeH;
     var phi_4317_: u32;
@@ -198,7 +198,7 @@ fn slimbvh_trace_in_group() {
     var phi_4793_: f32;
     var phi_4794_: f32;
     var phi_4806_: f32;
-    var phi_4811_: SlimbvhTypeG;
+    var phi_4811_: SlimbvhTypeF;
     var phi_4824_: bool;
     var phi_4825_: bool;
     var phi_4826_: bool;
@@ -207,7 +207,7 @@ fn slimbvh_trace_in_group() {
     var local_9: u32;
     var local_10: u32;
 
-    let _e109 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e109 = SlimbvhTypeF(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e113 = arrayLength((&slimbvh_nodes.member));
     let _e116 = arrayLength((&slimbvh_triangles.member));
     let _e128 = slimbvh_root.member[0u][0u];
@@ -346,7 +346,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e603 = phi_837_;
         let _e605 = phi_838_;
-        phi_1215_ = SlimbvhTypeD(array<f32, 3>((_e231 * _e536), (_e235 * _e536), (_e238 * _e536)), array<f32, 3>((_e240 * _e541), (_e242 * _e541), (_e244 * _e541)), bitcast<f32>(((_e189 & 2147483648u) | select(_e573, 0u, _e575))), bitcast<f32>(((_e197 & 2147483648u) | select(_e603, 0u, _e605))), _e530);
+        phi_1215_ = SlimbvhTypeC(array<f32, 3>((_e231 * _e536), (_e235 * _e536), (_e238 * _e536)), array<f32, 3>((_e240 * _e541), (_e242 * _e541), (_e244 * _e541)), bitcast<f32>(((_e189 & 2147483648u) | select(_e573, 0u, _e575))), bitcast<f32>(((_e197 & 2147483648u) | select(_e603, 0u, _e605))), _e530);
     } else {
         let _e277 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e202, _e215))) & 2147483647u);
         if (_e277 >= 8388608u) {
@@ -437,7 +437,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e519 = phi_1204_;
         let _e521 = phi_1205_;
-        phi_1215_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e231, _e311) * _e302) * select(0.00000011920929f, 1f, _e311)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e235, _e328) * _e302) * select(0.00000011920929f, 1f, _e328)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e238, _e345) * _e302) * select(0.00000011920929f, 1f, _e345)) * _e308)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e240, _e380) * _e371) * select(0.00000011920929f, 1f, _e380)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e242, _e397) * _e371) * select(0.00000011920929f, 1f, _e397)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e244, _e414) * _e371) * select(0.00000011920929f, 1f, _e414)) * _e377)), bitcast<f32>(((_e189 & 2147483648u) | select(_e471, 0u, _e473))), bitcast<f32>(((_e197 & 2147483648u) | select(_e519, 0u, _e521))), _e291);
+        phi_1215_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e231, _e311) * _e302) * select(0.00000011920929f, 1f, _e311)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e235, _e328) * _e302) * select(0.00000011920929f, 1f, _e328)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e238, _e345) * _e302) * select(0.00000011920929f, 1f, _e345)) * _e308)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e240, _e380) * _e371) * select(0.00000011920929f, 1f, _e380)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e242, _e397) * _e371) * select(0.00000011920929f, 1f, _e397)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e244, _e414) * _e371) * select(0.00000011920929f, 1f, _e414)) * _e377)), bitcast<f32>(((_e189 & 2147483648u) | select(_e471, 0u, _e473))), bitcast<f32>(((_e197 & 2147483648u) | select(_e519, 0u, _e521))), _e291);
     }
     let _e612 = phi_1215_;
     let _e627 = (bitcast<f32>((bitcast<u32>(_e612.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
@@ -648,33 +648,33 @@ fn slimbvh_trace_in_group() {
                         }
                         let _e1195 = phi_2484_;
                         if (_e1171 < _e1179) {
-                            phi_5147_ = SlimbvhTypeE(_e1171, _e1179);
+                            phi_5147_ = SlimbvhTypeD(_e1171, _e1179);
                         } else {
-                            phi_5147_ = SlimbvhTypeE(_e1179, _e1171);
+                            phi_5147_ = SlimbvhTypeD(_e1179, _e1171);
                         }
                         let _e1200 = phi_5147_;
                         if (_e1187 < _e1195) {
-                            phi_5159_ = SlimbvhTypeE(_e1187, _e1195);
+                            phi_5159_ = SlimbvhTypeD(_e1187, _e1195);
                         } else {
-                            phi_5159_ = SlimbvhTypeE(_e1195, _e1187);
+                            phi_5159_ = SlimbvhTypeD(_e1195, _e1187);
                         }
                         let _e1207 = phi_5159_;
                         if (_e1200.member < _e1207.member) {
-                            phi_5171_ = SlimbvhTypeE(_e1200.member, _e1207.member);
+                            phi_5171_ = SlimbvhTypeD(_e1200.member, _e1207.member);
                         } else {
-                            phi_5171_ = SlimbvhTypeE(_e1207.member, _e1200.member);
+                            phi_5171_ = SlimbvhTypeD(_e1207.member, _e1200.member);
                         }
                         let _e1214 = phi_5171_;
                         if (_e1200.member_1 < _e1207.member_1) {
-                            phi_5183_ = SlimbvhTypeE(_e1200.member_1, _e1207.member_1);
+                            phi_5183_ = SlimbvhTypeD(_e1200.member_1, _e1207.member_1);
                         } else {
-                            phi_5183_ = SlimbvhTypeE(_e1207.member_1, _e1200.member_1);
+                            phi_5183_ = SlimbvhTypeD(_e1207.member_1, _e1200.member_1);
                         }
                         let _e1221 = phi_5183_;
                         if (_e1221.member < _e1214.member_1) {
-                            phi_5195_ = SlimbvhTypeE(_e1221.member, _e1214.member_1);
+                            phi_5195_ = SlimbvhTypeD(_e1221.member, _e1214.member_1);
                         } else {
-                            phi_5195_ = SlimbvhTypeE(_e1214.member_1, _e1221.member);
+                            phi_5195_ = SlimbvhTypeD(_e1214.member_1, _e1221.member);
                         }
                         let _e1228 = phi_5195_;
                         let _e1243 = (((_e1214.member & 7u) | ((_e1228.member & 7u) << bitcast<u32>(3u))) | (((_e1228.member_1 & 7u) | ((_e1221.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
@@ -775,18 +775,18 @@ fn slimbvh_trace_in_group() {
                     }
                     let _e1442 = phi_2819_;
                     phi_2823_ = _e795;
-                    phi_2826_ = SlimbvhTypeE(0u, _e1442.member_2);
+                    phi_2826_ = SlimbvhTypeD(0u, _e1442.member_2);
                     loop {
                         let _e1446 = phi_2823_;
                         let _e1448 = phi_2826_;
                         local_4 = _e1446;
                         local_7 = _e1446;
                         if (_e1448.member < _e1448.member_1) {
-                            phi_2827_ = SlimbvhTypeE((_e1448.member + 1u), _e1448.member_1);
-                            phi_2849_ = SlimbvhTypeE(1u, _e1448.member);
+                            phi_2827_ = SlimbvhTypeD((_e1448.member + 1u), _e1448.member_1);
+                            phi_2849_ = SlimbvhTypeD(1u, _e1448.member);
                         } else {
                             phi_2827_ = _e1448;
-                            phi_2849_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                            phi_2849_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                         }
                         let _e1461 = phi_2827_;
                         let _e1463 = phi_2849_;
@@ -1213,11 +1213,11 @@ fn slimbvh_trace_in_group() {
                                     let _e2260 = select(_e1991, _e2258, (_e2258 > _e1991));
                                     let _e2263 = select(_e2260, 0f, (bitcast<u32>(_e2260) == 2147483648u));
                                     let _e2264 = (1f / _e1950);
-                                    phi_4081_ = SlimbvhTypeF(_e2263, (_e1944 * _e2264), (_e1948 * _e2264), ((_e2023 && (_e2263 >= _e679)) && (_e2263 <= _e1446.member.member_1)));
-                                    phi_4082_ = SlimbvhTypeF();
+                                    phi_4081_ = SlimbvhTypeE(_e2263, (_e1944 * _e2264), (_e1948 * _e2264), ((_e2023 && (_e2263 >= _e679)) && (_e2263 <= _e1446.member.member_1)));
+                                    phi_4082_ = SlimbvhTypeE();
                                 } else {
-                                    phi_4081_ = SlimbvhTypeF();
-                                    phi_4082_ = SlimbvhTypeF(0f, 0f, 0f, _e2023);
+                                    phi_4081_ = SlimbvhTypeE();
+                                    phi_4082_ = SlimbvhTypeE(0f, 0f, 0f, _e2023);
                                 }
                                 let _e2273 = phi_4081_;
                                 let _e2275 = phi_4082_;
@@ -1225,8 +1225,8 @@ fn slimbvh_trace_in_group() {
                                 phi_4086_ = _e2275;
                                 phi_4087_ = select(true, false, _e2023);
                             } else {
-                                phi_4085_ = SlimbvhTypeF();
-                                phi_4086_ = SlimbvhTypeF(0f, 0f, 0f, _e1934);
+                                phi_4085_ = SlimbvhTypeE();
+                                phi_4086_ = SlimbvhTypeE(0f, 0f, 0f, _e1934);
                                 phi_4087_ = true;
                             }
                             let _e2278 = phi_4085_;
@@ -1239,7 +1239,7 @@ fn slimbvh_trace_in_group() {
                             }
                             let _e2284 = phi_4091_;
                             if _e2284.member_3 {
-                                phi_4100_ = SlimbvhTypeG(_e2284.member, _e2284.member_1, _e2284.member_2, _e1487);
+                                phi_4100_ = SlimbvhTypeF(_e2284.member, _e2284.member_1, _e2284.member_2, _e1487);
                             } else {
                                 phi_4100_ = _e109;
                             }
@@ -1596,7 +1596,7 @@ fn slimbvh_trace_in_group() {
                 phi_4806_ = _e2869;
             }
             let _e2877 = phi_4806_;
-            phi_4811_ = SlimbvhTypeG(_e2877, _e2758.member.member.member_1, _e2758.member.member.member_2, _e2758.member.member.member_3);
+            phi_4811_ = SlimbvhTypeF(_e2877, _e2758.member.member.member_1, _e2758.member.member.member_2, _e2758.member.member.member_3);
         } else {
             phi_4811_ = _e109;
         }

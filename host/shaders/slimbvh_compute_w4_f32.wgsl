@@ -53,7 +53,7 @@ fn slimbvh_trace_in_group() {
     var phi_728_: u32;
     var phi_729_: u32;
     var phi_730_: bool;
-    var phi_1107_: SlimbvhTypeG;
+    var phi_1107_: SlimbvhTypeF;
     var phi_1353_: SlimbvhTypeO;
     var phi_1393_: SlimbvhTypeO;
     var phi_1396_: u32;
@@ -66,11 +66,11 @@ fn slimbvh_trace_in_group() {
     var phi_1864_: u32;
     var phi_1877_: u32;
     var phi_1890_: u32;
-    var phi_3641_: SlimbvhTypeH;
-    var phi_3653_: SlimbvhTypeH;
-    var phi_3665_: SlimbvhTypeH;
-    var phi_3677_: SlimbvhTypeH;
-    var phi_3689_: SlimbvhTypeH;
+    var phi_3641_: SlimbvhTypeG;
+    var phi_3653_: SlimbvhTypeG;
+    var phi_3665_: SlimbvhTypeG;
+    var phi_3677_: SlimbvhTypeG;
+    var phi_3689_: SlimbvhTypeG;
     var phi_1974_: u32;
     var phi_1979_: u32;
     var phi_1980_: u32;
@@ -82,9 +82,9 @@ fn slimbvh_trace_in_group() {
     var local_1: u32;
     var local_2: u32;
     var phi_2017_: SlimbvhTypeO;
-    var phi_2020_: SlimbvhTypeH;
-    var phi_2021_: SlimbvhTypeH;
-    var phi_2043_: SlimbvhTypeH;
+    var phi_2020_: SlimbvhTypeG;
+    var phi_2021_: SlimbvhTypeG;
+    var phi_2043_: SlimbvhTypeG;
     var phi_2122_: array<vec4<f32>, 3>;
     var phi_2123_: array<vec4<f32>, 3>;
     var phi_2203_: array<vec4<f32>, 3>;
@@ -104,13 +104,13 @@ fn slimbvh_trace_in_group() {
     var phi_2623_: vec3<f32>;
     var phi_2624_: vec3<f32>;
     var phi_2803_: f32;
-    var phi_2829_: SlimbvhTypeI;
-    var phi_2830_: SlimbvhTypeI;
-    var phi_2833_: SlimbvhTypeI;
-    var phi_2834_: SlimbvhTypeI;
+    var phi_2829_: SlimbvhTypeH;
+    var phi_2830_: SlimbvhTypeH;
+    var phi_2833_: SlimbvhTypeH;
+    var phi_2834_: SlimbvhTypeH;
     var phi_2835_: bool;
-    var phi_2839_: SlimbvhTypeI;
-    var phi_2848_: SlimbvhTypeJ;
+    var phi_2839_: SlimbvhTypeH;
+    var phi_2848_: SlimbvhTypeI;
     var phi_2901_: i32;
     var phi_3041_: SlimbvhTypeK;
     var phi_3065_: u32;
@@ -161,7 +161,7 @@ fn slimbvh_trace_in_group() {
     var phi_3528_: f32;
     var phi_3529_: f32;
     var phi_3541_: f32;
-    var phi_3546_: SlimbvhTypeJ;
+    var phi_3546_: SlimbvhTypeI;
     var phi_3559_: bool;
     var phi_3560_: bool;
     var phi_3561_: bool;
@@ -170,7 +170,7 @@ fn slimbvh_trace_in_group() {
     var local_10: u32;
     var local_11: u32;
 
-    let _e93 = SlimbvhTypeJ(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e93 = SlimbvhTypeI(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e96 = arrayLength((&slimbvh_nodes.member));
     let _e107 = slimbvh_origin.member;
     let _e113 = slimbvh_origin.member[3u];
@@ -300,7 +300,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e545 = phi_729_;
         let _e547 = phi_730_;
-        phi_1107_ = SlimbvhTypeG(array<f32, 3>((_e173 * _e478), (_e177 * _e478), (_e180 * _e478)), array<f32, 3>((_e182 * _e483), (_e184 * _e483), (_e186 * _e483)), bitcast<f32>(((_e131 & 2147483648u) | select(_e515, 0u, _e517))), bitcast<f32>(((_e139 & 2147483648u) | select(_e545, 0u, _e547))), _e472);
+        phi_1107_ = SlimbvhTypeF(array<f32, 3>((_e173 * _e478), (_e177 * _e478), (_e180 * _e478)), array<f32, 3>((_e182 * _e483), (_e184 * _e483), (_e186 * _e483)), bitcast<f32>(((_e131 & 2147483648u) | select(_e515, 0u, _e517))), bitcast<f32>(((_e139 & 2147483648u) | select(_e545, 0u, _e547))), _e472);
     } else {
         let _e219 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e144, _e157))) & 2147483647u);
         if (_e219 >= 8388608u) {
@@ -391,7 +391,7 @@ fn slimbvh_trace_in_group() {
         }
         let _e461 = phi_1096_;
         let _e463 = phi_1097_;
-        phi_1107_ = SlimbvhTypeG(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e251 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e251 & 2147483648u))), _e173, _e253) * _e244) * select(0.00000011920929f, 1f, _e253)) * _e250), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e268 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e268 & 2147483648u))), _e177, _e270) * _e244) * select(0.00000011920929f, 1f, _e270)) * _e250), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e180, _e287) * _e244) * select(0.00000011920929f, 1f, _e287)) * _e250)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e182, _e322) * _e313) * select(0.00000011920929f, 1f, _e322)) * _e319), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e184, _e339) * _e313) * select(0.00000011920929f, 1f, _e339)) * _e319), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e354 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e354 & 2147483648u))), _e186, _e356) * _e313) * select(0.00000011920929f, 1f, _e356)) * _e319)), bitcast<f32>(((_e131 & 2147483648u) | select(_e413, 0u, _e415))), bitcast<f32>(((_e139 & 2147483648u) | select(_e461, 0u, _e463))), _e233);
+        phi_1107_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e251 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e251 & 2147483648u))), _e173, _e253) * _e244) * select(0.00000011920929f, 1f, _e253)) * _e250), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e268 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e268 & 2147483648u))), _e177, _e270) * _e244) * select(0.00000011920929f, 1f, _e270)) * _e250), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e285 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e285 & 2147483648u))), _e180, _e287) * _e244) * select(0.00000011920929f, 1f, _e287)) * _e250)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e182, _e322) * _e313) * select(0.00000011920929f, 1f, _e322)) * _e319), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e184, _e339) * _e313) * select(0.00000011920929f, 1f, _e339)) * _e319), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e354 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e354 & 2147483648u))), _e186, _e356) * _e313) * select(0.00000011920929f, 1f, _e356)) * _e319)), bitcast<f32>(((_e131 & 2147483648u) | select(_e413, 0u, _e415))), bitcast<f32>(((_e139 & 2147483648u) | select(_e461, 0u, _e463))), _e233);
     }
     let _e554 = phi_1107_;
     let _e569 = (bitcast<f32>((bitcast<u32>(_e554.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
@@ -513,33 +513,33 @@ fn slimbvh_trace_in_group() {
                         }
                         let _e873 = phi_1890_;
                         if (_e849 < _e857) {
-                            phi_3641_ = SlimbvhTypeH(_e849, _e857);
+                            phi_3641_ = SlimbvhTypeG(_e849, _e857);
                         } else {
-                            phi_3641_ = SlimbvhTypeH(_e857, _e849);
+                            phi_3641_ = SlimbvhTypeG(_e857, _e849);
                         }
                         let _e878 = phi_3641_;
                         if (_e865 < _e873) {
-                            phi_3653_ = SlimbvhTypeH(_e865, _e873);
+                            phi_3653_ = SlimbvhTypeG(_e865, _e873);
                         } else {
-                            phi_3653_ = SlimbvhTypeH(_e873, _e865);
+                            phi_3653_ = SlimbvhTypeG(_e873, _e865);
                         }
                         let _e885 = phi_3653_;
                         if (_e878.member < _e885.member) {
-                            phi_3665_ = SlimbvhTypeH(_e878.member, _e885.member);
+                            phi_3665_ = SlimbvhTypeG(_e878.member, _e885.member);
                         } else {
-                            phi_3665_ = SlimbvhTypeH(_e885.member, _e878.member);
+                            phi_3665_ = SlimbvhTypeG(_e885.member, _e878.member);
                         }
                         let _e892 = phi_3665_;
                         if (_e878.member_1 < _e885.member_1) {
-                            phi_3677_ = SlimbvhTypeH(_e878.member_1, _e885.member_1);
+                            phi_3677_ = SlimbvhTypeG(_e878.member_1, _e885.member_1);
                         } else {
-                            phi_3677_ = SlimbvhTypeH(_e885.member_1, _e878.member_1);
+                            phi_3677_ = SlimbvhTypeG(_e885.member_1, _e878.member_1);
                         }
                         let _e899 = phi_3677_;
                         if (_e899.member < _e892.member_1) {
-                            phi_3689_ = SlimbvhTypeH(_e899.member, _e892.member_1);
+                            phi_3689_ = SlimbvhTypeG(_e899.member, _e892.member_1);
                         } else {
-                            phi_3689_ = SlimbvhTypeH(_e892.member_1, _e899.member);
+                            phi_3689_ = SlimbvhTypeG(_e892.member_1, _e899.member);
                         }
                         let _e906 = phi_3689_;
                         let _e921 = (((_e892.member & 7u) | ((_e906.member & 7u) << bitcast<u32>(3u))) | (((_e906.member_1 & 7u) | ((_e899.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
@@ -602,18 +602,18 @@ fn slimbvh_trace_in_group() {
                     let _e994 = local_1;
                     let _e997 = local_2;
                     phi_2017_ = _e656;
-                    phi_2020_ = SlimbvhTypeH(0u, ((_e997 >> bitcast<u32>(28u)) & 7u));
+                    phi_2020_ = SlimbvhTypeG(0u, ((_e997 >> bitcast<u32>(28u)) & 7u));
                     loop {
                         let _e1003 = phi_2017_;
                         let _e1005 = phi_2020_;
                         local_5 = _e1003;
                         local_8 = _e1003;
                         if (_e1005.member < _e1005.member_1) {
-                            phi_2021_ = SlimbvhTypeH((_e1005.member + 1u), _e1005.member_1);
-                            phi_2043_ = SlimbvhTypeH(1u, _e1005.member);
+                            phi_2021_ = SlimbvhTypeG((_e1005.member + 1u), _e1005.member_1);
+                            phi_2043_ = SlimbvhTypeG(1u, _e1005.member);
                         } else {
                             phi_2021_ = _e1005;
-                            phi_2043_ = SlimbvhTypeH(0u, SlimbvhTypeH().member_1);
+                            phi_2043_ = SlimbvhTypeG(0u, SlimbvhTypeG().member_1);
                         }
                         let _e1018 = phi_2021_;
                         let _e1020 = phi_2043_;
@@ -809,11 +809,11 @@ fn slimbvh_trace_in_group() {
                                     let _e1524 = select(_e1255, _e1522, (_e1522 > _e1255));
                                     let _e1527 = select(_e1524, 0f, (bitcast<u32>(_e1524) == 2147483648u));
                                     let _e1528 = (1f / _e1214);
-                                    phi_2829_ = SlimbvhTypeI(_e1527, (_e1208 * _e1528), (_e1212 * _e1528), ((_e1287 && (_e1527 >= _e621)) && (_e1527 <= _e1003.member.member_1)));
-                                    phi_2830_ = SlimbvhTypeI();
+                                    phi_2829_ = SlimbvhTypeH(_e1527, (_e1208 * _e1528), (_e1212 * _e1528), ((_e1287 && (_e1527 >= _e621)) && (_e1527 <= _e1003.member.member_1)));
+                                    phi_2830_ = SlimbvhTypeH();
                                 } else {
-                                    phi_2829_ = SlimbvhTypeI();
-                                    phi_2830_ = SlimbvhTypeI(0f, 0f, 0f, _e1287);
+                                    phi_2829_ = SlimbvhTypeH();
+                                    phi_2830_ = SlimbvhTypeH(0f, 0f, 0f, _e1287);
                                 }
                                 let _e1537 = phi_2829_;
                                 let _e1539 = phi_2830_;
@@ -821,8 +821,8 @@ fn slimbvh_trace_in_group() {
                                 phi_2834_ = _e1539;
                                 phi_2835_ = select(true, false, _e1287);
                             } else {
-                                phi_2833_ = SlimbvhTypeI();
-                                phi_2834_ = SlimbvhTypeI(0f, 0f, 0f, _e1198);
+                                phi_2833_ = SlimbvhTypeH();
+                                phi_2834_ = SlimbvhTypeH(0f, 0f, 0f, _e1198);
                                 phi_2835_ = true;
                             }
                             let _e1542 = phi_2833_;
@@ -835,7 +835,7 @@ fn slimbvh_trace_in_group() {
                             }
                             let _e1548 = phi_2839_;
                             if _e1548.member_3 {
-                                phi_2848_ = SlimbvhTypeJ(_e1548.member, _e1548.member_1, _e1548.member_2, _e1066);
+                                phi_2848_ = SlimbvhTypeI(_e1548.member, _e1548.member_1, _e1548.member_2, _e1066);
                             } else {
                                 phi_2848_ = _e93;
                             }
@@ -1186,7 +1186,7 @@ fn slimbvh_trace_in_group() {
                 phi_3541_ = _e2129;
             }
             let _e2137 = phi_3541_;
-            phi_3546_ = SlimbvhTypeJ(_e2137, _e2018.member.member.member_1, _e2018.member.member.member_2, _e2018.member.member.member_3);
+            phi_3546_ = SlimbvhTypeI(_e2137, _e2018.member.member.member_1, _e2018.member.member.member_2, _e2018.member.member.member_3);
         } else {
             phi_3546_ = _e93;
         }

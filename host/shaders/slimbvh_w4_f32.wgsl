@@ -19,28 +19,24 @@ struct SlimbvhTypeA {
 }
 
 struct SlimbvhTypeB {
-    member: array<vec4<u32>, 2>,
-}
-
-struct SlimbvhTypeC {
     member: array<vec4<f32>, 6>,
     member_1: array<u32, 4>,
     member_2: array<u32, 4>,
 }
 
-struct SlimbvhTypeD {
-    member: array<SlimbvhTypeC>,
+struct SlimbvhTypeC {
+    member: array<SlimbvhTypeB>,
 }
 
-struct SlimbvhTypeE {
+struct SlimbvhTypeD {
     member: array<array<vec4<f32>, 5>>,
 }
 
-struct SlimbvhTypeF {
+struct SlimbvhTypeE {
     member: array<u32>,
 }
 
-struct SlimbvhTypeG {
+struct SlimbvhTypeF {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
     member_2: f32,
@@ -48,23 +44,27 @@ struct SlimbvhTypeG {
     member_4: i32,
 }
 
-struct SlimbvhTypeH {
+struct SlimbvhTypeG {
     member: u32,
     member_1: u32,
 }
 
-struct SlimbvhTypeI {
+struct SlimbvhTypeH {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: bool,
 }
 
-struct SlimbvhTypeJ {
+struct SlimbvhTypeI {
     member: f32,
     member_1: f32,
     member_2: f32,
     member_3: u32,
+}
+
+struct SlimbvhTypeJ {
+    member: array<vec4<u32>, 2>,
 }
 
 struct SlimbvhTypeK {
@@ -75,7 +75,7 @@ struct SlimbvhTypeK {
 }
 
 struct SlimbvhTypeL {
-    member: SlimbvhTypeJ,
+    member: SlimbvhTypeI,
     member_1: f32,
 }
 
@@ -96,13 +96,13 @@ struct SlimbvhTypeO {
 var<uniform> slimbvh_exponent: SlimbvhTypeA;
 
 @group(0) @binding(2) 
-var<storage> slimbvh_triangles: SlimbvhTypeE;
+var<storage> slimbvh_triangles: SlimbvhTypeD;
 
 @group(0) @binding(3) 
-var<storage> slimbvh_sides: SlimbvhTypeF;
+var<storage> slimbvh_sides: SlimbvhTypeE;
 
 @group(0) @binding(4) 
-var<uniform> slimbvh_target: SlimbvhTypeB;
+var<uniform> slimbvh_target: SlimbvhTypeJ;
 
 var<private> slimbvh_origin: SlimbvhTypeM;
 
@@ -113,7 +113,7 @@ var<private> slimbvh_question: SlimbvhTypeN;
 var<private> slimbvh_hit: SlimbvhTypeA;
 
 @group(0) @binding(1) 
-var<storage> slimbvh_nodes: SlimbvhTypeD;
+var<storage> slimbvh_nodes: SlimbvhTypeC;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
@@ -141,7 +141,7 @@ fn slimbvh_trace() {
     var phi_862_: u32;
     var phi_863_: u32;
     var phi_864_: bool;
-    var phi_1241_: SlimbvhTypeG;
+    var phi_1241_: SlimbvhTypeF;
     var phi_1480_: SlimbvhTypeO;
     var phi_1520_: SlimbvhTypeO;
     var phi_1523_: u32;
@@ -154,11 +154,11 @@ fn slimbvh_trace() {
     var phi_1991_: u32;
     var phi_2004_: u32;
     var phi_2017_: u32;
-    var phi_3740_: SlimbvhTypeH;
-    var phi_3752_: SlimbvhTypeH;
-    var phi_3764_: SlimbvhTypeH;
-    var phi_3776_: SlimbvhTypeH;
-    var phi_3788_: SlimbvhTypeH;
+    var phi_3740_: SlimbvhTypeG;
+    var phi_3752_: SlimbvhTypeG;
+    var phi_3764_: SlimbvhTypeG;
+    var phi_3776_: SlimbvhTypeG;
+    var phi_3788_: SlimbvhTypeG;
     var phi_2098_: u32;
     var phi_2103_: u32;
     var phi_2104_: u32;
@@ -170,9 +170,9 @@ fn slimbvh_trace() {
     var local_2: u32;
     var local_3: u32;
     var phi_2141_: SlimbvhTypeO;
-    var phi_2144_: SlimbvhTypeH;
-    var phi_2145_: SlimbvhTypeH;
-    var phi_2167_: SlimbvhTypeH;
+    var phi_2144_: SlimbvhTypeG;
+    var phi_2145_: SlimbvhTypeG;
+    var phi_2167_: SlimbvhTypeG;
     var phi_2246_: array<vec4<f32>, 3>;
     var phi_2247_: array<vec4<f32>, 3>;
     var phi_2327_: array<vec4<f32>, 3>;
@@ -192,13 +192,13 @@ fn slimbvh_trace() {
     var phi_2747_: vec3<f32>;
     var phi_2748_: vec3<f32>;
     var phi_2927_: f32;
-    var phi_2953_: SlimbvhTypeI;
-    var phi_2954_: SlimbvhTypeI;
-    var phi_2957_: SlimbvhTypeI;
-    var phi_2958_: SlimbvhTypeI;
+    var phi_2953_: SlimbvhTypeH;
+    var phi_2954_: SlimbvhTypeH;
+    var phi_2957_: SlimbvhTypeH;
+    var phi_2958_: SlimbvhTypeH;
     var phi_2959_: bool;
-    var phi_2963_: SlimbvhTypeI;
-    var phi_2972_: SlimbvhTypeJ;
+    var phi_2963_: SlimbvhTypeH;
+    var phi_2972_: SlimbvhTypeI;
     var phi_3025_: i32;
     var phi_3165_: SlimbvhTypeK;
     var phi_3189_: u32;
@@ -248,13 +248,13 @@ fn slimbvh_trace() {
     var phi_3649_: f32;
     var phi_3650_: f32;
     var phi_3662_: f32;
-    var phi_3667_: SlimbvhTypeJ;
+    var phi_3667_: SlimbvhTypeI;
     var local_8: SlimbvhTypeO;
     var local_9: u32;
     var local_10: u32;
     var local_11: u32;
 
-    let _e89 = SlimbvhTypeJ(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
+    let _e89 = SlimbvhTypeI(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
     let _e92 = arrayLength((&slimbvh_nodes.member));
     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
     let _e101 = slimbvh_origin.member;
@@ -385,7 +385,7 @@ fn slimbvh_trace() {
         }
         let _e539 = phi_863_;
         let _e541 = phi_864_;
-        phi_1241_ = SlimbvhTypeG(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
+        phi_1241_ = SlimbvhTypeF(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
     } else {
         let _e213 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e138, _e151))) & 2147483647u);
         if (_e213 >= 8388608u) {
@@ -476,7 +476,7 @@ fn slimbvh_trace() {
         }
         let _e455 = phi_1230_;
         let _e457 = phi_1231_;
-        phi_1241_ = SlimbvhTypeG(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
+        phi_1241_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
     }
     let _e548 = phi_1241_;
     let _e563 = (bitcast<f32>((bitcast<u32>(_e548.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
@@ -594,33 +594,33 @@ fn slimbvh_trace() {
                     }
                     let _e864 = phi_2017_;
                     if (_e840 < _e848) {
-                        phi_3740_ = SlimbvhTypeH(_e840, _e848);
+                        phi_3740_ = SlimbvhTypeG(_e840, _e848);
                     } else {
-                        phi_3740_ = SlimbvhTypeH(_e848, _e840);
+                        phi_3740_ = SlimbvhTypeG(_e848, _e840);
                     }
                     let _e869 = phi_3740_;
                     if (_e856 < _e864) {
-                        phi_3752_ = SlimbvhTypeH(_e856, _e864);
+                        phi_3752_ = SlimbvhTypeG(_e856, _e864);
                     } else {
-                        phi_3752_ = SlimbvhTypeH(_e864, _e856);
+                        phi_3752_ = SlimbvhTypeG(_e864, _e856);
                     }
                     let _e876 = phi_3752_;
                     if (_e869.member < _e876.member) {
-                        phi_3764_ = SlimbvhTypeH(_e869.member, _e876.member);
+                        phi_3764_ = SlimbvhTypeG(_e869.member, _e876.member);
                     } else {
-                        phi_3764_ = SlimbvhTypeH(_e876.member, _e869.member);
+                        phi_3764_ = SlimbvhTypeG(_e876.member, _e869.member);
                     }
                     let _e883 = phi_3764_;
                     if (_e869.member_1 < _e876.member_1) {
-                        phi_3776_ = SlimbvhTypeH(_e869.member_1, _e876.member_1);
+                        phi_3776_ = SlimbvhTypeG(_e869.member_1, _e876.member_1);
                     } else {
-                        phi_3776_ = SlimbvhTypeH(_e876.member_1, _e869.member_1);
+                        phi_3776_ = SlimbvhTypeG(_e876.member_1, _e869.member_1);
                     }
                     let _e890 = phi_3776_;
                     if (_e890.member < _e883.member_1) {
-                        phi_3788_ = SlimbvhTypeH(_e890.member, _e883.member_1);
+                        phi_3788_ = SlimbvhTypeG(_e890.member, _e883.member_1);
                     } else {
-                        phi_3788_ = SlimbvhTypeH(_e883.member_1, _e890.member);
+                        phi_3788_ = SlimbvhTypeG(_e883.member_1, _e890.member);
                     }
                     let _e897 = phi_3788_;
                     let _e912 = (((_e883.member & 7u) | ((_e897.member & 7u) << bitcast<u32>(3u))) | (((_e897.member_1 & 7u) | ((_e890.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
@@ -683,18 +683,18 @@ fn slimbvh_trace() {
                 let _e981 = local_2;
                 let _e984 = local_3;
                 phi_2141_ = _e647;
-                phi_2144_ = SlimbvhTypeH(0u, ((_e984 >> bitcast<u32>(28u)) & 7u));
+                phi_2144_ = SlimbvhTypeG(0u, ((_e984 >> bitcast<u32>(28u)) & 7u));
                 loop {
                     let _e990 = phi_2141_;
                     let _e992 = phi_2144_;
                     local_6 = _e990;
                     local_8 = _e990;
                     if (_e992.member < _e992.member_1) {
-                        phi_2145_ = SlimbvhTypeH((_e992.member + 1u), _e992.member_1);
-                        phi_2167_ = SlimbvhTypeH(1u, _e992.member);
+                        phi_2145_ = SlimbvhTypeG((_e992.member + 1u), _e992.member_1);
+                        phi_2167_ = SlimbvhTypeG(1u, _e992.member);
                     } else {
                         phi_2145_ = _e992;
-                        phi_2167_ = SlimbvhTypeH(0u, SlimbvhTypeH().member_1);
+                        phi_2167_ = SlimbvhTypeG(0u, SlimbvhTypeG().member_1);
                     }
                     let _e1005 = phi_2145_;
                     let _e1007 = phi_2167_;
@@ -890,11 +890,11 @@ fn slimbvh_trace() {
                                 let _e1511 = select(_e1242, _e1509, (_e1509 > _e1242));
                                 let _e1514 = select(_e1511, 0f, (bitcast<u32>(_e1511) == 2147483648u));
                                 let _e1515 = (1f / _e1201);
-                                phi_2953_ = SlimbvhTypeI(_e1514, (_e1195 * _e1515), (_e1199 * _e1515), ((_e1274 && (_e1514 >= _e615)) && (_e1514 <= _e990.member.member_1)));
-                                phi_2954_ = SlimbvhTypeI();
+                                phi_2953_ = SlimbvhTypeH(_e1514, (_e1195 * _e1515), (_e1199 * _e1515), ((_e1274 && (_e1514 >= _e615)) && (_e1514 <= _e990.member.member_1)));
+                                phi_2954_ = SlimbvhTypeH();
                             } else {
-                                phi_2953_ = SlimbvhTypeI();
-                                phi_2954_ = SlimbvhTypeI(0f, 0f, 0f, _e1274);
+                                phi_2953_ = SlimbvhTypeH();
+                                phi_2954_ = SlimbvhTypeH(0f, 0f, 0f, _e1274);
                             }
                             let _e1524 = phi_2953_;
                             let _e1526 = phi_2954_;
@@ -902,8 +902,8 @@ fn slimbvh_trace() {
                             phi_2958_ = _e1526;
                             phi_2959_ = select(true, false, _e1274);
                         } else {
-                            phi_2957_ = SlimbvhTypeI();
-                            phi_2958_ = SlimbvhTypeI(0f, 0f, 0f, _e1185);
+                            phi_2957_ = SlimbvhTypeH();
+                            phi_2958_ = SlimbvhTypeH(0f, 0f, 0f, _e1185);
                             phi_2959_ = true;
                         }
                         let _e1529 = phi_2957_;
@@ -916,7 +916,7 @@ fn slimbvh_trace() {
                         }
                         let _e1535 = phi_2963_;
                         if _e1535.member_3 {
-                            phi_2972_ = SlimbvhTypeJ(_e1535.member, _e1535.member_1, _e1535.member_2, _e1053);
+                            phi_2972_ = SlimbvhTypeI(_e1535.member, _e1535.member_1, _e1535.member_2, _e1053);
                         } else {
                             phi_2972_ = _e89;
                         }
@@ -1265,7 +1265,7 @@ fn slimbvh_trace() {
             phi_3662_ = _e2111;
         }
         let _e2119 = phi_3662_;
-        phi_3667_ = SlimbvhTypeJ(_e2119, _e2000.member.member.member_1, _e2000.member.member.member_2, _e2000.member.member.member_3);
+        phi_3667_ = SlimbvhTypeI(_e2119, _e2000.member.member.member_1, _e2000.member.member.member_2, _e2000.member.member.member_3);
     } else {
         phi_3667_ = _e89;
     }
@@ -1295,1887 +1295,932 @@ var<private> slimbvh_from: SlimbvhTypeM;
 var<private> slimbvh_point: SlimbvhTypeR;
 
 fn slimbvh_find_surface() {
-    var phi_219_: i32;
-    var phi_720_: i32;
-    var phi_751_: i32;
-    var phi_770_: vec3<f32>;
-    var phi_2156_: f32;
-    var phi_2160_: f32;
-    var phi_2161_: bool;
-    var phi_2164_: f32;
-    var phi_2165_: bool;
-    var phi_2937_: u32;
-    var phi_2956_: bool;
-    var phi_2958_: bool;
-    var phi_2964_: f32;
-    var phi_2965_: f32;
-    var phi_2967_: f32;
-    var phi_2968_: f32;
-    var phi_2969_: bool;
-    var phi_2975_: f32;
-    var phi_2180_: f32;
-    var phi_2182_: f32;
-    var phi_2195_: f32;
-    var phi_2217_: f32;
-    var phi_2221_: f32;
-    var phi_2222_: bool;
-    var phi_2225_: f32;
-    var phi_2226_: bool;
-    var phi_3011_: u32;
-    var phi_3030_: bool;
-    var phi_3032_: bool;
-    var phi_3038_: f32;
-    var phi_3039_: f32;
-    var phi_3041_: f32;
-    var phi_3042_: f32;
-    var phi_3043_: bool;
-    var phi_3049_: f32;
-    var phi_2241_: f32;
-    var phi_2243_: f32;
-    var phi_2256_: f32;
-    var phi_2277_: f32;
-    var phi_2281_: f32;
-    var phi_2282_: bool;
-    var phi_2285_: f32;
-    var phi_2286_: bool;
-    var phi_3085_: u32;
-    var phi_3104_: bool;
-    var phi_3106_: bool;
-    var phi_3112_: f32;
-    var phi_3113_: f32;
-    var phi_3115_: f32;
-    var phi_3116_: f32;
-    var phi_3117_: bool;
-    var phi_3123_: f32;
-    var phi_2301_: f32;
-    var phi_2303_: f32;
-    var phi_2326_: f32;
-    var phi_2330_: f32;
-    var phi_2331_: bool;
-    var phi_2334_: f32;
-    var phi_2335_: bool;
-    var phi_3159_: u32;
-    var phi_3178_: bool;
-    var phi_3180_: bool;
-    var phi_3186_: f32;
-    var phi_3187_: f32;
-    var phi_3189_: f32;
-    var phi_3190_: f32;
-    var phi_3191_: bool;
-    var phi_3197_: f32;
-    var phi_2350_: f32;
-    var phi_2352_: f32;
-    var phi_2360_: bool;
-    var phi_2377_: f32;
-    var phi_2379_: f32;
-    var phi_2382_: f32;
-    var phi_2405_: f32;
-    var phi_2409_: f32;
-    var phi_2410_: bool;
-    var phi_2413_: f32;
-    var phi_2414_: bool;
-    var phi_3233_: u32;
-    var phi_3252_: bool;
-    var phi_3254_: bool;
-    var phi_3260_: f32;
-    var phi_3261_: f32;
-    var phi_3263_: f32;
-    var phi_3264_: f32;
-    var phi_3265_: bool;
-    var phi_3271_: f32;
-    var phi_2429_: f32;
-    var phi_2431_: f32;
-    var phi_2444_: f32;
-    var phi_2466_: f32;
-    var phi_2470_: f32;
-    var phi_2471_: bool;
-    var phi_2474_: f32;
-    var phi_2475_: bool;
-    var phi_3307_: u32;
-    var phi_3326_: bool;
-    var phi_3328_: bool;
-    var phi_3334_: f32;
-    var phi_3335_: f32;
-    var phi_3337_: f32;
-    var phi_3338_: f32;
-    var phi_3339_: bool;
-    var phi_3345_: f32;
-    var phi_2490_: f32;
-    var phi_2492_: f32;
-    var phi_2505_: f32;
-    var phi_2526_: f32;
-    var phi_2530_: f32;
-    var phi_2531_: bool;
-    var phi_2534_: f32;
-    var phi_2535_: bool;
-    var phi_3381_: u32;
-    var phi_3400_: bool;
-    var phi_3402_: bool;
-    var phi_3408_: f32;
-    var phi_3409_: f32;
-    var phi_3411_: f32;
-    var phi_3412_: f32;
-    var phi_3413_: bool;
-    var phi_3419_: f32;
-    var phi_2550_: f32;
-    var phi_2552_: f32;
-    var phi_2575_: f32;
-    var phi_2579_: f32;
-    var phi_2580_: bool;
-    var phi_2583_: f32;
-    var phi_2584_: bool;
-    var phi_3455_: u32;
-    var phi_3474_: bool;
-    var phi_3476_: bool;
-    var phi_3482_: f32;
-    var phi_3483_: f32;
-    var phi_3485_: f32;
-    var phi_3486_: f32;
-    var phi_3487_: bool;
-    var phi_3493_: f32;
-    var phi_2599_: f32;
-    var phi_2601_: f32;
-    var phi_2609_: bool;
-    var phi_2626_: f32;
-    var phi_2628_: f32;
-    var phi_2631_: f32;
-    var phi_2654_: f32;
-    var phi_2658_: f32;
-    var phi_2659_: bool;
-    var phi_2662_: f32;
-    var phi_2663_: bool;
-    var phi_3529_: u32;
-    var phi_3548_: bool;
-    var phi_3550_: bool;
-    var phi_3556_: f32;
-    var phi_3557_: f32;
-    var phi_3559_: f32;
-    var phi_3560_: f32;
-    var phi_3561_: bool;
-    var phi_3567_: f32;
-    var phi_2678_: f32;
-    var phi_2680_: f32;
-    var phi_2693_: f32;
-    var phi_2715_: f32;
-    var phi_2719_: f32;
-    var phi_2720_: bool;
-    var phi_2723_: f32;
-    var phi_2724_: bool;
-    var phi_3603_: u32;
-    var phi_3622_: bool;
-    var phi_3624_: bool;
-    var phi_3630_: f32;
-    var phi_3631_: f32;
-    var phi_3633_: f32;
-    var phi_3634_: f32;
-    var phi_3635_: bool;
-    var phi_3641_: f32;
-    var phi_2739_: f32;
-    var phi_2741_: f32;
-    var phi_2754_: f32;
-    var phi_2775_: f32;
-    var phi_2779_: f32;
-    var phi_2780_: bool;
-    var phi_2783_: f32;
-    var phi_2784_: bool;
-    var phi_3677_: u32;
-    var phi_3696_: bool;
-    var phi_3698_: bool;
-    var phi_3704_: f32;
-    var phi_3705_: f32;
-    var phi_3707_: f32;
-    var phi_3708_: f32;
-    var phi_3709_: bool;
-    var phi_3715_: f32;
-    var phi_2799_: f32;
-    var phi_2801_: f32;
-    var phi_2824_: f32;
-    var phi_2828_: f32;
-    var phi_2829_: bool;
-    var phi_2832_: f32;
-    var phi_2833_: bool;
-    var phi_3751_: u32;
-    var phi_3770_: bool;
-    var phi_3772_: bool;
-    var phi_3778_: f32;
-    var phi_3779_: f32;
-    var phi_3781_: f32;
-    var phi_3782_: f32;
-    var phi_3783_: bool;
-    var phi_3789_: f32;
-    var phi_2848_: f32;
-    var phi_2850_: f32;
-    var phi_2858_: bool;
-    var phi_2875_: f32;
-    var phi_2877_: f32;
-    var phi_2880_: f32;
-    var phi_1016_: f32;
-    var phi_1017_: f32;
-    var phi_1039_: f32;
-    var phi_1040_: f32;
-    var phi_1042_: f32;
-    var phi_1043_: f32;
-    var phi_1064_: f32;
-    var phi_1065_: f32;
-    var phi_1087_: f32;
-    var phi_1088_: f32;
-    var phi_1090_: f32;
-    var phi_1091_: f32;
+    var local: array<f32, 3>;
+    var local_1: array<f32, 3>;
+    var phi_214_: i32;
+    var phi_708_: i32;
+    var phi_739_: i32;
+    var phi_758_: vec3<f32>;
+    var phi_898_: SlimbvhTypeG;
+    var phi_899_: SlimbvhTypeG;
+    var phi_922_: SlimbvhTypeG;
+    var phi_971_: f32;
+    var phi_973_: f32;
+    var phi_974_: bool;
+    var phi_975_: f32;
+    var phi_976_: bool;
+    var phi_1616_: u32;
+    var phi_1634_: bool;
+    var phi_1637_: bool;
+    var phi_1650_: f32;
+    var phi_1651_: f32;
+    var phi_1656_: f32;
+    var phi_1657_: f32;
+    var phi_1658_: bool;
+    var phi_1666_: f32;
+    var phi_991_: f32;
+    var phi_992_: f32;
+    var phi_1005_: f32;
+    var phi_1032_: f32;
+    var phi_1034_: f32;
+    var phi_1035_: bool;
+    var phi_1036_: f32;
+    var phi_1037_: bool;
+    var phi_1690_: u32;
+    var phi_1708_: bool;
+    var phi_1711_: bool;
+    var phi_1724_: f32;
+    var phi_1725_: f32;
+    var phi_1730_: f32;
+    var phi_1731_: f32;
+    var phi_1732_: bool;
+    var phi_1740_: f32;
+    var phi_1052_: f32;
+    var phi_1053_: f32;
+    var phi_1066_: f32;
+    var phi_1092_: f32;
+    var phi_1094_: f32;
+    var phi_1095_: bool;
+    var phi_1096_: f32;
+    var phi_1097_: bool;
+    var phi_1764_: u32;
+    var phi_1782_: bool;
+    var phi_1785_: bool;
+    var phi_1798_: f32;
+    var phi_1799_: f32;
+    var phi_1804_: f32;
+    var phi_1805_: f32;
+    var phi_1806_: bool;
+    var phi_1814_: f32;
     var phi_1112_: f32;
     var phi_1113_: f32;
-    var phi_1135_: f32;
-    var phi_1136_: f32;
-    var phi_1138_: f32;
-    var phi_1139_: f32;
-    var phi_1205_: f32;
-    var phi_1206_: f32;
-    var phi_1228_: f32;
-    var phi_1229_: f32;
-    var phi_1231_: f32;
-    var phi_1232_: f32;
-    var phi_1253_: f32;
-    var phi_1254_: f32;
-    var phi_1276_: f32;
-    var phi_1277_: f32;
-    var phi_1279_: f32;
-    var phi_1280_: f32;
-    var phi_1301_: f32;
-    var phi_1302_: f32;
-    var phi_1324_: f32;
-    var phi_1325_: f32;
-    var phi_1327_: f32;
-    var phi_1328_: f32;
+    var phi_1143_: f32;
+    var phi_1145_: f32;
+    var phi_1146_: bool;
+    var phi_1147_: f32;
+    var phi_1148_: bool;
+    var phi_1838_: u32;
+    var phi_1856_: bool;
+    var phi_1859_: bool;
+    var phi_1872_: f32;
+    var phi_1873_: f32;
+    var phi_1878_: f32;
+    var phi_1879_: f32;
+    var phi_1880_: bool;
+    var phi_1888_: f32;
+    var phi_1163_: f32;
+    var phi_1164_: f32;
+    var phi_1170_: bool;
+    var phi_1190_: f32;
+    var phi_1191_: f32;
+    var phi_1192_: f32;
+    var phi_1307_: f32;
+    var phi_1308_: f32;
+    var phi_1310_: f32;
+    var phi_1284_: f32;
+    var phi_1285_: f32;
+    var phi_1311_: f32;
+    var phi_1355_: f32;
+    var phi_1356_: f32;
+    var phi_1358_: f32;
+    var phi_1332_: f32;
+    var phi_1333_: f32;
+    var phi_1359_: f32;
+    var phi_1403_: f32;
+    var phi_1404_: f32;
+    var phi_1406_: f32;
+    var phi_1380_: f32;
+    var phi_1381_: f32;
+    var phi_1407_: f32;
+    var phi_1490_: f32;
+    var phi_1491_: f32;
+    var phi_1493_: f32;
+    var phi_1467_: f32;
+    var phi_1468_: f32;
+    var phi_1494_: f32;
+    var phi_1538_: f32;
+    var phi_1539_: f32;
+    var phi_1541_: f32;
+    var phi_1515_: f32;
+    var phi_1516_: f32;
+    var phi_1542_: f32;
+    var phi_1586_: f32;
+    var phi_1587_: f32;
+    var phi_1589_: f32;
+    var phi_1563_: f32;
+    var phi_1564_: f32;
+    var phi_1590_: f32;
 
-    let _e47 = bitcast<f32>(2139095039u);
-    let _e51 = slimbvh_corners.member[0u];
-    let _e57 = slimbvh_corners.member[1u];
-    let _e63 = slimbvh_corners.member[2u];
-    let _e69 = slimbvh_exponent.member[0u];
-    let _e70 = bitcast<i32>(_e69);
-    if (_e70 < -126i) {
-        phi_219_ = -126i;
+    let _e51 = bitcast<f32>(2139095039u);
+    let _e55 = slimbvh_corners.member[0u];
+    let _e61 = slimbvh_corners.member[1u];
+    let _e67 = slimbvh_corners.member[2u];
+    let _e73 = slimbvh_exponent.member[0u];
+    let _e74 = bitcast<i32>(_e73);
+    if (_e74 < -126i) {
+        phi_214_ = -126i;
     } else {
-        phi_219_ = select(_e70, 127i, (_e70 > 127i));
+        phi_214_ = select(_e74, 127i, (_e74 > 127i));
     }
-    let _e75 = phi_219_;
-    let _e80 = bitcast<f32>((bitcast<u32>((_e75 + 127i)) << bitcast<u32>(23i)));
-    let _e86 = bitcast<f32>((bitcast<u32>(((_e70 - _e75) + 127i)) << bitcast<u32>(23i)));
-    let _e87 = bitcast<u32>(_e51.x);
-    let _e89 = ((_e87 & 2139095040u) != 0u);
-    let _e103 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e87 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e87 & 2147483648u))), _e51.x, _e89) * _e80) * select(0.00000011920929f, 1f, _e89)) * _e86);
-    let _e108 = select(_e103, 0f, (bitcast<f32>((bitcast<u32>(_e103) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e109 = bitcast<u32>(_e51.y);
-    let _e111 = ((_e109 & 2139095040u) != 0u);
-    let _e125 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e109 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e109 & 2147483648u))), _e51.y, _e111) * _e80) * select(0.00000011920929f, 1f, _e111)) * _e86);
-    let _e130 = select(_e125, 0f, (bitcast<f32>((bitcast<u32>(_e125) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e131 = bitcast<u32>(_e51.z);
-    let _e133 = ((_e131 & 2139095040u) != 0u);
-    let _e147 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e131 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e131 & 2147483648u))), _e51.z, _e133) * _e80) * select(0.00000011920929f, 1f, _e133)) * _e86);
-    let _e152 = select(_e147, 0f, (bitcast<f32>((bitcast<u32>(_e147) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e153 = bitcast<u32>(_e57.x);
-    let _e155 = ((_e153 & 2139095040u) != 0u);
-    let _e169 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e153 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e153 & 2147483648u))), _e57.x, _e155) * _e80) * select(0.00000011920929f, 1f, _e155)) * _e86);
-    let _e174 = select(_e169, 0f, (bitcast<f32>((bitcast<u32>(_e169) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e175 = bitcast<u32>(_e57.y);
-    let _e177 = ((_e175 & 2139095040u) != 0u);
-    let _e191 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e175 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e175 & 2147483648u))), _e57.y, _e177) * _e80) * select(0.00000011920929f, 1f, _e177)) * _e86);
-    let _e196 = select(_e191, 0f, (bitcast<f32>((bitcast<u32>(_e191) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e197 = bitcast<u32>(_e57.z);
-    let _e199 = ((_e197 & 2139095040u) != 0u);
-    let _e213 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e197 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e197 & 2147483648u))), _e57.z, _e199) * _e80) * select(0.00000011920929f, 1f, _e199)) * _e86);
-    let _e218 = select(_e213, 0f, (bitcast<f32>((bitcast<u32>(_e213) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e219 = bitcast<u32>(_e63.x);
-    let _e221 = ((_e219 & 2139095040u) != 0u);
-    let _e235 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e219 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e219 & 2147483648u))), _e63.x, _e221) * _e80) * select(0.00000011920929f, 1f, _e221)) * _e86);
-    let _e240 = select(_e235, 0f, (bitcast<f32>((bitcast<u32>(_e235) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e241 = bitcast<u32>(_e63.y);
-    let _e243 = ((_e241 & 2139095040u) != 0u);
-    let _e257 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e241 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e241 & 2147483648u))), _e63.y, _e243) * _e80) * select(0.00000011920929f, 1f, _e243)) * _e86);
-    let _e262 = select(_e257, 0f, (bitcast<f32>((bitcast<u32>(_e257) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e263 = bitcast<u32>(_e63.z);
-    let _e265 = ((_e263 & 2139095040u) != 0u);
-    let _e279 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e263 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e263 & 2147483648u))), _e63.z, _e265) * _e80) * select(0.00000011920929f, 1f, _e265)) * _e86);
-    let _e284 = select(_e279, 0f, (bitcast<f32>((bitcast<u32>(_e279) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
-    let _e287 = slimbvh_weights.member[0u];
-    let _e290 = slimbvh_weights.member[1u];
-    let _e291 = slimbvh_from.member;
-    let _e296 = ((1f - _e287) - _e290);
-    let _e298 = select(0f, _e296, (_e296 > 0f));
-    let _e300 = select(1f, _e287, (_e287 < 1f));
-    let _e302 = select(1f, _e290, (_e290 < 1f));
-    let _e303 = (_e108 * _e298);
-    let _e304 = (_e130 * _e298);
-    let _e305 = (_e152 * _e298);
-    let _e306 = (_e174 * _e300);
-    let _e307 = (_e196 * _e300);
-    let _e308 = (_e218 * _e300);
-    let _e309 = (_e240 * _e302);
-    let _e310 = (_e262 * _e302);
-    let _e311 = (_e284 * _e302);
-    let _e315 = ((_e303 + _e306) + _e309);
-    let _e316 = ((_e304 + _e307) + _e310);
-    let _e317 = ((_e305 + _e308) + _e311);
-    let _e354 = (_e174 - _e108);
-    let _e355 = (_e196 - _e130);
-    let _e356 = (_e218 - _e152);
-    let _e357 = (_e240 - _e108);
-    let _e358 = (_e262 - _e130);
-    let _e359 = (_e284 - _e152);
-    let _e362 = ((_e355 * _e359) - (_e358 * _e356));
-    let _e365 = ((_e356 * _e357) - (_e359 * _e354));
-    let _e368 = ((_e354 * _e358) - (_e357 * _e355));
-    let _e371 = bitcast<f32>((bitcast<u32>(_e362) & 2147483647u));
-    let _e374 = bitcast<f32>((bitcast<u32>(_e365) & 2147483647u));
-    let _e376 = select(_e374, _e371, (_e371 > _e374));
-    let _e379 = bitcast<f32>((bitcast<u32>(_e368) & 2147483647u));
-    let _e381 = select(_e379, _e376, (_e376 > _e379));
-    if (_e381 < 0.000000000000000000000000000000000000011754944f) {
-        phi_770_ = vec3<f32>(0f, 0f, 0f);
+    let _e79 = phi_214_;
+    let _e84 = bitcast<f32>((bitcast<u32>((_e79 + 127i)) << bitcast<u32>(23i)));
+    let _e90 = bitcast<f32>((bitcast<u32>(((_e74 - _e79) + 127i)) << bitcast<u32>(23i)));
+    let _e91 = bitcast<u32>(_e55.x);
+    let _e93 = ((_e91 & 2139095040u) != 0u);
+    let _e107 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e91 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e91 & 2147483648u))), _e55.x, _e93) * _e84) * select(0.00000011920929f, 1f, _e93)) * _e90);
+    let _e112 = select(_e107, 0f, (bitcast<f32>((bitcast<u32>(_e107) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e113 = bitcast<u32>(_e55.y);
+    let _e115 = ((_e113 & 2139095040u) != 0u);
+    let _e129 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e113 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e113 & 2147483648u))), _e55.y, _e115) * _e84) * select(0.00000011920929f, 1f, _e115)) * _e90);
+    let _e134 = select(_e129, 0f, (bitcast<f32>((bitcast<u32>(_e129) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e135 = bitcast<u32>(_e55.z);
+    let _e137 = ((_e135 & 2139095040u) != 0u);
+    let _e151 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e135 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e135 & 2147483648u))), _e55.z, _e137) * _e84) * select(0.00000011920929f, 1f, _e137)) * _e90);
+    let _e156 = select(_e151, 0f, (bitcast<f32>((bitcast<u32>(_e151) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e157 = bitcast<u32>(_e61.x);
+    let _e159 = ((_e157 & 2139095040u) != 0u);
+    let _e173 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e157 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e157 & 2147483648u))), _e61.x, _e159) * _e84) * select(0.00000011920929f, 1f, _e159)) * _e90);
+    let _e178 = select(_e173, 0f, (bitcast<f32>((bitcast<u32>(_e173) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e179 = bitcast<u32>(_e61.y);
+    let _e181 = ((_e179 & 2139095040u) != 0u);
+    let _e195 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e179 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e179 & 2147483648u))), _e61.y, _e181) * _e84) * select(0.00000011920929f, 1f, _e181)) * _e90);
+    let _e200 = select(_e195, 0f, (bitcast<f32>((bitcast<u32>(_e195) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e201 = bitcast<u32>(_e61.z);
+    let _e203 = ((_e201 & 2139095040u) != 0u);
+    let _e217 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e201 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e201 & 2147483648u))), _e61.z, _e203) * _e84) * select(0.00000011920929f, 1f, _e203)) * _e90);
+    let _e222 = select(_e217, 0f, (bitcast<f32>((bitcast<u32>(_e217) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e223 = bitcast<u32>(_e67.x);
+    let _e225 = ((_e223 & 2139095040u) != 0u);
+    let _e239 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e223 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e223 & 2147483648u))), _e67.x, _e225) * _e84) * select(0.00000011920929f, 1f, _e225)) * _e90);
+    let _e244 = select(_e239, 0f, (bitcast<f32>((bitcast<u32>(_e239) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e245 = bitcast<u32>(_e67.y);
+    let _e247 = ((_e245 & 2139095040u) != 0u);
+    let _e261 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e67.y, _e247) * _e84) * select(0.00000011920929f, 1f, _e247)) * _e90);
+    let _e266 = select(_e261, 0f, (bitcast<f32>((bitcast<u32>(_e261) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e267 = bitcast<u32>(_e67.z);
+    let _e269 = ((_e267 & 2139095040u) != 0u);
+    let _e283 = (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e267 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e267 & 2147483648u))), _e67.z, _e269) * _e84) * select(0.00000011920929f, 1f, _e269)) * _e90);
+    let _e288 = select(_e283, 0f, (bitcast<f32>((bitcast<u32>(_e283) & 2147483647u)) < 0.000000000000000000000000000000000000011754944f));
+    let _e291 = slimbvh_weights.member[0u];
+    let _e294 = slimbvh_weights.member[1u];
+    let _e295 = slimbvh_from.member;
+    let _e300 = ((1f - _e291) - _e294);
+    let _e302 = select(0f, _e300, (_e300 > 0f));
+    let _e304 = select(1f, _e291, (_e291 < 1f));
+    let _e306 = select(1f, _e294, (_e294 < 1f));
+    let _e307 = (_e112 * _e302);
+    let _e308 = (_e134 * _e302);
+    let _e309 = (_e156 * _e302);
+    let _e310 = (_e178 * _e304);
+    let _e311 = (_e200 * _e304);
+    let _e312 = (_e222 * _e304);
+    let _e313 = (_e244 * _e306);
+    let _e314 = (_e266 * _e306);
+    let _e315 = (_e288 * _e306);
+    let _e358 = (_e178 - _e112);
+    let _e359 = (_e200 - _e134);
+    let _e360 = (_e222 - _e156);
+    let _e361 = (_e244 - _e112);
+    let _e362 = (_e266 - _e134);
+    let _e363 = (_e288 - _e156);
+    let _e366 = ((_e359 * _e363) - (_e362 * _e360));
+    let _e369 = ((_e360 * _e361) - (_e363 * _e358));
+    let _e372 = ((_e358 * _e362) - (_e361 * _e359));
+    let _e375 = bitcast<f32>((bitcast<u32>(_e366) & 2147483647u));
+    let _e378 = bitcast<f32>((bitcast<u32>(_e369) & 2147483647u));
+    let _e380 = select(_e378, _e375, (_e375 > _e378));
+    let _e383 = bitcast<f32>((bitcast<u32>(_e372) & 2147483647u));
+    let _e385 = select(_e383, _e380, (_e380 > _e383));
+    if (_e385 < 0.000000000000000000000000000000000000011754944f) {
+        phi_758_ = vec3<f32>(0f, 0f, 0f);
     } else {
-        let _e384 = (bitcast<u32>(_e381) & 2147483647u);
-        let _e385 = (_e384 >= 8388608u);
-        if _e385 {
-            phi_720_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
+        let _e388 = (bitcast<u32>(_e385) & 2147483647u);
+        let _e389 = (_e388 >= 8388608u);
+        if _e389 {
+            phi_708_ = (bitcast<i32>((_e388 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_720_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
+            phi_708_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e388)), 32u, (_e388 == 0u))));
         }
-        let _e398 = phi_720_;
-        let _e405 = bitcast<f32>((bitcast<u32>(((_e398 / -2i) + 127i)) << bitcast<u32>(23i)));
-        if _e385 {
-            phi_751_ = (bitcast<i32>((_e384 >> bitcast<u32>(23i))) - 127i);
+        let _e402 = phi_708_;
+        let _e409 = bitcast<f32>((bitcast<u32>(((_e402 / -2i) + 127i)) << bitcast<u32>(23i)));
+        if _e389 {
+            phi_739_ = (bitcast<i32>((_e388 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_751_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e384)), 32u, (_e384 == 0u))));
+            phi_739_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e388)), 32u, (_e388 == 0u))));
         }
-        let _e421 = phi_751_;
-        let _e427 = bitcast<f32>((bitcast<u32>((((_e398 / 2i) - _e421) + 127i)) << bitcast<u32>(23i)));
-        let _e428 = ((_e362 * _e405) * _e427);
-        let _e429 = ((_e365 * _e405) * _e427);
-        let _e430 = ((_e368 * _e405) * _e427);
-        let _e436 = sqrt((((_e428 * _e428) + (_e429 * _e429)) + (_e430 * _e430)));
-        phi_770_ = vec3<f32>((_e428 / _e436), (_e429 / _e436), (_e430 / _e436));
+        let _e425 = phi_739_;
+        let _e431 = bitcast<f32>((bitcast<u32>((((_e402 / 2i) - _e425) + 127i)) << bitcast<u32>(23i)));
+        let _e432 = ((_e366 * _e409) * _e431);
+        let _e433 = ((_e369 * _e409) * _e431);
+        let _e434 = ((_e372 * _e409) * _e431);
+        let _e440 = sqrt((((_e432 * _e432) + (_e433 * _e433)) + (_e434 * _e434)));
+        phi_758_ = vec3<f32>((_e432 / _e440), (_e433 / _e440), (_e434 / _e440));
     }
-    let _e442 = phi_770_;
-    let _e452 = select(1f, -1f, ((((_e442.x * _e291.x) + (_e442.y * _e291.y)) + (_e442.z * _e291.z)) > 0f));
-    let _e453 = (_e442 * _e452);
-    let _e454 = ((((bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e306) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e309) & 2147483647u))) * 0.00000071525625f) + 0.000000000000000000000000000000000000047019774f);
-    let _e455 = -(_e70);
-    let _e456 = bitcast<u32>(_e315);
-    let _e460 = (bitcast<i32>((_e456 >> bitcast<u32>(23i))) & 255i);
-    let _e461 = (_e460 + _e455);
-    if (_e460 == 255i) {
-        phi_2182_ = _e315;
-    } else {
-        if (_e460 > 0i) {
-            if (_e461 > 0i) {
-                let _e465 = (_e461 < 255i);
-                if _e465 {
-                    phi_2156_ = bitcast<f32>((_e456 + bitcast<u32>((_e455 << bitcast<u32>(23i)))));
-                } else {
-                    phi_2156_ = f32();
-                }
-                let _e472 = phi_2156_;
-                phi_2160_ = _e472;
-                phi_2161_ = select(true, false, _e465);
-            } else {
-                phi_2160_ = f32();
-                phi_2161_ = true;
-            }
-            let _e475 = phi_2160_;
-            let _e477 = phi_2161_;
-            phi_2164_ = _e475;
-            phi_2165_ = _e477;
+    let _e446 = phi_758_;
+    let _e456 = select(1f, -1f, ((((_e446.x * _e295.x) + (_e446.y * _e295.y)) + (_e446.z * _e295.z)) > 0f));
+    let _e457 = (_e446.x * _e456);
+    let _e458 = (_e446.y * _e456);
+    let _e459 = (_e446.z * _e456);
+    local = array<f32, 3>(((_e307 + _e310) + _e313), ((_e308 + _e311) + _e314), ((_e309 + _e312) + _e315));
+    local_1 = array<f32, 3>((((bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e310) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e313) & 2147483647u))) * 0.00000071525625f), (((bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e311) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e314) & 2147483647u))) * 0.00000071525625f), (((bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e312) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e315) & 2147483647u))) * 0.00000071525625f));
+    phi_898_ = SlimbvhTypeG(0u, 3u);
+    loop {
+        let _e463 = phi_898_;
+        if (_e463.member < _e463.member_1) {
+            phi_899_ = SlimbvhTypeG((_e463.member + 1u), _e463.member_1);
+            phi_922_ = SlimbvhTypeG(1u, _e463.member);
         } else {
-            phi_2164_ = f32();
-            phi_2165_ = true;
+            phi_899_ = _e463;
+            phi_922_ = SlimbvhTypeG(0u, SlimbvhTypeG().member_1);
         }
-        let _e479 = phi_2164_;
-        let _e481 = phi_2165_;
-        if _e481 {
-            let _e482 = (_e456 & 2147483648u);
-            let _e489 = ((_e456 & 8388607u) | (select(0u, 1u, ((_e456 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e493 = (_e489 == 0u);
-            if _e493 {
-                phi_2975_ = bitcast<f32>(_e482);
+        let _e476 = phi_899_;
+        let _e478 = phi_922_;
+        let _e482 = (bitcast<i32>(_e478.member) != 0i);
+        if _e482 {
+            let _e484 = local[_e478.member_1];
+            let _e486 = local_1[_e478.member_1];
+            let _e487 = (_e486 + 0.000000000000000000000000000000000000047019774f);
+            let _e488 = -(_e74);
+            let _e489 = bitcast<u32>(_e484);
+            let _e493 = (bitcast<i32>((_e489 >> bitcast<u32>(23i))) & 255i);
+            let _e494 = (_e493 + _e488);
+            if (_e493 == 255i) {
+                phi_992_ = _e484;
             } else {
-                let _e499 = (select((bitcast<u32>(31i) - firstLeadingBit(_e489)), 32u, _e493) - 8u);
-                let _e502 = (_e489 << bitcast<u32>((_e499 & 31u)));
-                let _e504 = ((_e461 + select(0i, 1i, (_e460 == 0i))) - bitcast<i32>(_e499));
-                if (_e504 >= 255i) {
-                    phi_2967_ = bitcast<f32>((_e482 | 2139095040u));
-                    phi_2968_ = f32();
-                    phi_2969_ = true;
-                } else {
-                    let _e508 = (_e504 > 0i);
-                    if _e508 {
-                        phi_2964_ = bitcast<f32>(((_e482 | (bitcast<u32>(_e504) << bitcast<u32>(23i))) | (_e502 & 8388607u)));
-                        phi_2965_ = f32();
+                if (_e493 > 0i) {
+                    if (_e494 > 0i) {
+                        let _e498 = (_e494 < 255i);
+                        if _e498 {
+                            phi_971_ = bitcast<f32>((_e489 + bitcast<u32>((_e488 << bitcast<u32>(23i)))));
+                        } else {
+                            phi_971_ = f32();
+                        }
+                        let _e505 = phi_971_;
+                        phi_973_ = _e505;
+                        phi_974_ = select(true, false, _e498);
                     } else {
-                        if (_e504 < -24i) {
-                            phi_2937_ = 26u;
-                        } else {
-                            phi_2937_ = bitcast<u32>((1i - _e504));
-                        }
-                        let _e520 = phi_2937_;
-                        let _e521 = (_e520 & 31u);
-                        let _e523 = (_e502 >> bitcast<u32>(_e521));
-                        let _e527 = (_e502 & ((1u << bitcast<u32>(_e521)) - 1u));
-                        let _e531 = (1u << bitcast<u32>(((_e520 - 1u) & 31u)));
-                        if (_e527 > _e531) {
-                            phi_2958_ = true;
-                        } else {
-                            if (_e527 == _e531) {
-                                phi_2956_ = ((_e523 & 1u) == 1u);
-                            } else {
-                                phi_2956_ = false;
-                            }
-                            let _e537 = phi_2956_;
-                            phi_2958_ = _e537;
-                        }
-                        let _e539 = phi_2958_;
-                        phi_2964_ = f32();
-                        phi_2965_ = bitcast<f32>((_e482 | (_e523 + select(0u, 1u, _e539))));
+                        phi_973_ = f32();
+                        phi_974_ = true;
                     }
-                    let _e545 = phi_2964_;
-                    let _e547 = phi_2965_;
-                    phi_2967_ = _e545;
-                    phi_2968_ = _e547;
-                    phi_2969_ = _e508;
-                }
-                let _e549 = phi_2967_;
-                let _e551 = phi_2968_;
-                let _e553 = phi_2969_;
-                phi_2975_ = select(_e551, _e549, _e553);
-            }
-            let _e556 = phi_2975_;
-            phi_2180_ = _e556;
-        } else {
-            phi_2180_ = _e479;
-        }
-        let _e558 = phi_2180_;
-        phi_2182_ = _e558;
-    }
-    let _e560 = phi_2182_;
-    let _e561 = bitcast<u32>(_e560);
-    if (bitcast<f32>((_e561 & 2147483647u)) > _e47) {
-        phi_2195_ = bitcast<f32>(((_e561 & 2147483648u) | 2139095039u));
-    } else {
-        phi_2195_ = _e560;
-    }
-    let _e569 = phi_2195_;
-    let _e570 = bitcast<u32>(_e454);
-    let _e574 = (bitcast<i32>((_e570 >> bitcast<u32>(23i))) & 255i);
-    let _e575 = (_e574 + _e455);
-    if (_e574 == 255i) {
-        phi_2243_ = _e454;
-    } else {
-        if (_e574 > 0i) {
-            if (_e575 > 0i) {
-                let _e579 = (_e575 < 255i);
-                if _e579 {
-                    phi_2217_ = bitcast<f32>((_e570 + bitcast<u32>((_e455 << bitcast<u32>(23i)))));
+                    let _e508 = phi_973_;
+                    let _e510 = phi_974_;
+                    phi_975_ = _e508;
+                    phi_976_ = _e510;
                 } else {
-                    phi_2217_ = f32();
+                    phi_975_ = f32();
+                    phi_976_ = true;
                 }
-                let _e586 = phi_2217_;
-                phi_2221_ = _e586;
-                phi_2222_ = select(true, false, _e579);
-            } else {
-                phi_2221_ = f32();
-                phi_2222_ = true;
-            }
-            let _e589 = phi_2221_;
-            let _e591 = phi_2222_;
-            phi_2225_ = _e589;
-            phi_2226_ = _e591;
-        } else {
-            phi_2225_ = f32();
-            phi_2226_ = true;
-        }
-        let _e593 = phi_2225_;
-        let _e595 = phi_2226_;
-        if _e595 {
-            let _e596 = (_e570 & 2147483648u);
-            let _e603 = ((_e570 & 8388607u) | (select(0u, 1u, ((_e570 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e607 = (_e603 == 0u);
-            if _e607 {
-                phi_3049_ = bitcast<f32>(_e596);
-            } else {
-                let _e613 = (select((bitcast<u32>(31i) - firstLeadingBit(_e603)), 32u, _e607) - 8u);
-                let _e616 = (_e603 << bitcast<u32>((_e613 & 31u)));
-                let _e618 = ((_e575 + select(0i, 1i, (_e574 == 0i))) - bitcast<i32>(_e613));
-                if (_e618 >= 255i) {
-                    phi_3041_ = bitcast<f32>((_e596 | 2139095040u));
-                    phi_3042_ = f32();
-                    phi_3043_ = true;
-                } else {
-                    let _e622 = (_e618 > 0i);
-                    if _e622 {
-                        phi_3038_ = bitcast<f32>(((_e596 | (bitcast<u32>(_e618) << bitcast<u32>(23i))) | (_e616 & 8388607u)));
-                        phi_3039_ = f32();
+                let _e512 = phi_975_;
+                let _e514 = phi_976_;
+                if _e514 {
+                    let _e515 = (_e489 & 2147483648u);
+                    let _e522 = ((_e489 & 8388607u) | (select(0u, 1u, ((_e489 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e526 = (_e522 == 0u);
+                    if _e526 {
+                        phi_1666_ = bitcast<f32>(_e515);
                     } else {
-                        if (_e618 < -24i) {
-                            phi_3011_ = 26u;
+                        let _e531 = (select((bitcast<u32>(31i) - firstLeadingBit(_e522)), 32u, _e526) - 8u);
+                        let _e534 = (_e522 << bitcast<u32>((_e531 & 31u)));
+                        let _e536 = ((_e494 + select(0i, 1i, (_e493 == 0i))) - bitcast<i32>(_e531));
+                        if (_e536 >= 255i) {
+                            phi_1656_ = bitcast<f32>((_e515 | 2139095040u));
+                            phi_1657_ = f32();
+                            phi_1658_ = true;
                         } else {
-                            phi_3011_ = bitcast<u32>((1i - _e618));
-                        }
-                        let _e634 = phi_3011_;
-                        let _e635 = (_e634 & 31u);
-                        let _e637 = (_e616 >> bitcast<u32>(_e635));
-                        let _e641 = (_e616 & ((1u << bitcast<u32>(_e635)) - 1u));
-                        let _e645 = (1u << bitcast<u32>(((_e634 - 1u) & 31u)));
-                        if (_e641 > _e645) {
-                            phi_3032_ = true;
-                        } else {
-                            if (_e641 == _e645) {
-                                phi_3030_ = ((_e637 & 1u) == 1u);
+                            let _e538 = (_e536 > 0i);
+                            if _e538 {
+                                phi_1650_ = bitcast<f32>(((_e515 | (bitcast<u32>(_e536) << bitcast<u32>(23i))) | (_e534 & 8388607u)));
+                                phi_1651_ = f32();
                             } else {
-                                phi_3030_ = false;
-                            }
-                            let _e651 = phi_3030_;
-                            phi_3032_ = _e651;
-                        }
-                        let _e653 = phi_3032_;
-                        phi_3038_ = f32();
-                        phi_3039_ = bitcast<f32>((_e596 | (_e637 + select(0u, 1u, _e653))));
-                    }
-                    let _e659 = phi_3038_;
-                    let _e661 = phi_3039_;
-                    phi_3041_ = _e659;
-                    phi_3042_ = _e661;
-                    phi_3043_ = _e622;
-                }
-                let _e663 = phi_3041_;
-                let _e665 = phi_3042_;
-                let _e667 = phi_3043_;
-                phi_3049_ = select(_e665, _e663, _e667);
-            }
-            let _e670 = phi_3049_;
-            phi_2241_ = _e670;
-        } else {
-            phi_2241_ = _e593;
-        }
-        let _e672 = phi_2241_;
-        phi_2243_ = _e672;
-    }
-    let _e674 = phi_2243_;
-    let _e675 = bitcast<u32>(_e674);
-    if (bitcast<f32>((_e675 & 2147483647u)) > _e47) {
-        phi_2256_ = bitcast<f32>(((_e675 & 2147483648u) | 2139095039u));
-    } else {
-        phi_2256_ = _e674;
-    }
-    let _e683 = phi_2256_;
-    let _e684 = bitcast<u32>(_e569);
-    let _e688 = (bitcast<i32>((_e684 >> bitcast<u32>(23i))) & 255i);
-    let _e689 = (_e688 + _e70);
-    if (_e688 == 255i) {
-        phi_2303_ = _e569;
-    } else {
-        if (_e688 > 0i) {
-            if (_e689 > 0i) {
-                let _e693 = (_e689 < 255i);
-                if _e693 {
-                    phi_2277_ = bitcast<f32>((_e684 + bitcast<u32>((_e70 << bitcast<u32>(23i)))));
-                } else {
-                    phi_2277_ = f32();
-                }
-                let _e700 = phi_2277_;
-                phi_2281_ = _e700;
-                phi_2282_ = select(true, false, _e693);
-            } else {
-                phi_2281_ = f32();
-                phi_2282_ = true;
-            }
-            let _e703 = phi_2281_;
-            let _e705 = phi_2282_;
-            phi_2285_ = _e703;
-            phi_2286_ = _e705;
-        } else {
-            phi_2285_ = f32();
-            phi_2286_ = true;
-        }
-        let _e707 = phi_2285_;
-        let _e709 = phi_2286_;
-        if _e709 {
-            let _e710 = (_e684 & 2147483648u);
-            let _e717 = ((_e684 & 8388607u) | (select(0u, 1u, ((_e684 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e721 = (_e717 == 0u);
-            if _e721 {
-                phi_3123_ = bitcast<f32>(_e710);
-            } else {
-                let _e727 = (select((bitcast<u32>(31i) - firstLeadingBit(_e717)), 32u, _e721) - 8u);
-                let _e730 = (_e717 << bitcast<u32>((_e727 & 31u)));
-                let _e732 = ((_e689 + select(0i, 1i, (_e688 == 0i))) - bitcast<i32>(_e727));
-                if (_e732 >= 255i) {
-                    phi_3115_ = bitcast<f32>((_e710 | 2139095040u));
-                    phi_3116_ = f32();
-                    phi_3117_ = true;
-                } else {
-                    let _e736 = (_e732 > 0i);
-                    if _e736 {
-                        phi_3112_ = bitcast<f32>(((_e710 | (bitcast<u32>(_e732) << bitcast<u32>(23i))) | (_e730 & 8388607u)));
-                        phi_3113_ = f32();
-                    } else {
-                        if (_e732 < -24i) {
-                            phi_3085_ = 26u;
-                        } else {
-                            phi_3085_ = bitcast<u32>((1i - _e732));
-                        }
-                        let _e748 = phi_3085_;
-                        let _e749 = (_e748 & 31u);
-                        let _e751 = (_e730 >> bitcast<u32>(_e749));
-                        let _e755 = (_e730 & ((1u << bitcast<u32>(_e749)) - 1u));
-                        let _e759 = (1u << bitcast<u32>(((_e748 - 1u) & 31u)));
-                        if (_e755 > _e759) {
-                            phi_3106_ = true;
-                        } else {
-                            if (_e755 == _e759) {
-                                phi_3104_ = ((_e751 & 1u) == 1u);
-                            } else {
-                                phi_3104_ = false;
-                            }
-                            let _e765 = phi_3104_;
-                            phi_3106_ = _e765;
-                        }
-                        let _e767 = phi_3106_;
-                        phi_3112_ = f32();
-                        phi_3113_ = bitcast<f32>((_e710 | (_e751 + select(0u, 1u, _e767))));
-                    }
-                    let _e773 = phi_3112_;
-                    let _e775 = phi_3113_;
-                    phi_3115_ = _e773;
-                    phi_3116_ = _e775;
-                    phi_3117_ = _e736;
-                }
-                let _e777 = phi_3115_;
-                let _e779 = phi_3116_;
-                let _e781 = phi_3117_;
-                phi_3123_ = select(_e779, _e777, _e781);
-            }
-            let _e784 = phi_3123_;
-            phi_2301_ = _e784;
-        } else {
-            phi_2301_ = _e707;
-        }
-        let _e786 = phi_2301_;
-        phi_2303_ = _e786;
-    }
-    let _e788 = phi_2303_;
-    if (_e788 == _e315) {
-        let _e790 = bitcast<u32>(_e683);
-        let _e794 = (bitcast<i32>((_e790 >> bitcast<u32>(23i))) & 255i);
-        let _e795 = (_e794 + _e70);
-        if (_e794 == 255i) {
-            phi_2352_ = _e683;
-        } else {
-            if (_e794 > 0i) {
-                if (_e795 > 0i) {
-                    let _e799 = (_e795 < 255i);
-                    if _e799 {
-                        phi_2326_ = bitcast<f32>((_e790 + bitcast<u32>((_e70 << bitcast<u32>(23i)))));
-                    } else {
-                        phi_2326_ = f32();
-                    }
-                    let _e806 = phi_2326_;
-                    phi_2330_ = _e806;
-                    phi_2331_ = select(true, false, _e799);
-                } else {
-                    phi_2330_ = f32();
-                    phi_2331_ = true;
-                }
-                let _e809 = phi_2330_;
-                let _e811 = phi_2331_;
-                phi_2334_ = _e809;
-                phi_2335_ = _e811;
-            } else {
-                phi_2334_ = f32();
-                phi_2335_ = true;
-            }
-            let _e813 = phi_2334_;
-            let _e815 = phi_2335_;
-            if _e815 {
-                let _e816 = (_e790 & 2147483648u);
-                let _e823 = ((_e790 & 8388607u) | (select(0u, 1u, ((_e790 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e827 = (_e823 == 0u);
-                if _e827 {
-                    phi_3197_ = bitcast<f32>(_e816);
-                } else {
-                    let _e833 = (select((bitcast<u32>(31i) - firstLeadingBit(_e823)), 32u, _e827) - 8u);
-                    let _e836 = (_e823 << bitcast<u32>((_e833 & 31u)));
-                    let _e838 = ((_e795 + select(0i, 1i, (_e794 == 0i))) - bitcast<i32>(_e833));
-                    if (_e838 >= 255i) {
-                        phi_3189_ = bitcast<f32>((_e816 | 2139095040u));
-                        phi_3190_ = f32();
-                        phi_3191_ = true;
-                    } else {
-                        let _e842 = (_e838 > 0i);
-                        if _e842 {
-                            phi_3186_ = bitcast<f32>(((_e816 | (bitcast<u32>(_e838) << bitcast<u32>(23i))) | (_e836 & 8388607u)));
-                            phi_3187_ = f32();
-                        } else {
-                            if (_e838 < -24i) {
-                                phi_3159_ = 26u;
-                            } else {
-                                phi_3159_ = bitcast<u32>((1i - _e838));
-                            }
-                            let _e854 = phi_3159_;
-                            let _e855 = (_e854 & 31u);
-                            let _e857 = (_e836 >> bitcast<u32>(_e855));
-                            let _e861 = (_e836 & ((1u << bitcast<u32>(_e855)) - 1u));
-                            let _e865 = (1u << bitcast<u32>(((_e854 - 1u) & 31u)));
-                            if (_e861 > _e865) {
-                                phi_3180_ = true;
-                            } else {
-                                if (_e861 == _e865) {
-                                    phi_3178_ = ((_e857 & 1u) == 1u);
+                                if (_e536 < -24i) {
+                                    phi_1616_ = 26u;
                                 } else {
-                                    phi_3178_ = false;
+                                    phi_1616_ = bitcast<u32>((1i - _e536));
                                 }
-                                let _e871 = phi_3178_;
-                                phi_3180_ = _e871;
-                            }
-                            let _e873 = phi_3180_;
-                            phi_3186_ = f32();
-                            phi_3187_ = bitcast<f32>((_e816 | (_e857 + select(0u, 1u, _e873))));
-                        }
-                        let _e879 = phi_3186_;
-                        let _e881 = phi_3187_;
-                        phi_3189_ = _e879;
-                        phi_3190_ = _e881;
-                        phi_3191_ = _e842;
-                    }
-                    let _e883 = phi_3189_;
-                    let _e885 = phi_3190_;
-                    let _e887 = phi_3191_;
-                    phi_3197_ = select(_e885, _e883, _e887);
-                }
-                let _e890 = phi_3197_;
-                phi_2350_ = _e890;
-            } else {
-                phi_2350_ = _e813;
-            }
-            let _e892 = phi_2350_;
-            phi_2352_ = _e892;
-        }
-        let _e894 = phi_2352_;
-        phi_2360_ = select(true, false, (_e894 == _e454));
-    } else {
-        phi_2360_ = true;
-    }
-    let _e898 = phi_2360_;
-    if _e898 {
-        let _e899 = bitcast<u32>(_e683);
-        if ((_e899 & 2147483647u) == 0u) {
-            phi_2379_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e899 >> bitcast<u32>(31i)) == 0u) {
-                phi_2377_ = bitcast<f32>((_e899 + 1u));
-            } else {
-                phi_2377_ = bitcast<f32>((_e899 - 1u));
-            }
-            let _e910 = phi_2377_;
-            phi_2379_ = _e910;
-        }
-        let _e912 = phi_2379_;
-        phi_2382_ = _e912;
-    } else {
-        phi_2382_ = _e683;
-    }
-    let _e914 = phi_2382_;
-    let _e915 = ((((bitcast<f32>((bitcast<u32>(_e304) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e307) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e310) & 2147483647u))) * 0.00000071525625f) + 0.000000000000000000000000000000000000047019774f);
-    let _e916 = bitcast<u32>(_e316);
-    let _e920 = (bitcast<i32>((_e916 >> bitcast<u32>(23i))) & 255i);
-    let _e921 = (_e920 + _e455);
-    if (_e920 == 255i) {
-        phi_2431_ = _e316;
-    } else {
-        if (_e920 > 0i) {
-            if (_e921 > 0i) {
-                let _e925 = (_e921 < 255i);
-                if _e925 {
-                    phi_2405_ = bitcast<f32>((_e916 + bitcast<u32>((_e455 << bitcast<u32>(23i)))));
-                } else {
-                    phi_2405_ = f32();
-                }
-                let _e932 = phi_2405_;
-                phi_2409_ = _e932;
-                phi_2410_ = select(true, false, _e925);
-            } else {
-                phi_2409_ = f32();
-                phi_2410_ = true;
-            }
-            let _e935 = phi_2409_;
-            let _e937 = phi_2410_;
-            phi_2413_ = _e935;
-            phi_2414_ = _e937;
-        } else {
-            phi_2413_ = f32();
-            phi_2414_ = true;
-        }
-        let _e939 = phi_2413_;
-        let _e941 = phi_2414_;
-        if _e941 {
-            let _e942 = (_e916 & 2147483648u);
-            let _e949 = ((_e916 & 8388607u) | (select(0u, 1u, ((_e916 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e953 = (_e949 == 0u);
-            if _e953 {
-                phi_3271_ = bitcast<f32>(_e942);
-            } else {
-                let _e959 = (select((bitcast<u32>(31i) - firstLeadingBit(_e949)), 32u, _e953) - 8u);
-                let _e962 = (_e949 << bitcast<u32>((_e959 & 31u)));
-                let _e964 = ((_e921 + select(0i, 1i, (_e920 == 0i))) - bitcast<i32>(_e959));
-                if (_e964 >= 255i) {
-                    phi_3263_ = bitcast<f32>((_e942 | 2139095040u));
-                    phi_3264_ = f32();
-                    phi_3265_ = true;
-                } else {
-                    let _e968 = (_e964 > 0i);
-                    if _e968 {
-                        phi_3260_ = bitcast<f32>(((_e942 | (bitcast<u32>(_e964) << bitcast<u32>(23i))) | (_e962 & 8388607u)));
-                        phi_3261_ = f32();
-                    } else {
-                        if (_e964 < -24i) {
-                            phi_3233_ = 26u;
-                        } else {
-                            phi_3233_ = bitcast<u32>((1i - _e964));
-                        }
-                        let _e980 = phi_3233_;
-                        let _e981 = (_e980 & 31u);
-                        let _e983 = (_e962 >> bitcast<u32>(_e981));
-                        let _e987 = (_e962 & ((1u << bitcast<u32>(_e981)) - 1u));
-                        let _e991 = (1u << bitcast<u32>(((_e980 - 1u) & 31u)));
-                        if (_e987 > _e991) {
-                            phi_3254_ = true;
-                        } else {
-                            if (_e987 == _e991) {
-                                phi_3252_ = ((_e983 & 1u) == 1u);
-                            } else {
-                                phi_3252_ = false;
-                            }
-                            let _e997 = phi_3252_;
-                            phi_3254_ = _e997;
-                        }
-                        let _e999 = phi_3254_;
-                        phi_3260_ = f32();
-                        phi_3261_ = bitcast<f32>((_e942 | (_e983 + select(0u, 1u, _e999))));
-                    }
-                    let _e1005 = phi_3260_;
-                    let _e1007 = phi_3261_;
-                    phi_3263_ = _e1005;
-                    phi_3264_ = _e1007;
-                    phi_3265_ = _e968;
-                }
-                let _e1009 = phi_3263_;
-                let _e1011 = phi_3264_;
-                let _e1013 = phi_3265_;
-                phi_3271_ = select(_e1011, _e1009, _e1013);
-            }
-            let _e1016 = phi_3271_;
-            phi_2429_ = _e1016;
-        } else {
-            phi_2429_ = _e939;
-        }
-        let _e1018 = phi_2429_;
-        phi_2431_ = _e1018;
-    }
-    let _e1020 = phi_2431_;
-    let _e1021 = bitcast<u32>(_e1020);
-    if (bitcast<f32>((_e1021 & 2147483647u)) > _e47) {
-        phi_2444_ = bitcast<f32>(((_e1021 & 2147483648u) | 2139095039u));
-    } else {
-        phi_2444_ = _e1020;
-    }
-    let _e1029 = phi_2444_;
-    let _e1030 = bitcast<u32>(_e915);
-    let _e1034 = (bitcast<i32>((_e1030 >> bitcast<u32>(23i))) & 255i);
-    let _e1035 = (_e1034 + _e455);
-    if (_e1034 == 255i) {
-        phi_2492_ = _e915;
-    } else {
-        if (_e1034 > 0i) {
-            if (_e1035 > 0i) {
-                let _e1039 = (_e1035 < 255i);
-                if _e1039 {
-                    phi_2466_ = bitcast<f32>((_e1030 + bitcast<u32>((_e455 << bitcast<u32>(23i)))));
-                } else {
-                    phi_2466_ = f32();
-                }
-                let _e1046 = phi_2466_;
-                phi_2470_ = _e1046;
-                phi_2471_ = select(true, false, _e1039);
-            } else {
-                phi_2470_ = f32();
-                phi_2471_ = true;
-            }
-            let _e1049 = phi_2470_;
-            let _e1051 = phi_2471_;
-            phi_2474_ = _e1049;
-            phi_2475_ = _e1051;
-        } else {
-            phi_2474_ = f32();
-            phi_2475_ = true;
-        }
-        let _e1053 = phi_2474_;
-        let _e1055 = phi_2475_;
-        if _e1055 {
-            let _e1056 = (_e1030 & 2147483648u);
-            let _e1063 = ((_e1030 & 8388607u) | (select(0u, 1u, ((_e1030 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e1067 = (_e1063 == 0u);
-            if _e1067 {
-                phi_3345_ = bitcast<f32>(_e1056);
-            } else {
-                let _e1073 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1063)), 32u, _e1067) - 8u);
-                let _e1076 = (_e1063 << bitcast<u32>((_e1073 & 31u)));
-                let _e1078 = ((_e1035 + select(0i, 1i, (_e1034 == 0i))) - bitcast<i32>(_e1073));
-                if (_e1078 >= 255i) {
-                    phi_3337_ = bitcast<f32>((_e1056 | 2139095040u));
-                    phi_3338_ = f32();
-                    phi_3339_ = true;
-                } else {
-                    let _e1082 = (_e1078 > 0i);
-                    if _e1082 {
-                        phi_3334_ = bitcast<f32>(((_e1056 | (bitcast<u32>(_e1078) << bitcast<u32>(23i))) | (_e1076 & 8388607u)));
-                        phi_3335_ = f32();
-                    } else {
-                        if (_e1078 < -24i) {
-                            phi_3307_ = 26u;
-                        } else {
-                            phi_3307_ = bitcast<u32>((1i - _e1078));
-                        }
-                        let _e1094 = phi_3307_;
-                        let _e1095 = (_e1094 & 31u);
-                        let _e1097 = (_e1076 >> bitcast<u32>(_e1095));
-                        let _e1101 = (_e1076 & ((1u << bitcast<u32>(_e1095)) - 1u));
-                        let _e1105 = (1u << bitcast<u32>(((_e1094 - 1u) & 31u)));
-                        if (_e1101 > _e1105) {
-                            phi_3328_ = true;
-                        } else {
-                            if (_e1101 == _e1105) {
-                                phi_3326_ = ((_e1097 & 1u) == 1u);
-                            } else {
-                                phi_3326_ = false;
-                            }
-                            let _e1111 = phi_3326_;
-                            phi_3328_ = _e1111;
-                        }
-                        let _e1113 = phi_3328_;
-                        phi_3334_ = f32();
-                        phi_3335_ = bitcast<f32>((_e1056 | (_e1097 + select(0u, 1u, _e1113))));
-                    }
-                    let _e1119 = phi_3334_;
-                    let _e1121 = phi_3335_;
-                    phi_3337_ = _e1119;
-                    phi_3338_ = _e1121;
-                    phi_3339_ = _e1082;
-                }
-                let _e1123 = phi_3337_;
-                let _e1125 = phi_3338_;
-                let _e1127 = phi_3339_;
-                phi_3345_ = select(_e1125, _e1123, _e1127);
-            }
-            let _e1130 = phi_3345_;
-            phi_2490_ = _e1130;
-        } else {
-            phi_2490_ = _e1053;
-        }
-        let _e1132 = phi_2490_;
-        phi_2492_ = _e1132;
-    }
-    let _e1134 = phi_2492_;
-    let _e1135 = bitcast<u32>(_e1134);
-    if (bitcast<f32>((_e1135 & 2147483647u)) > _e47) {
-        phi_2505_ = bitcast<f32>(((_e1135 & 2147483648u) | 2139095039u));
-    } else {
-        phi_2505_ = _e1134;
-    }
-    let _e1143 = phi_2505_;
-    let _e1144 = bitcast<u32>(_e1029);
-    let _e1148 = (bitcast<i32>((_e1144 >> bitcast<u32>(23i))) & 255i);
-    let _e1149 = (_e1148 + _e70);
-    if (_e1148 == 255i) {
-        phi_2552_ = _e1029;
-    } else {
-        if (_e1148 > 0i) {
-            if (_e1149 > 0i) {
-                let _e1153 = (_e1149 < 255i);
-                if _e1153 {
-                    phi_2526_ = bitcast<f32>((_e1144 + bitcast<u32>((_e70 << bitcast<u32>(23i)))));
-                } else {
-                    phi_2526_ = f32();
-                }
-                let _e1160 = phi_2526_;
-                phi_2530_ = _e1160;
-                phi_2531_ = select(true, false, _e1153);
-            } else {
-                phi_2530_ = f32();
-                phi_2531_ = true;
-            }
-            let _e1163 = phi_2530_;
-            let _e1165 = phi_2531_;
-            phi_2534_ = _e1163;
-            phi_2535_ = _e1165;
-        } else {
-            phi_2534_ = f32();
-            phi_2535_ = true;
-        }
-        let _e1167 = phi_2534_;
-        let _e1169 = phi_2535_;
-        if _e1169 {
-            let _e1170 = (_e1144 & 2147483648u);
-            let _e1177 = ((_e1144 & 8388607u) | (select(0u, 1u, ((_e1144 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e1181 = (_e1177 == 0u);
-            if _e1181 {
-                phi_3419_ = bitcast<f32>(_e1170);
-            } else {
-                let _e1187 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1177)), 32u, _e1181) - 8u);
-                let _e1190 = (_e1177 << bitcast<u32>((_e1187 & 31u)));
-                let _e1192 = ((_e1149 + select(0i, 1i, (_e1148 == 0i))) - bitcast<i32>(_e1187));
-                if (_e1192 >= 255i) {
-                    phi_3411_ = bitcast<f32>((_e1170 | 2139095040u));
-                    phi_3412_ = f32();
-                    phi_3413_ = true;
-                } else {
-                    let _e1196 = (_e1192 > 0i);
-                    if _e1196 {
-                        phi_3408_ = bitcast<f32>(((_e1170 | (bitcast<u32>(_e1192) << bitcast<u32>(23i))) | (_e1190 & 8388607u)));
-                        phi_3409_ = f32();
-                    } else {
-                        if (_e1192 < -24i) {
-                            phi_3381_ = 26u;
-                        } else {
-                            phi_3381_ = bitcast<u32>((1i - _e1192));
-                        }
-                        let _e1208 = phi_3381_;
-                        let _e1209 = (_e1208 & 31u);
-                        let _e1211 = (_e1190 >> bitcast<u32>(_e1209));
-                        let _e1215 = (_e1190 & ((1u << bitcast<u32>(_e1209)) - 1u));
-                        let _e1219 = (1u << bitcast<u32>(((_e1208 - 1u) & 31u)));
-                        if (_e1215 > _e1219) {
-                            phi_3402_ = true;
-                        } else {
-                            if (_e1215 == _e1219) {
-                                phi_3400_ = ((_e1211 & 1u) == 1u);
-                            } else {
-                                phi_3400_ = false;
-                            }
-                            let _e1225 = phi_3400_;
-                            phi_3402_ = _e1225;
-                        }
-                        let _e1227 = phi_3402_;
-                        phi_3408_ = f32();
-                        phi_3409_ = bitcast<f32>((_e1170 | (_e1211 + select(0u, 1u, _e1227))));
-                    }
-                    let _e1233 = phi_3408_;
-                    let _e1235 = phi_3409_;
-                    phi_3411_ = _e1233;
-                    phi_3412_ = _e1235;
-                    phi_3413_ = _e1196;
-                }
-                let _e1237 = phi_3411_;
-                let _e1239 = phi_3412_;
-                let _e1241 = phi_3413_;
-                phi_3419_ = select(_e1239, _e1237, _e1241);
-            }
-            let _e1244 = phi_3419_;
-            phi_2550_ = _e1244;
-        } else {
-            phi_2550_ = _e1167;
-        }
-        let _e1246 = phi_2550_;
-        phi_2552_ = _e1246;
-    }
-    let _e1248 = phi_2552_;
-    if (_e1248 == _e316) {
-        let _e1250 = bitcast<u32>(_e1143);
-        let _e1254 = (bitcast<i32>((_e1250 >> bitcast<u32>(23i))) & 255i);
-        let _e1255 = (_e1254 + _e70);
-        if (_e1254 == 255i) {
-            phi_2601_ = _e1143;
-        } else {
-            if (_e1254 > 0i) {
-                if (_e1255 > 0i) {
-                    let _e1259 = (_e1255 < 255i);
-                    if _e1259 {
-                        phi_2575_ = bitcast<f32>((_e1250 + bitcast<u32>((_e70 << bitcast<u32>(23i)))));
-                    } else {
-                        phi_2575_ = f32();
-                    }
-                    let _e1266 = phi_2575_;
-                    phi_2579_ = _e1266;
-                    phi_2580_ = select(true, false, _e1259);
-                } else {
-                    phi_2579_ = f32();
-                    phi_2580_ = true;
-                }
-                let _e1269 = phi_2579_;
-                let _e1271 = phi_2580_;
-                phi_2583_ = _e1269;
-                phi_2584_ = _e1271;
-            } else {
-                phi_2583_ = f32();
-                phi_2584_ = true;
-            }
-            let _e1273 = phi_2583_;
-            let _e1275 = phi_2584_;
-            if _e1275 {
-                let _e1276 = (_e1250 & 2147483648u);
-                let _e1283 = ((_e1250 & 8388607u) | (select(0u, 1u, ((_e1250 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e1287 = (_e1283 == 0u);
-                if _e1287 {
-                    phi_3493_ = bitcast<f32>(_e1276);
-                } else {
-                    let _e1293 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1283)), 32u, _e1287) - 8u);
-                    let _e1296 = (_e1283 << bitcast<u32>((_e1293 & 31u)));
-                    let _e1298 = ((_e1255 + select(0i, 1i, (_e1254 == 0i))) - bitcast<i32>(_e1293));
-                    if (_e1298 >= 255i) {
-                        phi_3485_ = bitcast<f32>((_e1276 | 2139095040u));
-                        phi_3486_ = f32();
-                        phi_3487_ = true;
-                    } else {
-                        let _e1302 = (_e1298 > 0i);
-                        if _e1302 {
-                            phi_3482_ = bitcast<f32>(((_e1276 | (bitcast<u32>(_e1298) << bitcast<u32>(23i))) | (_e1296 & 8388607u)));
-                            phi_3483_ = f32();
-                        } else {
-                            if (_e1298 < -24i) {
-                                phi_3455_ = 26u;
-                            } else {
-                                phi_3455_ = bitcast<u32>((1i - _e1298));
-                            }
-                            let _e1314 = phi_3455_;
-                            let _e1315 = (_e1314 & 31u);
-                            let _e1317 = (_e1296 >> bitcast<u32>(_e1315));
-                            let _e1321 = (_e1296 & ((1u << bitcast<u32>(_e1315)) - 1u));
-                            let _e1325 = (1u << bitcast<u32>(((_e1314 - 1u) & 31u)));
-                            if (_e1321 > _e1325) {
-                                phi_3476_ = true;
-                            } else {
-                                if (_e1321 == _e1325) {
-                                    phi_3474_ = ((_e1317 & 1u) == 1u);
+                                let _e543 = phi_1616_;
+                                let _e544 = (_e543 & 31u);
+                                let _e546 = (_e534 >> bitcast<u32>(_e544));
+                                let _e550 = (_e534 & ((1u << bitcast<u32>(_e544)) - 1u));
+                                let _e554 = (1u << bitcast<u32>(((_e543 - 1u) & 31u)));
+                                if (_e550 > _e554) {
+                                    phi_1637_ = true;
                                 } else {
-                                    phi_3474_ = false;
+                                    if (_e550 == _e554) {
+                                        phi_1634_ = ((_e546 & 1u) == 1u);
+                                    } else {
+                                        phi_1634_ = false;
+                                    }
+                                    let _e560 = phi_1634_;
+                                    phi_1637_ = _e560;
                                 }
-                                let _e1331 = phi_3474_;
-                                phi_3476_ = _e1331;
+                                let _e562 = phi_1637_;
+                                phi_1650_ = f32();
+                                phi_1651_ = bitcast<f32>((_e515 | (_e546 + select(0u, 1u, _e562))));
                             }
-                            let _e1333 = phi_3476_;
-                            phi_3482_ = f32();
-                            phi_3483_ = bitcast<f32>((_e1276 | (_e1317 + select(0u, 1u, _e1333))));
+                            let _e575 = phi_1650_;
+                            let _e577 = phi_1651_;
+                            phi_1656_ = _e575;
+                            phi_1657_ = _e577;
+                            phi_1658_ = _e538;
                         }
-                        let _e1339 = phi_3482_;
-                        let _e1341 = phi_3483_;
-                        phi_3485_ = _e1339;
-                        phi_3486_ = _e1341;
-                        phi_3487_ = _e1302;
+                        let _e581 = phi_1656_;
+                        let _e583 = phi_1657_;
+                        let _e585 = phi_1658_;
+                        phi_1666_ = select(_e583, _e581, _e585);
                     }
-                    let _e1343 = phi_3485_;
-                    let _e1345 = phi_3486_;
-                    let _e1347 = phi_3487_;
-                    phi_3493_ = select(_e1345, _e1343, _e1347);
-                }
-                let _e1350 = phi_3493_;
-                phi_2599_ = _e1350;
-            } else {
-                phi_2599_ = _e1273;
-            }
-            let _e1352 = phi_2599_;
-            phi_2601_ = _e1352;
-        }
-        let _e1354 = phi_2601_;
-        phi_2609_ = select(true, false, (_e1354 == _e915));
-    } else {
-        phi_2609_ = true;
-    }
-    let _e1358 = phi_2609_;
-    if _e1358 {
-        let _e1359 = bitcast<u32>(_e1143);
-        if ((_e1359 & 2147483647u) == 0u) {
-            phi_2628_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e1359 >> bitcast<u32>(31i)) == 0u) {
-                phi_2626_ = bitcast<f32>((_e1359 + 1u));
-            } else {
-                phi_2626_ = bitcast<f32>((_e1359 - 1u));
-            }
-            let _e1370 = phi_2626_;
-            phi_2628_ = _e1370;
-        }
-        let _e1372 = phi_2628_;
-        phi_2631_ = _e1372;
-    } else {
-        phi_2631_ = _e1143;
-    }
-    let _e1374 = phi_2631_;
-    let _e1375 = ((((bitcast<f32>((bitcast<u32>(_e305) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e308) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e311) & 2147483647u))) * 0.00000071525625f) + 0.000000000000000000000000000000000000047019774f);
-    let _e1376 = bitcast<u32>(_e317);
-    let _e1380 = (bitcast<i32>((_e1376 >> bitcast<u32>(23i))) & 255i);
-    let _e1381 = (_e1380 + _e455);
-    if (_e1380 == 255i) {
-        phi_2680_ = _e317;
-    } else {
-        if (_e1380 > 0i) {
-            if (_e1381 > 0i) {
-                let _e1385 = (_e1381 < 255i);
-                if _e1385 {
-                    phi_2654_ = bitcast<f32>((_e1376 + bitcast<u32>((_e455 << bitcast<u32>(23i)))));
+                    let _e589 = phi_1666_;
+                    phi_991_ = _e589;
                 } else {
-                    phi_2654_ = f32();
+                    phi_991_ = _e512;
                 }
-                let _e1392 = phi_2654_;
-                phi_2658_ = _e1392;
-                phi_2659_ = select(true, false, _e1385);
-            } else {
-                phi_2658_ = f32();
-                phi_2659_ = true;
+                let _e591 = phi_991_;
+                phi_992_ = _e591;
             }
-            let _e1395 = phi_2658_;
-            let _e1397 = phi_2659_;
-            phi_2662_ = _e1395;
-            phi_2663_ = _e1397;
-        } else {
-            phi_2662_ = f32();
-            phi_2663_ = true;
-        }
-        let _e1399 = phi_2662_;
-        let _e1401 = phi_2663_;
-        if _e1401 {
-            let _e1402 = (_e1376 & 2147483648u);
-            let _e1409 = ((_e1376 & 8388607u) | (select(0u, 1u, ((_e1376 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e1413 = (_e1409 == 0u);
-            if _e1413 {
-                phi_3567_ = bitcast<f32>(_e1402);
+            let _e593 = phi_992_;
+            let _e594 = bitcast<u32>(_e593);
+            if (bitcast<f32>((_e594 & 2147483647u)) > _e51) {
+                phi_1005_ = bitcast<f32>(((_e594 & 2147483648u) | 2139095039u));
             } else {
-                let _e1419 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1409)), 32u, _e1413) - 8u);
-                let _e1422 = (_e1409 << bitcast<u32>((_e1419 & 31u)));
-                let _e1424 = ((_e1381 + select(0i, 1i, (_e1380 == 0i))) - bitcast<i32>(_e1419));
-                if (_e1424 >= 255i) {
-                    phi_3559_ = bitcast<f32>((_e1402 | 2139095040u));
-                    phi_3560_ = f32();
-                    phi_3561_ = true;
-                } else {
-                    let _e1428 = (_e1424 > 0i);
-                    if _e1428 {
-                        phi_3556_ = bitcast<f32>(((_e1402 | (bitcast<u32>(_e1424) << bitcast<u32>(23i))) | (_e1422 & 8388607u)));
-                        phi_3557_ = f32();
+                phi_1005_ = _e593;
+            }
+            let _e602 = phi_1005_;
+            let _e603 = bitcast<u32>(_e487);
+            let _e607 = (bitcast<i32>((_e603 >> bitcast<u32>(23i))) & 255i);
+            let _e608 = (_e607 + _e488);
+            if (_e607 == 255i) {
+                phi_1053_ = _e487;
+            } else {
+                if (_e607 > 0i) {
+                    if (_e608 > 0i) {
+                        let _e612 = (_e608 < 255i);
+                        if _e612 {
+                            phi_1032_ = bitcast<f32>((_e603 + bitcast<u32>((_e488 << bitcast<u32>(23i)))));
+                        } else {
+                            phi_1032_ = f32();
+                        }
+                        let _e619 = phi_1032_;
+                        phi_1034_ = _e619;
+                        phi_1035_ = select(true, false, _e612);
                     } else {
-                        if (_e1424 < -24i) {
-                            phi_3529_ = 26u;
-                        } else {
-                            phi_3529_ = bitcast<u32>((1i - _e1424));
-                        }
-                        let _e1440 = phi_3529_;
-                        let _e1441 = (_e1440 & 31u);
-                        let _e1443 = (_e1422 >> bitcast<u32>(_e1441));
-                        let _e1447 = (_e1422 & ((1u << bitcast<u32>(_e1441)) - 1u));
-                        let _e1451 = (1u << bitcast<u32>(((_e1440 - 1u) & 31u)));
-                        if (_e1447 > _e1451) {
-                            phi_3550_ = true;
-                        } else {
-                            if (_e1447 == _e1451) {
-                                phi_3548_ = ((_e1443 & 1u) == 1u);
-                            } else {
-                                phi_3548_ = false;
-                            }
-                            let _e1457 = phi_3548_;
-                            phi_3550_ = _e1457;
-                        }
-                        let _e1459 = phi_3550_;
-                        phi_3556_ = f32();
-                        phi_3557_ = bitcast<f32>((_e1402 | (_e1443 + select(0u, 1u, _e1459))));
+                        phi_1034_ = f32();
+                        phi_1035_ = true;
                     }
-                    let _e1465 = phi_3556_;
-                    let _e1467 = phi_3557_;
-                    phi_3559_ = _e1465;
-                    phi_3560_ = _e1467;
-                    phi_3561_ = _e1428;
-                }
-                let _e1469 = phi_3559_;
-                let _e1471 = phi_3560_;
-                let _e1473 = phi_3561_;
-                phi_3567_ = select(_e1471, _e1469, _e1473);
-            }
-            let _e1476 = phi_3567_;
-            phi_2678_ = _e1476;
-        } else {
-            phi_2678_ = _e1399;
-        }
-        let _e1478 = phi_2678_;
-        phi_2680_ = _e1478;
-    }
-    let _e1480 = phi_2680_;
-    let _e1481 = bitcast<u32>(_e1480);
-    if (bitcast<f32>((_e1481 & 2147483647u)) > _e47) {
-        phi_2693_ = bitcast<f32>(((_e1481 & 2147483648u) | 2139095039u));
-    } else {
-        phi_2693_ = _e1480;
-    }
-    let _e1489 = phi_2693_;
-    let _e1490 = bitcast<u32>(_e1375);
-    let _e1494 = (bitcast<i32>((_e1490 >> bitcast<u32>(23i))) & 255i);
-    let _e1495 = (_e1494 + _e455);
-    if (_e1494 == 255i) {
-        phi_2741_ = _e1375;
-    } else {
-        if (_e1494 > 0i) {
-            if (_e1495 > 0i) {
-                let _e1499 = (_e1495 < 255i);
-                if _e1499 {
-                    phi_2715_ = bitcast<f32>((_e1490 + bitcast<u32>((_e455 << bitcast<u32>(23i)))));
+                    let _e622 = phi_1034_;
+                    let _e624 = phi_1035_;
+                    phi_1036_ = _e622;
+                    phi_1037_ = _e624;
                 } else {
-                    phi_2715_ = f32();
+                    phi_1036_ = f32();
+                    phi_1037_ = true;
                 }
-                let _e1506 = phi_2715_;
-                phi_2719_ = _e1506;
-                phi_2720_ = select(true, false, _e1499);
-            } else {
-                phi_2719_ = f32();
-                phi_2720_ = true;
-            }
-            let _e1509 = phi_2719_;
-            let _e1511 = phi_2720_;
-            phi_2723_ = _e1509;
-            phi_2724_ = _e1511;
-        } else {
-            phi_2723_ = f32();
-            phi_2724_ = true;
-        }
-        let _e1513 = phi_2723_;
-        let _e1515 = phi_2724_;
-        if _e1515 {
-            let _e1516 = (_e1490 & 2147483648u);
-            let _e1523 = ((_e1490 & 8388607u) | (select(0u, 1u, ((_e1490 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e1527 = (_e1523 == 0u);
-            if _e1527 {
-                phi_3641_ = bitcast<f32>(_e1516);
-            } else {
-                let _e1533 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1523)), 32u, _e1527) - 8u);
-                let _e1536 = (_e1523 << bitcast<u32>((_e1533 & 31u)));
-                let _e1538 = ((_e1495 + select(0i, 1i, (_e1494 == 0i))) - bitcast<i32>(_e1533));
-                if (_e1538 >= 255i) {
-                    phi_3633_ = bitcast<f32>((_e1516 | 2139095040u));
-                    phi_3634_ = f32();
-                    phi_3635_ = true;
-                } else {
-                    let _e1542 = (_e1538 > 0i);
-                    if _e1542 {
-                        phi_3630_ = bitcast<f32>(((_e1516 | (bitcast<u32>(_e1538) << bitcast<u32>(23i))) | (_e1536 & 8388607u)));
-                        phi_3631_ = f32();
+                let _e626 = phi_1036_;
+                let _e628 = phi_1037_;
+                if _e628 {
+                    let _e629 = (_e603 & 2147483648u);
+                    let _e636 = ((_e603 & 8388607u) | (select(0u, 1u, ((_e603 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e640 = (_e636 == 0u);
+                    if _e640 {
+                        phi_1740_ = bitcast<f32>(_e629);
                     } else {
-                        if (_e1538 < -24i) {
-                            phi_3603_ = 26u;
+                        let _e645 = (select((bitcast<u32>(31i) - firstLeadingBit(_e636)), 32u, _e640) - 8u);
+                        let _e648 = (_e636 << bitcast<u32>((_e645 & 31u)));
+                        let _e650 = ((_e608 + select(0i, 1i, (_e607 == 0i))) - bitcast<i32>(_e645));
+                        if (_e650 >= 255i) {
+                            phi_1730_ = bitcast<f32>((_e629 | 2139095040u));
+                            phi_1731_ = f32();
+                            phi_1732_ = true;
                         } else {
-                            phi_3603_ = bitcast<u32>((1i - _e1538));
-                        }
-                        let _e1554 = phi_3603_;
-                        let _e1555 = (_e1554 & 31u);
-                        let _e1557 = (_e1536 >> bitcast<u32>(_e1555));
-                        let _e1561 = (_e1536 & ((1u << bitcast<u32>(_e1555)) - 1u));
-                        let _e1565 = (1u << bitcast<u32>(((_e1554 - 1u) & 31u)));
-                        if (_e1561 > _e1565) {
-                            phi_3624_ = true;
-                        } else {
-                            if (_e1561 == _e1565) {
-                                phi_3622_ = ((_e1557 & 1u) == 1u);
+                            let _e652 = (_e650 > 0i);
+                            if _e652 {
+                                phi_1724_ = bitcast<f32>(((_e629 | (bitcast<u32>(_e650) << bitcast<u32>(23i))) | (_e648 & 8388607u)));
+                                phi_1725_ = f32();
                             } else {
-                                phi_3622_ = false;
-                            }
-                            let _e1571 = phi_3622_;
-                            phi_3624_ = _e1571;
-                        }
-                        let _e1573 = phi_3624_;
-                        phi_3630_ = f32();
-                        phi_3631_ = bitcast<f32>((_e1516 | (_e1557 + select(0u, 1u, _e1573))));
-                    }
-                    let _e1579 = phi_3630_;
-                    let _e1581 = phi_3631_;
-                    phi_3633_ = _e1579;
-                    phi_3634_ = _e1581;
-                    phi_3635_ = _e1542;
-                }
-                let _e1583 = phi_3633_;
-                let _e1585 = phi_3634_;
-                let _e1587 = phi_3635_;
-                phi_3641_ = select(_e1585, _e1583, _e1587);
-            }
-            let _e1590 = phi_3641_;
-            phi_2739_ = _e1590;
-        } else {
-            phi_2739_ = _e1513;
-        }
-        let _e1592 = phi_2739_;
-        phi_2741_ = _e1592;
-    }
-    let _e1594 = phi_2741_;
-    let _e1595 = bitcast<u32>(_e1594);
-    if (bitcast<f32>((_e1595 & 2147483647u)) > _e47) {
-        phi_2754_ = bitcast<f32>(((_e1595 & 2147483648u) | 2139095039u));
-    } else {
-        phi_2754_ = _e1594;
-    }
-    let _e1603 = phi_2754_;
-    let _e1604 = bitcast<u32>(_e1489);
-    let _e1608 = (bitcast<i32>((_e1604 >> bitcast<u32>(23i))) & 255i);
-    let _e1609 = (_e1608 + _e70);
-    if (_e1608 == 255i) {
-        phi_2801_ = _e1489;
-    } else {
-        if (_e1608 > 0i) {
-            if (_e1609 > 0i) {
-                let _e1613 = (_e1609 < 255i);
-                if _e1613 {
-                    phi_2775_ = bitcast<f32>((_e1604 + bitcast<u32>((_e70 << bitcast<u32>(23i)))));
-                } else {
-                    phi_2775_ = f32();
-                }
-                let _e1620 = phi_2775_;
-                phi_2779_ = _e1620;
-                phi_2780_ = select(true, false, _e1613);
-            } else {
-                phi_2779_ = f32();
-                phi_2780_ = true;
-            }
-            let _e1623 = phi_2779_;
-            let _e1625 = phi_2780_;
-            phi_2783_ = _e1623;
-            phi_2784_ = _e1625;
-        } else {
-            phi_2783_ = f32();
-            phi_2784_ = true;
-        }
-        let _e1627 = phi_2783_;
-        let _e1629 = phi_2784_;
-        if _e1629 {
-            let _e1630 = (_e1604 & 2147483648u);
-            let _e1637 = ((_e1604 & 8388607u) | (select(0u, 1u, ((_e1604 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-            let _e1641 = (_e1637 == 0u);
-            if _e1641 {
-                phi_3715_ = bitcast<f32>(_e1630);
-            } else {
-                let _e1647 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1637)), 32u, _e1641) - 8u);
-                let _e1650 = (_e1637 << bitcast<u32>((_e1647 & 31u)));
-                let _e1652 = ((_e1609 + select(0i, 1i, (_e1608 == 0i))) - bitcast<i32>(_e1647));
-                if (_e1652 >= 255i) {
-                    phi_3707_ = bitcast<f32>((_e1630 | 2139095040u));
-                    phi_3708_ = f32();
-                    phi_3709_ = true;
-                } else {
-                    let _e1656 = (_e1652 > 0i);
-                    if _e1656 {
-                        phi_3704_ = bitcast<f32>(((_e1630 | (bitcast<u32>(_e1652) << bitcast<u32>(23i))) | (_e1650 & 8388607u)));
-                        phi_3705_ = f32();
-                    } else {
-                        if (_e1652 < -24i) {
-                            phi_3677_ = 26u;
-                        } else {
-                            phi_3677_ = bitcast<u32>((1i - _e1652));
-                        }
-                        let _e1668 = phi_3677_;
-                        let _e1669 = (_e1668 & 31u);
-                        let _e1671 = (_e1650 >> bitcast<u32>(_e1669));
-                        let _e1675 = (_e1650 & ((1u << bitcast<u32>(_e1669)) - 1u));
-                        let _e1679 = (1u << bitcast<u32>(((_e1668 - 1u) & 31u)));
-                        if (_e1675 > _e1679) {
-                            phi_3698_ = true;
-                        } else {
-                            if (_e1675 == _e1679) {
-                                phi_3696_ = ((_e1671 & 1u) == 1u);
-                            } else {
-                                phi_3696_ = false;
-                            }
-                            let _e1685 = phi_3696_;
-                            phi_3698_ = _e1685;
-                        }
-                        let _e1687 = phi_3698_;
-                        phi_3704_ = f32();
-                        phi_3705_ = bitcast<f32>((_e1630 | (_e1671 + select(0u, 1u, _e1687))));
-                    }
-                    let _e1693 = phi_3704_;
-                    let _e1695 = phi_3705_;
-                    phi_3707_ = _e1693;
-                    phi_3708_ = _e1695;
-                    phi_3709_ = _e1656;
-                }
-                let _e1697 = phi_3707_;
-                let _e1699 = phi_3708_;
-                let _e1701 = phi_3709_;
-                phi_3715_ = select(_e1699, _e1697, _e1701);
-            }
-            let _e1704 = phi_3715_;
-            phi_2799_ = _e1704;
-        } else {
-            phi_2799_ = _e1627;
-        }
-        let _e1706 = phi_2799_;
-        phi_2801_ = _e1706;
-    }
-    let _e1708 = phi_2801_;
-    if (_e1708 == _e317) {
-        let _e1710 = bitcast<u32>(_e1603);
-        let _e1714 = (bitcast<i32>((_e1710 >> bitcast<u32>(23i))) & 255i);
-        let _e1715 = (_e1714 + _e70);
-        if (_e1714 == 255i) {
-            phi_2850_ = _e1603;
-        } else {
-            if (_e1714 > 0i) {
-                if (_e1715 > 0i) {
-                    let _e1719 = (_e1715 < 255i);
-                    if _e1719 {
-                        phi_2824_ = bitcast<f32>((_e1710 + bitcast<u32>((_e70 << bitcast<u32>(23i)))));
-                    } else {
-                        phi_2824_ = f32();
-                    }
-                    let _e1726 = phi_2824_;
-                    phi_2828_ = _e1726;
-                    phi_2829_ = select(true, false, _e1719);
-                } else {
-                    phi_2828_ = f32();
-                    phi_2829_ = true;
-                }
-                let _e1729 = phi_2828_;
-                let _e1731 = phi_2829_;
-                phi_2832_ = _e1729;
-                phi_2833_ = _e1731;
-            } else {
-                phi_2832_ = f32();
-                phi_2833_ = true;
-            }
-            let _e1733 = phi_2832_;
-            let _e1735 = phi_2833_;
-            if _e1735 {
-                let _e1736 = (_e1710 & 2147483648u);
-                let _e1743 = ((_e1710 & 8388607u) | (select(0u, 1u, ((_e1710 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e1747 = (_e1743 == 0u);
-                if _e1747 {
-                    phi_3789_ = bitcast<f32>(_e1736);
-                } else {
-                    let _e1753 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1743)), 32u, _e1747) - 8u);
-                    let _e1756 = (_e1743 << bitcast<u32>((_e1753 & 31u)));
-                    let _e1758 = ((_e1715 + select(0i, 1i, (_e1714 == 0i))) - bitcast<i32>(_e1753));
-                    if (_e1758 >= 255i) {
-                        phi_3781_ = bitcast<f32>((_e1736 | 2139095040u));
-                        phi_3782_ = f32();
-                        phi_3783_ = true;
-                    } else {
-                        let _e1762 = (_e1758 > 0i);
-                        if _e1762 {
-                            phi_3778_ = bitcast<f32>(((_e1736 | (bitcast<u32>(_e1758) << bitcast<u32>(23i))) | (_e1756 & 8388607u)));
-                            phi_3779_ = f32();
-                        } else {
-                            if (_e1758 < -24i) {
-                                phi_3751_ = 26u;
-                            } else {
-                                phi_3751_ = bitcast<u32>((1i - _e1758));
-                            }
-                            let _e1774 = phi_3751_;
-                            let _e1775 = (_e1774 & 31u);
-                            let _e1777 = (_e1756 >> bitcast<u32>(_e1775));
-                            let _e1781 = (_e1756 & ((1u << bitcast<u32>(_e1775)) - 1u));
-                            let _e1785 = (1u << bitcast<u32>(((_e1774 - 1u) & 31u)));
-                            if (_e1781 > _e1785) {
-                                phi_3772_ = true;
-                            } else {
-                                if (_e1781 == _e1785) {
-                                    phi_3770_ = ((_e1777 & 1u) == 1u);
+                                if (_e650 < -24i) {
+                                    phi_1690_ = 26u;
                                 } else {
-                                    phi_3770_ = false;
+                                    phi_1690_ = bitcast<u32>((1i - _e650));
                                 }
-                                let _e1791 = phi_3770_;
-                                phi_3772_ = _e1791;
+                                let _e657 = phi_1690_;
+                                let _e658 = (_e657 & 31u);
+                                let _e660 = (_e648 >> bitcast<u32>(_e658));
+                                let _e664 = (_e648 & ((1u << bitcast<u32>(_e658)) - 1u));
+                                let _e668 = (1u << bitcast<u32>(((_e657 - 1u) & 31u)));
+                                if (_e664 > _e668) {
+                                    phi_1711_ = true;
+                                } else {
+                                    if (_e664 == _e668) {
+                                        phi_1708_ = ((_e660 & 1u) == 1u);
+                                    } else {
+                                        phi_1708_ = false;
+                                    }
+                                    let _e674 = phi_1708_;
+                                    phi_1711_ = _e674;
+                                }
+                                let _e676 = phi_1711_;
+                                phi_1724_ = f32();
+                                phi_1725_ = bitcast<f32>((_e629 | (_e660 + select(0u, 1u, _e676))));
                             }
-                            let _e1793 = phi_3772_;
-                            phi_3778_ = f32();
-                            phi_3779_ = bitcast<f32>((_e1736 | (_e1777 + select(0u, 1u, _e1793))));
+                            let _e689 = phi_1724_;
+                            let _e691 = phi_1725_;
+                            phi_1730_ = _e689;
+                            phi_1731_ = _e691;
+                            phi_1732_ = _e652;
                         }
-                        let _e1799 = phi_3778_;
-                        let _e1801 = phi_3779_;
-                        phi_3781_ = _e1799;
-                        phi_3782_ = _e1801;
-                        phi_3783_ = _e1762;
+                        let _e695 = phi_1730_;
+                        let _e697 = phi_1731_;
+                        let _e699 = phi_1732_;
+                        phi_1740_ = select(_e697, _e695, _e699);
                     }
-                    let _e1803 = phi_3781_;
-                    let _e1805 = phi_3782_;
-                    let _e1807 = phi_3783_;
-                    phi_3789_ = select(_e1805, _e1803, _e1807);
-                }
-                let _e1810 = phi_3789_;
-                phi_2848_ = _e1810;
-            } else {
-                phi_2848_ = _e1733;
-            }
-            let _e1812 = phi_2848_;
-            phi_2850_ = _e1812;
-        }
-        let _e1814 = phi_2850_;
-        phi_2858_ = select(true, false, (_e1814 == _e1375));
-    } else {
-        phi_2858_ = true;
-    }
-    let _e1818 = phi_2858_;
-    if _e1818 {
-        let _e1819 = bitcast<u32>(_e1603);
-        if ((_e1819 & 2147483647u) == 0u) {
-            phi_2877_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e1819 >> bitcast<u32>(31i)) == 0u) {
-                phi_2875_ = bitcast<f32>((_e1819 + 1u));
-            } else {
-                phi_2875_ = bitcast<f32>((_e1819 - 1u));
-            }
-            let _e1830 = phi_2875_;
-            phi_2877_ = _e1830;
-        }
-        let _e1832 = phi_2877_;
-        phi_2880_ = _e1832;
-    } else {
-        phi_2880_ = _e1603;
-    }
-    let _e1834 = phi_2880_;
-    slimbvh_point.member[0u] = vec4<f32>(_e569, _e1029, _e1489, _e452);
-    slimbvh_point.member[1u] = vec4<f32>(_e914, _e1374, _e1834, 0f);
-    slimbvh_point.member[2u] = vec4<f32>(_e453.x, _e453.y, _e453.z, 0f);
-    let _e1848 = select(_e1374, _e914, (_e914 > _e1374));
-    let _e1850 = select(_e1834, _e1848, (_e1848 > _e1834));
-    let _e1862 = (_e1850 * ((bitcast<f32>((bitcast<u32>(_e453.x) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e453.y) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e453.z) & 2147483647u))));
-    let _e1866 = (_e569 + (_e453.x * _e1862));
-    let _e1867 = (_e1029 + (_e453.y * _e1862));
-    let _e1868 = (_e1489 + (_e453.z * _e1862));
-    if (_e453.x > 0f) {
-        let _e1870 = bitcast<u32>(_e1866);
-        if ((_e1870 & 2147483647u) == 0u) {
-            phi_1017_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e1870 >> bitcast<u32>(31i)) == 0u) {
-                phi_1016_ = bitcast<f32>((_e1870 + 1u));
-            } else {
-                phi_1016_ = bitcast<f32>((_e1870 - 1u));
-            }
-            let _e1881 = phi_1016_;
-            phi_1017_ = _e1881;
-        }
-        let _e1883 = phi_1017_;
-        phi_1043_ = _e1883;
-    } else {
-        if (_e453.x < 0f) {
-            let _e1886 = bitcast<u32>(-(_e1866));
-            if ((_e1886 & 2147483647u) == 0u) {
-                phi_1040_ = 0.000000000000000000000000000000000000000000001f;
-            } else {
-                if ((_e1886 >> bitcast<u32>(31i)) == 0u) {
-                    phi_1039_ = bitcast<f32>((_e1886 + 1u));
+                    let _e703 = phi_1740_;
+                    phi_1052_ = _e703;
                 } else {
-                    phi_1039_ = bitcast<f32>((_e1886 - 1u));
+                    phi_1052_ = _e626;
                 }
-                let _e1897 = phi_1039_;
-                phi_1040_ = _e1897;
+                let _e705 = phi_1052_;
+                phi_1053_ = _e705;
             }
-            let _e1899 = phi_1040_;
-            phi_1042_ = -(_e1899);
-        } else {
-            phi_1042_ = _e1866;
-        }
-        let _e1902 = phi_1042_;
-        phi_1043_ = _e1902;
-    }
-    let _e1904 = phi_1043_;
-    if (_e453.y > 0f) {
-        let _e1906 = bitcast<u32>(_e1867);
-        if ((_e1906 & 2147483647u) == 0u) {
-            phi_1065_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e1906 >> bitcast<u32>(31i)) == 0u) {
-                phi_1064_ = bitcast<f32>((_e1906 + 1u));
+            let _e707 = phi_1053_;
+            let _e708 = bitcast<u32>(_e707);
+            if (bitcast<f32>((_e708 & 2147483647u)) > _e51) {
+                phi_1066_ = bitcast<f32>(((_e708 & 2147483648u) | 2139095039u));
             } else {
-                phi_1064_ = bitcast<f32>((_e1906 - 1u));
+                phi_1066_ = _e707;
             }
-            let _e1917 = phi_1064_;
-            phi_1065_ = _e1917;
-        }
-        let _e1919 = phi_1065_;
-        phi_1091_ = _e1919;
-    } else {
-        if (_e453.y < 0f) {
-            let _e1922 = bitcast<u32>(-(_e1867));
-            if ((_e1922 & 2147483647u) == 0u) {
-                phi_1088_ = 0.000000000000000000000000000000000000000000001f;
+            let _e716 = phi_1066_;
+            let _e717 = bitcast<u32>(_e602);
+            let _e721 = (bitcast<i32>((_e717 >> bitcast<u32>(23i))) & 255i);
+            let _e722 = (_e721 + _e74);
+            if (_e721 == 255i) {
+                phi_1113_ = _e602;
             } else {
-                if ((_e1922 >> bitcast<u32>(31i)) == 0u) {
-                    phi_1087_ = bitcast<f32>((_e1922 + 1u));
+                if (_e721 > 0i) {
+                    if (_e722 > 0i) {
+                        let _e726 = (_e722 < 255i);
+                        if _e726 {
+                            phi_1092_ = bitcast<f32>((_e717 + bitcast<u32>((_e74 << bitcast<u32>(23i)))));
+                        } else {
+                            phi_1092_ = f32();
+                        }
+                        let _e733 = phi_1092_;
+                        phi_1094_ = _e733;
+                        phi_1095_ = select(true, false, _e726);
+                    } else {
+                        phi_1094_ = f32();
+                        phi_1095_ = true;
+                    }
+                    let _e736 = phi_1094_;
+                    let _e738 = phi_1095_;
+                    phi_1096_ = _e736;
+                    phi_1097_ = _e738;
                 } else {
-                    phi_1087_ = bitcast<f32>((_e1922 - 1u));
+                    phi_1096_ = f32();
+                    phi_1097_ = true;
                 }
-                let _e1933 = phi_1087_;
-                phi_1088_ = _e1933;
-            }
-            let _e1935 = phi_1088_;
-            phi_1090_ = -(_e1935);
-        } else {
-            phi_1090_ = _e1867;
-        }
-        let _e1938 = phi_1090_;
-        phi_1091_ = _e1938;
-    }
-    let _e1940 = phi_1091_;
-    if (_e453.z > 0f) {
-        let _e1942 = bitcast<u32>(_e1868);
-        if ((_e1942 & 2147483647u) == 0u) {
-            phi_1113_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e1942 >> bitcast<u32>(31i)) == 0u) {
-                phi_1112_ = bitcast<f32>((_e1942 + 1u));
-            } else {
-                phi_1112_ = bitcast<f32>((_e1942 - 1u));
-            }
-            let _e1953 = phi_1112_;
-            phi_1113_ = _e1953;
-        }
-        let _e1955 = phi_1113_;
-        phi_1139_ = _e1955;
-    } else {
-        if (_e453.z < 0f) {
-            let _e1958 = bitcast<u32>(-(_e1868));
-            if ((_e1958 & 2147483647u) == 0u) {
-                phi_1136_ = 0.000000000000000000000000000000000000000000001f;
-            } else {
-                if ((_e1958 >> bitcast<u32>(31i)) == 0u) {
-                    phi_1135_ = bitcast<f32>((_e1958 + 1u));
+                let _e740 = phi_1096_;
+                let _e742 = phi_1097_;
+                if _e742 {
+                    let _e743 = (_e717 & 2147483648u);
+                    let _e750 = ((_e717 & 8388607u) | (select(0u, 1u, ((_e717 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e754 = (_e750 == 0u);
+                    if _e754 {
+                        phi_1814_ = bitcast<f32>(_e743);
+                    } else {
+                        let _e759 = (select((bitcast<u32>(31i) - firstLeadingBit(_e750)), 32u, _e754) - 8u);
+                        let _e762 = (_e750 << bitcast<u32>((_e759 & 31u)));
+                        let _e764 = ((_e722 + select(0i, 1i, (_e721 == 0i))) - bitcast<i32>(_e759));
+                        if (_e764 >= 255i) {
+                            phi_1804_ = bitcast<f32>((_e743 | 2139095040u));
+                            phi_1805_ = f32();
+                            phi_1806_ = true;
+                        } else {
+                            let _e766 = (_e764 > 0i);
+                            if _e766 {
+                                phi_1798_ = bitcast<f32>(((_e743 | (bitcast<u32>(_e764) << bitcast<u32>(23i))) | (_e762 & 8388607u)));
+                                phi_1799_ = f32();
+                            } else {
+                                if (_e764 < -24i) {
+                                    phi_1764_ = 26u;
+                                } else {
+                                    phi_1764_ = bitcast<u32>((1i - _e764));
+                                }
+                                let _e771 = phi_1764_;
+                                let _e772 = (_e771 & 31u);
+                                let _e774 = (_e762 >> bitcast<u32>(_e772));
+                                let _e778 = (_e762 & ((1u << bitcast<u32>(_e772)) - 1u));
+                                let _e782 = (1u << bitcast<u32>(((_e771 - 1u) & 31u)));
+                                if (_e778 > _e782) {
+                                    phi_1785_ = true;
+                                } else {
+                                    if (_e778 == _e782) {
+                                        phi_1782_ = ((_e774 & 1u) == 1u);
+                                    } else {
+                                        phi_1782_ = false;
+                                    }
+                                    let _e788 = phi_1782_;
+                                    phi_1785_ = _e788;
+                                }
+                                let _e790 = phi_1785_;
+                                phi_1798_ = f32();
+                                phi_1799_ = bitcast<f32>((_e743 | (_e774 + select(0u, 1u, _e790))));
+                            }
+                            let _e803 = phi_1798_;
+                            let _e805 = phi_1799_;
+                            phi_1804_ = _e803;
+                            phi_1805_ = _e805;
+                            phi_1806_ = _e766;
+                        }
+                        let _e809 = phi_1804_;
+                        let _e811 = phi_1805_;
+                        let _e813 = phi_1806_;
+                        phi_1814_ = select(_e811, _e809, _e813);
+                    }
+                    let _e817 = phi_1814_;
+                    phi_1112_ = _e817;
                 } else {
-                    phi_1135_ = bitcast<f32>((_e1958 - 1u));
+                    phi_1112_ = _e740;
                 }
-                let _e1969 = phi_1135_;
-                phi_1136_ = _e1969;
+                let _e819 = phi_1112_;
+                phi_1113_ = _e819;
             }
-            let _e1971 = phi_1136_;
-            phi_1138_ = -(_e1971);
-        } else {
-            phi_1138_ = _e1868;
-        }
-        let _e1974 = phi_1138_;
-        phi_1139_ = _e1974;
-    }
-    let _e1976 = phi_1139_;
-    slimbvh_point.member[3u] = vec4<f32>(_e1904, _e1940, _e1976, 0f);
-    let _e1980 = (_e453.x * -1f);
-    let _e1981 = (_e453.y * -1f);
-    let _e1982 = (_e453.z * -1f);
-    let _e1994 = (_e1850 * ((bitcast<f32>((bitcast<u32>(_e1980) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1981) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e1982) & 2147483647u))));
-    let _e1998 = (_e569 + (_e1980 * _e1994));
-    let _e1999 = (_e1029 + (_e1981 * _e1994));
-    let _e2000 = (_e1489 + (_e1982 * _e1994));
-    if (_e1980 > 0f) {
-        let _e2002 = bitcast<u32>(_e1998);
-        if ((_e2002 & 2147483647u) == 0u) {
-            phi_1206_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e2002 >> bitcast<u32>(31i)) == 0u) {
-                phi_1205_ = bitcast<f32>((_e2002 + 1u));
-            } else {
-                phi_1205_ = bitcast<f32>((_e2002 - 1u));
-            }
-            let _e2013 = phi_1205_;
-            phi_1206_ = _e2013;
-        }
-        let _e2015 = phi_1206_;
-        phi_1232_ = _e2015;
-    } else {
-        if (_e1980 < 0f) {
-            let _e2018 = bitcast<u32>(-(_e1998));
-            if ((_e2018 & 2147483647u) == 0u) {
-                phi_1229_ = 0.000000000000000000000000000000000000000000001f;
-            } else {
-                if ((_e2018 >> bitcast<u32>(31i)) == 0u) {
-                    phi_1228_ = bitcast<f32>((_e2018 + 1u));
+            let _e821 = phi_1113_;
+            if (_e821 == _e484) {
+                let _e823 = bitcast<u32>(_e716);
+                let _e827 = (bitcast<i32>((_e823 >> bitcast<u32>(23i))) & 255i);
+                let _e828 = (_e827 + _e74);
+                if (_e827 == 255i) {
+                    phi_1164_ = _e716;
                 } else {
-                    phi_1228_ = bitcast<f32>((_e2018 - 1u));
+                    if (_e827 > 0i) {
+                        if (_e828 > 0i) {
+                            let _e832 = (_e828 < 255i);
+                            if _e832 {
+                                phi_1143_ = bitcast<f32>((_e823 + bitcast<u32>((_e74 << bitcast<u32>(23i)))));
+                            } else {
+                                phi_1143_ = f32();
+                            }
+                            let _e839 = phi_1143_;
+                            phi_1145_ = _e839;
+                            phi_1146_ = select(true, false, _e832);
+                        } else {
+                            phi_1145_ = f32();
+                            phi_1146_ = true;
+                        }
+                        let _e842 = phi_1145_;
+                        let _e844 = phi_1146_;
+                        phi_1147_ = _e842;
+                        phi_1148_ = _e844;
+                    } else {
+                        phi_1147_ = f32();
+                        phi_1148_ = true;
+                    }
+                    let _e846 = phi_1147_;
+                    let _e848 = phi_1148_;
+                    if _e848 {
+                        let _e849 = (_e823 & 2147483648u);
+                        let _e856 = ((_e823 & 8388607u) | (select(0u, 1u, ((_e823 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                        let _e860 = (_e856 == 0u);
+                        if _e860 {
+                            phi_1888_ = bitcast<f32>(_e849);
+                        } else {
+                            let _e865 = (select((bitcast<u32>(31i) - firstLeadingBit(_e856)), 32u, _e860) - 8u);
+                            let _e868 = (_e856 << bitcast<u32>((_e865 & 31u)));
+                            let _e870 = ((_e828 + select(0i, 1i, (_e827 == 0i))) - bitcast<i32>(_e865));
+                            if (_e870 >= 255i) {
+                                phi_1878_ = bitcast<f32>((_e849 | 2139095040u));
+                                phi_1879_ = f32();
+                                phi_1880_ = true;
+                            } else {
+                                let _e872 = (_e870 > 0i);
+                                if _e872 {
+                                    phi_1872_ = bitcast<f32>(((_e849 | (bitcast<u32>(_e870) << bitcast<u32>(23i))) | (_e868 & 8388607u)));
+                                    phi_1873_ = f32();
+                                } else {
+                                    if (_e870 < -24i) {
+                                        phi_1838_ = 26u;
+                                    } else {
+                                        phi_1838_ = bitcast<u32>((1i - _e870));
+                                    }
+                                    let _e877 = phi_1838_;
+                                    let _e878 = (_e877 & 31u);
+                                    let _e880 = (_e868 >> bitcast<u32>(_e878));
+                                    let _e884 = (_e868 & ((1u << bitcast<u32>(_e878)) - 1u));
+                                    let _e888 = (1u << bitcast<u32>(((_e877 - 1u) & 31u)));
+                                    if (_e884 > _e888) {
+                                        phi_1859_ = true;
+                                    } else {
+                                        if (_e884 == _e888) {
+                                            phi_1856_ = ((_e880 & 1u) == 1u);
+                                        } else {
+                                            phi_1856_ = false;
+                                        }
+                                        let _e894 = phi_1856_;
+                                        phi_1859_ = _e894;
+                                    }
+                                    let _e896 = phi_1859_;
+                                    phi_1872_ = f32();
+                                    phi_1873_ = bitcast<f32>((_e849 | (_e880 + select(0u, 1u, _e896))));
+                                }
+                                let _e909 = phi_1872_;
+                                let _e911 = phi_1873_;
+                                phi_1878_ = _e909;
+                                phi_1879_ = _e911;
+                                phi_1880_ = _e872;
+                            }
+                            let _e915 = phi_1878_;
+                            let _e917 = phi_1879_;
+                            let _e919 = phi_1880_;
+                            phi_1888_ = select(_e917, _e915, _e919);
+                        }
+                        let _e923 = phi_1888_;
+                        phi_1163_ = _e923;
+                    } else {
+                        phi_1163_ = _e846;
+                    }
+                    let _e925 = phi_1163_;
+                    phi_1164_ = _e925;
                 }
-                let _e2029 = phi_1228_;
-                phi_1229_ = _e2029;
-            }
-            let _e2031 = phi_1229_;
-            phi_1231_ = -(_e2031);
-        } else {
-            phi_1231_ = _e1998;
-        }
-        let _e2034 = phi_1231_;
-        phi_1232_ = _e2034;
-    }
-    let _e2036 = phi_1232_;
-    if (_e1981 > 0f) {
-        let _e2038 = bitcast<u32>(_e1999);
-        if ((_e2038 & 2147483647u) == 0u) {
-            phi_1254_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e2038 >> bitcast<u32>(31i)) == 0u) {
-                phi_1253_ = bitcast<f32>((_e2038 + 1u));
+                let _e927 = phi_1164_;
+                phi_1170_ = select(true, false, (_e927 == _e487));
             } else {
-                phi_1253_ = bitcast<f32>((_e2038 - 1u));
+                phi_1170_ = true;
             }
-            let _e2049 = phi_1253_;
-            phi_1254_ = _e2049;
-        }
-        let _e2051 = phi_1254_;
-        phi_1280_ = _e2051;
-    } else {
-        if (_e1981 < 0f) {
-            let _e2054 = bitcast<u32>(-(_e1999));
-            if ((_e2054 & 2147483647u) == 0u) {
-                phi_1277_ = 0.000000000000000000000000000000000000000000001f;
-            } else {
-                if ((_e2054 >> bitcast<u32>(31i)) == 0u) {
-                    phi_1276_ = bitcast<f32>((_e2054 + 1u));
+            let _e931 = phi_1170_;
+            if _e931 {
+                let _e932 = bitcast<u32>(_e716);
+                if ((_e932 & 2147483647u) == 0u) {
+                    phi_1191_ = 0.000000000000000000000000000000000000000000001f;
                 } else {
-                    phi_1276_ = bitcast<f32>((_e2054 - 1u));
+                    if ((_e932 >> bitcast<u32>(31i)) == 0u) {
+                        phi_1190_ = bitcast<f32>((_e932 + 1u));
+                    } else {
+                        phi_1190_ = bitcast<f32>((_e932 - 1u));
+                    }
+                    let _e943 = phi_1190_;
+                    phi_1191_ = _e943;
                 }
-                let _e2065 = phi_1276_;
-                phi_1277_ = _e2065;
-            }
-            let _e2067 = phi_1277_;
-            phi_1279_ = -(_e2067);
-        } else {
-            phi_1279_ = _e1999;
-        }
-        let _e2070 = phi_1279_;
-        phi_1280_ = _e2070;
-    }
-    let _e2072 = phi_1280_;
-    if (_e1982 > 0f) {
-        let _e2074 = bitcast<u32>(_e2000);
-        if ((_e2074 & 2147483647u) == 0u) {
-            phi_1302_ = 0.000000000000000000000000000000000000000000001f;
-        } else {
-            if ((_e2074 >> bitcast<u32>(31i)) == 0u) {
-                phi_1301_ = bitcast<f32>((_e2074 + 1u));
+                let _e945 = phi_1191_;
+                phi_1192_ = _e945;
             } else {
-                phi_1301_ = bitcast<f32>((_e2074 - 1u));
+                phi_1192_ = _e716;
             }
-            let _e2085 = phi_1301_;
-            phi_1302_ = _e2085;
+            let _e947 = phi_1192_;
+            local[_e478.member_1] = _e602;
+            local_1[_e478.member_1] = _e947;
         }
-        let _e2087 = phi_1302_;
-        phi_1328_ = _e2087;
+        continue;
+        continuing {
+            phi_898_ = _e476;
+            break if !(_e482);
+        }
+    }
+    let _e949 = local;
+    let _e953 = local_1;
+    slimbvh_point.member[0u] = vec4<f32>(_e949[0], _e949[1], _e949[2], _e456);
+    slimbvh_point.member[1u] = vec4<f32>(_e953[0], _e953[1], _e953[2], 0f);
+    slimbvh_point.member[2u] = vec4<f32>(_e457, _e458, _e459, 0f);
+    let _e967 = select(_e953[1], _e953[0], (_e953[0] > _e953[1]));
+    let _e969 = select(_e953[2], _e967, (_e967 > _e953[2]));
+    let _e981 = (_e969 * ((bitcast<f32>((bitcast<u32>(_e457) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e458) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e459) & 2147483647u))));
+    let _e985 = (_e949[0] + (_e457 * _e981));
+    let _e986 = (_e949[1] + (_e458 * _e981));
+    let _e987 = (_e949[2] + (_e459 * _e981));
+    if (_e457 > 0f) {
+        let _e1008 = bitcast<u32>(_e985);
+        if ((_e1008 & 2147483647u) == 0u) {
+            phi_1285_ = 0.000000000000000000000000000000000000000000001f;
+        } else {
+            if ((_e1008 >> bitcast<u32>(31i)) == 0u) {
+                phi_1284_ = bitcast<f32>((_e1008 + 1u));
+            } else {
+                phi_1284_ = bitcast<f32>((_e1008 - 1u));
+            }
+            let _e1019 = phi_1284_;
+            phi_1285_ = _e1019;
+        }
+        let _e1021 = phi_1285_;
+        phi_1311_ = _e1021;
     } else {
-        if (_e1982 < 0f) {
-            let _e2090 = bitcast<u32>(-(_e2000));
-            if ((_e2090 & 2147483647u) == 0u) {
-                phi_1325_ = 0.000000000000000000000000000000000000000000001f;
+        if (_e457 < 0f) {
+            let _e991 = bitcast<u32>(-(_e985));
+            if ((_e991 & 2147483647u) == 0u) {
+                phi_1308_ = 0.000000000000000000000000000000000000000000001f;
             } else {
-                if ((_e2090 >> bitcast<u32>(31i)) == 0u) {
-                    phi_1324_ = bitcast<f32>((_e2090 + 1u));
+                if ((_e991 >> bitcast<u32>(31i)) == 0u) {
+                    phi_1307_ = bitcast<f32>((_e991 + 1u));
                 } else {
-                    phi_1324_ = bitcast<f32>((_e2090 - 1u));
+                    phi_1307_ = bitcast<f32>((_e991 - 1u));
                 }
-                let _e2101 = phi_1324_;
-                phi_1325_ = _e2101;
+                let _e1002 = phi_1307_;
+                phi_1308_ = _e1002;
             }
-            let _e2103 = phi_1325_;
-            phi_1327_ = -(_e2103);
+            let _e1004 = phi_1308_;
+            phi_1310_ = -(_e1004);
         } else {
-            phi_1327_ = _e2000;
+            phi_1310_ = _e985;
         }
-        let _e2106 = phi_1327_;
-        phi_1328_ = _e2106;
+        let _e1007 = phi_1310_;
+        phi_1311_ = _e1007;
     }
-    let _e2108 = phi_1328_;
-    slimbvh_point.member[4u] = vec4<f32>(_e2036, _e2072, _e2108, 0f);
+    let _e1023 = phi_1311_;
+    if (_e458 > 0f) {
+        let _e1044 = bitcast<u32>(_e986);
+        if ((_e1044 & 2147483647u) == 0u) {
+            phi_1333_ = 0.000000000000000000000000000000000000000000001f;
+        } else {
+            if ((_e1044 >> bitcast<u32>(31i)) == 0u) {
+                phi_1332_ = bitcast<f32>((_e1044 + 1u));
+            } else {
+                phi_1332_ = bitcast<f32>((_e1044 - 1u));
+            }
+            let _e1055 = phi_1332_;
+            phi_1333_ = _e1055;
+        }
+        let _e1057 = phi_1333_;
+        phi_1359_ = _e1057;
+    } else {
+        if (_e458 < 0f) {
+            let _e1027 = bitcast<u32>(-(_e986));
+            if ((_e1027 & 2147483647u) == 0u) {
+                phi_1356_ = 0.000000000000000000000000000000000000000000001f;
+            } else {
+                if ((_e1027 >> bitcast<u32>(31i)) == 0u) {
+                    phi_1355_ = bitcast<f32>((_e1027 + 1u));
+                } else {
+                    phi_1355_ = bitcast<f32>((_e1027 - 1u));
+                }
+                let _e1038 = phi_1355_;
+                phi_1356_ = _e1038;
+            }
+            let _e1040 = phi_1356_;
+            phi_1358_ = -(_e1040);
+        } else {
+            phi_1358_ = _e986;
+        }
+        let _e1043 = phi_1358_;
+        phi_1359_ = _e1043;
+    }
+    let _e1059 = phi_1359_;
+    if (_e459 > 0f) {
+        let _e1080 = bitcast<u32>(_e987);
+        if ((_e1080 & 2147483647u) == 0u) {
+            phi_1381_ = 0.000000000000000000000000000000000000000000001f;
+        } else {
+            if ((_e1080 >> bitcast<u32>(31i)) == 0u) {
+                phi_1380_ = bitcast<f32>((_e1080 + 1u));
+            } else {
+                phi_1380_ = bitcast<f32>((_e1080 - 1u));
+            }
+            let _e1091 = phi_1380_;
+            phi_1381_ = _e1091;
+        }
+        let _e1093 = phi_1381_;
+        phi_1407_ = _e1093;
+    } else {
+        if (_e459 < 0f) {
+            let _e1063 = bitcast<u32>(-(_e987));
+            if ((_e1063 & 2147483647u) == 0u) {
+                phi_1404_ = 0.000000000000000000000000000000000000000000001f;
+            } else {
+                if ((_e1063 >> bitcast<u32>(31i)) == 0u) {
+                    phi_1403_ = bitcast<f32>((_e1063 + 1u));
+                } else {
+                    phi_1403_ = bitcast<f32>((_e1063 - 1u));
+                }
+                let _e1074 = phi_1403_;
+                phi_1404_ = _e1074;
+            }
+            let _e1076 = phi_1404_;
+            phi_1406_ = -(_e1076);
+        } else {
+            phi_1406_ = _e987;
+        }
+        let _e1079 = phi_1406_;
+        phi_1407_ = _e1079;
+    }
+    let _e1095 = phi_1407_;
+    slimbvh_point.member[3u] = vec4<f32>(_e1023, _e1059, _e1095, 0f);
+    let _e1099 = (_e457 * -1f);
+    let _e1100 = (_e458 * -1f);
+    let _e1101 = (_e459 * -1f);
+    let _e1113 = (_e969 * ((bitcast<f32>((bitcast<u32>(_e1099) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u))) + bitcast<f32>((bitcast<u32>(_e1101) & 2147483647u))));
+    let _e1117 = (_e949[0] + (_e1099 * _e1113));
+    let _e1118 = (_e949[1] + (_e1100 * _e1113));
+    let _e1119 = (_e949[2] + (_e1101 * _e1113));
+    if (_e1099 > 0f) {
+        let _e1140 = bitcast<u32>(_e1117);
+        if ((_e1140 & 2147483647u) == 0u) {
+            phi_1468_ = 0.000000000000000000000000000000000000000000001f;
+        } else {
+            if ((_e1140 >> bitcast<u32>(31i)) == 0u) {
+                phi_1467_ = bitcast<f32>((_e1140 + 1u));
+            } else {
+                phi_1467_ = bitcast<f32>((_e1140 - 1u));
+            }
+            let _e1151 = phi_1467_;
+            phi_1468_ = _e1151;
+        }
+        let _e1153 = phi_1468_;
+        phi_1494_ = _e1153;
+    } else {
+        if (_e1099 < 0f) {
+            let _e1123 = bitcast<u32>(-(_e1117));
+            if ((_e1123 & 2147483647u) == 0u) {
+                phi_1491_ = 0.000000000000000000000000000000000000000000001f;
+            } else {
+                if ((_e1123 >> bitcast<u32>(31i)) == 0u) {
+                    phi_1490_ = bitcast<f32>((_e1123 + 1u));
+                } else {
+                    phi_1490_ = bitcast<f32>((_e1123 - 1u));
+                }
+                let _e1134 = phi_1490_;
+                phi_1491_ = _e1134;
+            }
+            let _e1136 = phi_1491_;
+            phi_1493_ = -(_e1136);
+        } else {
+            phi_1493_ = _e1117;
+        }
+        let _e1139 = phi_1493_;
+        phi_1494_ = _e1139;
+    }
+    let _e1155 = phi_1494_;
+    if (_e1100 > 0f) {
+        let _e1176 = bitcast<u32>(_e1118);
+        if ((_e1176 & 2147483647u) == 0u) {
+            phi_1516_ = 0.000000000000000000000000000000000000000000001f;
+        } else {
+            if ((_e1176 >> bitcast<u32>(31i)) == 0u) {
+                phi_1515_ = bitcast<f32>((_e1176 + 1u));
+            } else {
+                phi_1515_ = bitcast<f32>((_e1176 - 1u));
+            }
+            let _e1187 = phi_1515_;
+            phi_1516_ = _e1187;
+        }
+        let _e1189 = phi_1516_;
+        phi_1542_ = _e1189;
+    } else {
+        if (_e1100 < 0f) {
+            let _e1159 = bitcast<u32>(-(_e1118));
+            if ((_e1159 & 2147483647u) == 0u) {
+                phi_1539_ = 0.000000000000000000000000000000000000000000001f;
+            } else {
+                if ((_e1159 >> bitcast<u32>(31i)) == 0u) {
+                    phi_1538_ = bitcast<f32>((_e1159 + 1u));
+                } else {
+                    phi_1538_ = bitcast<f32>((_e1159 - 1u));
+                }
+                let _e1170 = phi_1538_;
+                phi_1539_ = _e1170;
+            }
+            let _e1172 = phi_1539_;
+            phi_1541_ = -(_e1172);
+        } else {
+            phi_1541_ = _e1118;
+        }
+        let _e1175 = phi_1541_;
+        phi_1542_ = _e1175;
+    }
+    let _e1191 = phi_1542_;
+    if (_e1101 > 0f) {
+        let _e1212 = bitcast<u32>(_e1119);
+        if ((_e1212 & 2147483647u) == 0u) {
+            phi_1564_ = 0.000000000000000000000000000000000000000000001f;
+        } else {
+            if ((_e1212 >> bitcast<u32>(31i)) == 0u) {
+                phi_1563_ = bitcast<f32>((_e1212 + 1u));
+            } else {
+                phi_1563_ = bitcast<f32>((_e1212 - 1u));
+            }
+            let _e1223 = phi_1563_;
+            phi_1564_ = _e1223;
+        }
+        let _e1225 = phi_1564_;
+        phi_1590_ = _e1225;
+    } else {
+        if (_e1101 < 0f) {
+            let _e1195 = bitcast<u32>(-(_e1119));
+            if ((_e1195 & 2147483647u) == 0u) {
+                phi_1587_ = 0.000000000000000000000000000000000000000000001f;
+            } else {
+                if ((_e1195 >> bitcast<u32>(31i)) == 0u) {
+                    phi_1586_ = bitcast<f32>((_e1195 + 1u));
+                } else {
+                    phi_1586_ = bitcast<f32>((_e1195 - 1u));
+                }
+                let _e1206 = phi_1586_;
+                phi_1587_ = _e1206;
+            }
+            let _e1208 = phi_1587_;
+            phi_1589_ = -(_e1208);
+        } else {
+            phi_1589_ = _e1119;
+        }
+        let _e1211 = phi_1589_;
+        phi_1590_ = _e1211;
+    }
+    let _e1227 = phi_1590_;
+    slimbvh_point.member[4u] = vec4<f32>(_e1155, _e1191, _e1227, 0f);
     return;
 }
 

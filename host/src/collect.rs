@@ -11,7 +11,7 @@
 //! let mut counted = Counted::new(ClosestHit::new(prepared.t_max));
 //! bvh.collect(&prepared, &RayEnds::NONE, &mut counted);
 //! println!("{} nodes, {} triangles", counted.node_count, counted.triangle_count);
-//! assert_eq!(prepared.restore(counted.inner.hit), bvh.closest_hit(&ray));
+//! assert_eq!(prepared.restore(counted.inner.hit), bvh.closest_hit(ray));
 //! # Ok::<(), slimbvh::MeshError>(())
 //! ```
 

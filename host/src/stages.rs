@@ -4,7 +4,7 @@ use crate::Stopwatch;
 use std::fmt;
 use std::time::Duration;
 
-/// Times by stage, in the order in which the stages ran. All are zero where [`Stopwatch`] has no clock.
+/// Times by stage, in the order in which the stages ran. Without a clock ([`Stopwatch`]) only a GPU's stages have times.
 #[derive(Clone, Debug, Default)]
 pub struct Stages(Vec<(&'static str, Duration)>);
 
@@ -49,7 +49,7 @@ impl fmt::Display for Stages {
         for (i, (stage, time)) in self.iter().enumerate() {
             let separator = if i == 0 { "" } else { " · " };
             write!(f, "{separator}{stage}")?;
-            if Stopwatch::HAS_CLOCK {
+            if Stopwatch::HAS_CLOCK || !time.is_zero() {
                 write!(f, " {:.2} ms", time.as_secs_f64() * 1e3)?;
             }
         }

@@ -317,8 +317,27 @@ impl ViewSets<Cpu> {
 #[cfg(feature = "gpu")]
 impl<'g> ViewSets<&'g Gpu> {
     /// Records that the trees are updated to a mesh and targets: a [`crate::Mesh`] on the host, of which a copy is kept on the
-    /// GPU, or a [`crate::gpu::Mesh`] over the caller's buffers. `change` says what changed since the update before; the first
-    /// builds all. Nothing waits for the GPU, except a survey of a mesh in buffers, which reads these once.
+    /// GPU, or a [`crate::gpu::Mesh`] over the caller's buffers, alone or with the same mesh on the host. `change` says what
+    /// changed since the update before; the first builds all.
+    ///
+    /// Nothing waits for the GPU, with one exception: if a survey is likely to pay, buffers without a mesh on the host are read
+    /// back once.
+    ///
+    /// ```no_run
+    /// use slimbvh::gpu::{self, Gpu, GpuError, Query, wgpu};
+    /// use slimbvh::{Change, ViewSets, ViewTarget};
+    /// # fn run<'g>(
+    /// #     gpu: &'g Gpu, views: &mut ViewSets<&'g Gpu>, mesh: &gpu::Mesh, targets: &[ViewTarget], rays: &wgpu::Buffer,
+    /// #     hits: &wgpu::Buffer,
+    /// # ) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// // The caller's own commands move the vertices.
+    /// views.update(&mut frame, mesh, targets, Change::Vertices)?;
+    /// views.trees()[0].trace(&mut frame, Query::Closest, rays.slice(..), hits.slice(..))?;
+    /// frame.submit()?;
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// If the frame is not submitted, call [`Self::forget`].
     ///

@@ -131,6 +131,15 @@ fn end_of(ray: &PreparedRay, opaque_zero: u32) -> ([f32; 3], f32) {
 /// A ray, and what is no hit for it because its ends lie on it. 48 bytes.
 ///
 /// A [`Ray`] alone becomes one without such triangles.
+///
+/// ```
+/// # use slimbvh_core::{Ray, RayEnds, SurfaceRay};
+/// let ray = Ray::new([0.0, 1.0, 2.0], [0.0, 0.0, -1.0]);
+/// let plain = SurfaceRay::from(&ray);
+/// assert_eq!(plain.ends, RayEnds::NONE);
+/// let skips_face_7 = SurfaceRay { ends: RayEnds::skipping(7), ..plain };
+/// assert!(skips_face_7.ends.skips(7));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct SurfaceRay {
@@ -182,6 +191,16 @@ impl From<&&SurfaceRay> for SurfaceRay {
 }
 
 /// A point that a ray leaves or leads to: on a surface, or anywhere.
+///
+/// ```
+/// # use slimbvh_core::{NO_PRIMITIVE, Ray, RayEnd};
+/// // A point of one's own, known within a thousandth, on face 3.
+/// let point = RayEnd { position: [1.0, 2.0, 0.0], error: 1e-3, primitive: 3 };
+/// let ray = point.ray([0.0, 0.0, 1.0]);
+/// assert_eq!((ray.ray.origin, ray.ends.skip), ([1.0, 2.0, 0.0], [3, NO_PRIMITIVE]));
+/// let to_lamp = Ray::between(point, [1.0, 2.0, 5.0]);
+/// assert_eq!((to_lamp.ray.direction, to_lamp.ray.t_max), ([0.0, 0.0, 5.0], 1.0));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayEnd {
     /// The position, rounded.
@@ -225,6 +244,12 @@ impl Ray {
     /// ([`RayEnds`]). Plain positions count as exact.
     ///
     /// Where the difference of the points overflows, t is from 0 to 2.
+    ///
+    /// ```
+    /// # use slimbvh_core::Ray;
+    /// let segment = Ray::between([0.0, 0.0, 1.0], [2.0, 0.0, 1.0]);
+    /// assert_eq!((segment.ray.direction, segment.ray.t_max), ([2.0, 0.0, 0.0], 1.0));
+    /// ```
     #[must_use]
     pub fn between(a: impl Into<RayEnd>, b: impl Into<RayEnd>) -> SurfaceRay {
         let (a, b) = (a.into(), b.into());
@@ -262,4 +287,109 @@ fn difference([ax, ay, az]: [f32; 3], [bx, by, bz]: [f32; 3], factor: f32) -> [f
         ay * factor - by * factor,
         az * factor - bz * factor,
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::float::power_of_two;
+    use proptest::array::uniform3;
+    use proptest::prelude::*;
+
+    /// On a floor at height 1, in the order of a ray's axes.
+    fn is_separating(ray: &SurfaceRay, corners: [[f32; 3]; 3], exponent: i32) -> bool {
+        let prepared = PreparedRay::new(&ray.ray, exponent);
+        let turned = corners.map(|v| prepared.axes.map(|axis| v[axis as usize % 3]));
+        ray.ends.are_separated(&prepared, exponent, &turned, 0)
+    }
+
+    const FLOOR: [[f32; 3]; 3] = [[0.0, 0.0, 1.0], [4.0, 0.0, 1.0], [0.0, 2.0, 1.0]];
+
+    #[test]
+    fn a_plane_separates_only_ends_on_both_sides() {
+        let [above, on, below] = [3.0, 1.0, -2.0].map(|z| [0.5, 0.25, z]);
+        for (a, b, expected) in [
+            (above, below, true),
+            (below, above, true),
+            (above, on, false),
+            (on, below, false),
+            (above, above, false),
+            (below, [9.0, -5.0, 0.5], false),
+        ] {
+            assert_eq!(
+                is_separating(&Ray::between(a, b), FLOOR, 0),
+                expected,
+                "{a:?} {b:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_end_without_an_error_is_on_no_side() {
+        let ray = Ray {
+            t_max: 4.0,
+            ..Ray::new([0.5, 0.25, 3.0], [0.0, 0.0, -1.0])
+        };
+        let with = |error| SurfaceRay {
+            ray,
+            ends: RayEnds {
+                error,
+                ..RayEnds::NONE
+            },
+        };
+        // 2 above the floor, and 2 below.
+        for (error, expected) in [
+            ([1.9, -1.0], true),
+            ([2.1, -1.0], false),
+            ([-1.0, 1.9], true),
+            ([-1.0, 2.1], false),
+            ([1.9, 1.9], true),
+            ([1.9, 2.1], false),
+        ] {
+            assert_eq!(is_separating(&with(error), FLOOR, 0), expected, "{error:?}");
+        }
+        assert!(!RayEnds::NONE.have_errors() && with([0.0, -1.0]).ends.have_errors());
+    }
+
+    #[test]
+    fn a_segment_as_long_as_all_numbers_is_halved() {
+        let (a, b) = ([-3e38, 0.0, 1e38], [3e38, 1.0, 0.0]);
+        let segment = Ray::between(a, b);
+        assert_eq!((segment.ray.t_max, segment.ray.direction[0]), (2.0, 3e38));
+        assert!(segment.ends.error[1].is_finite());
+    }
+
+    proptest! {
+        /// The exact end of a segment is within its error of the point that it leads to, at all scales.
+        #[test]
+        fn a_segment_ends_at_its_point(a in uniform3(-1.0f32..1.0), b in uniform3(-1.0f32..1.0), e in -140..120i32, apart in -30..=0i32) {
+            let a = a.map(|x| scale_by_power_of_two(x, e));
+            let b = b.map(|x| scale_by_power_of_two(x, e + apart));
+            let segment = Ray::between(a, b);
+            let squares: [f64; 3] = core::array::from_fn(|axis| {
+                let end = f64::from(a[axis]) + f64::from(segment.ray.t_max) * f64::from(segment.ray.direction[axis]);
+                (end - f64::from(b[axis])).powi(2)
+            });
+            let off = squares.into_iter().sum::<f64>().sqrt();
+            prop_assert!(off <= f64::from(segment.ends.error[1]), "{off:e}");
+        }
+
+        /// Whatever the scale, the same plane separates the same ends.
+        #[test]
+        fn separation_does_not_depend_on_scale(a in uniform3(-1.0f32..1.0), b in uniform3(-1.0f32..1.0), t in uniform3(uniform3(-1.0f32..1.0)), e in -60..60i32) {
+            let scaled = |v: [f32; 3]| v.map(|x| x * power_of_two(e));
+            let here = is_separating(&Ray::between(a, b), t, 0);
+            let there = is_separating(&Ray::between(scaled(a), scaled(b)), t, -e);
+            prop_assert_eq!(here, there);
+        }
+    }
+
+    /// The negative control of that: without an error the end is elsewhere.
+    #[test]
+    fn differences_are_rounded() {
+        let segment = Ray::between([1.0, 0.0, 0.0], [power_of_two(-30) * 1.1, 0.0, 0.0]);
+        let end = 1.0 + f64::from(segment.ray.direction[0]);
+        assert!((end - f64::from(power_of_two(-30) * 1.1f32)).abs() > 0.0);
+        assert!(segment.ends.error[1] > 0.0);
+    }
 }

@@ -7,7 +7,24 @@ use glam::Vec3;
 
 /// The point of a surface that a ray hits, in the caller's unit.
 ///
-/// The exact point lies in the triangle that was hit, with the hit's weights.
+/// The exact point lies in the triangle that was hit, at the hit's weights, divided by their sum.
+///
+/// ```
+/// use slimbvh_core::surface::Surface;
+/// use slimbvh_core::{Hit, Ray, SurfacePoint, Triangle, Vec3};
+///
+/// let triangle = Triangle { v0: Vec3::ZERO, v1: Vec3::X, v2: Vec3::Y };
+/// let hit = Hit { t: 3.0, u: 0.5, v: 0.25, primitive: 7 };
+/// let surface = Surface::new(triangle, &hit, -Vec3::Z, [Vec3::ZERO; 3]);
+/// // The scene is 8 times as large as at its magnitude.
+/// let point = SurfacePoint::new(&surface, hit.primitive, -3);
+/// assert_eq!((point.position, point.normal), ([4.0, 2.0, 0.0], [0.0, 0.0, 1.0]));
+/// let mirrored = point.ray([0.0, 0.0, 1.0]);
+/// let to_lamp = Ray::between(&point, [4.0, 2.0, 9.0]);
+/// assert_eq!((mirrored.ends.skip[0], to_lamp.ends.skip[0]), (7, 7));
+/// // For a plain ray.
+/// assert!(point.leave()[2] > 0.0 && point.enter()[2] < 0.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfacePoint {
     /// The position, rounded.
@@ -30,12 +47,16 @@ impl SurfacePoint {
     /// Multiplying by a power of two is exact in the normal range. Below it, the error grows by what the position loses.
     #[must_use]
     pub fn new(surface: &Surface, primitive: u32, scene_exponent: i32) -> Self {
-        let ([px, py, pz], [ex, ey, ez]) = (surface.position.to_array(), surface.error.to_array());
-        let axis = |position: f32, error: f32| Restored::new(position, error, scene_exponent);
-        let (x, y, z) = (axis(px, ex), axis(py, ey), axis(pz, ez));
+        // A loop: written out, it would be most of the text that users' WGSL contains.
+        let (mut position, mut error) = (surface.position.to_array(), surface.error.to_array());
+        for axis in 0..3 {
+            let restored = Restored::new(position[axis], error[axis], scene_exponent);
+            position[axis] = restored.position;
+            error[axis] = restored.error;
+        }
         Self {
-            position: [x.position, y.position, z.position],
-            error: [x.error, y.error, z.error],
+            position,
+            error,
             normal: surface.normal.to_array(),
             shading_normal: surface.shading_normal.to_array(),
             side: surface.side,

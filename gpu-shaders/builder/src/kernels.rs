@@ -12,9 +12,11 @@ use syn::{File, Item, ItemFn};
 const LAB: [&str; 3] = ["_paper10_", "trace_nearest_", "trace_counted_"];
 
 /// The kernels that trace one kind of tree, in the order of a row: what stands before the codec's name, and what stands behind.
-const QUESTIONS: [[&str; 2]; 10] = [
+const QUESTIONS: [[&str; 2]; 12] = [
     ["trace_closest", ""],
     ["trace_any", ""],
+    ["trace_filtered_closest", ""],
+    ["trace_filtered_any", ""],
     ["trace_nearest", ""],
     ["trace_rays", "_overflow"],
     ["trace_counted", ""],

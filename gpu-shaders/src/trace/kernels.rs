@@ -6,10 +6,12 @@
 /// names the stack in workgroup memory: its words, and how a lane's is made of them. A source expression sees the bound slices under the
 /// names given and the root, decoded.
 ///
-/// - closest: one thread per ray. Reads the scene's exponent, a target, the number of rays, the tree, the packed sides of the
-///   primitives, the ray and its ends. Stores the closest hit: a triangle that faces the target and that no end of the ray lies on.
-///   Where sides are 0, all triangles face it; rays beyond the last ends have none. Answers of rays beyond the number are not stored.
+/// - closest: one thread per ray. Reads the scene's exponent, the number of rays, the tree and the ray. Stores the closest hit. Answers
+///   of rays beyond the number are not stored.
 /// - any: one thread per ray. Stores 1 where the ray hits anything, else 0.
+/// - filtered closest, filtered any: the same for triangles that face a target and that no end of the ray lies on. Read a target, the
+///   packed sides of the primitives and the ray's ends, too. Where sides are 0, all triangles face the target; rays beyond the last
+///   ends have none. Nearest and counted are filtered, too. A filter takes up to 16 registers, so that there are both kinds.
 /// - nearest: one thread per ray. Stores the nearest hits in order, misses at the end.
 /// - counted: one thread per ray. Stores how many nodes and triangles the search for the closest hit visits.
 /// - paths: one thread per path. Reads the scene's exponent, a target, the tree and the packed sides of the primitives. Stores the
@@ -30,6 +32,8 @@ macro_rules! trace_kernels {
         |$nodes:ident: $node:ty, $triangles:ident: $triangle:ty| $node_source:expr, $triangle_source:expr;
         pub fn $closest:ident;
         pub fn $any:ident;
+        pub fn $filtered_closest:ident;
+        pub fn $filtered_any:ident;
         pub fn $nearest:ident;
         pub fn $rays_overflow:ident;
         pub fn $counted:ident;
@@ -42,6 +46,27 @@ macro_rules! trace_kernels {
         /// Answers rays by their closest hit.
         #[spirv(compute(threads(64)))]
         pub fn $closest(
+            #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
+            $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] count: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] hits: &mut [Hit],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] list: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
+        ) {
+            $(let $root = root_words($root);)?
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            let rays = PlainRays { rays, count: count.x, exponent: exponent.x };
+            store::closest(stack, tree, thread_index(id), rays, hits, list);
+        }
+
+        /// Answers rays by their closest hit that the filter accepts.
+        #[spirv(compute(threads(64)))]
+        pub fn $filtered_closest(
             #[spirv(global_invocation_id)] id: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
@@ -59,13 +84,35 @@ macro_rules! trace_kernels {
         ) {
             $(let $root = root_words($root);)?
             let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
-            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            let rays = PlainRays { rays, count: count.x, exponent: exponent.x };
+            let rays = FilteredRays { rays, ends, sides, target };
             store::closest(stack, tree, thread_index(id), rays, hits, list);
         }
 
         /// Answers rays by whether they hit anything.
         #[spirv(compute(threads(64)))]
         pub fn $any(
+            #[spirv(global_invocation_id)] id: UVec3,
+            #[spirv(local_invocation_index)] lane: u32,
+            $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
+            #[spirv(uniform, descriptor_set = 0, binding = $a)] exponent: &UVec4,
+            #[spirv(uniform, descriptor_set = 0, binding = $b)] count: &UVec4,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $c)] $nodes: &[$node],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $d)] $triangles: &[$triangle],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $e)] rays: &[Ray],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] found: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = $g)] list: &mut [u32],
+            #[spirv(workgroup)] words: &mut $words,
+        ) {
+            $(let $root = root_words($root);)?
+            let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
+            let rays = PlainRays { rays, count: count.x, exponent: exponent.x };
+            store::any(stack, tree, thread_index(id), rays, found, list);
+        }
+
+        /// Answers rays by whether they hit anything that the filter accepts.
+        #[spirv(compute(threads(64)))]
+        pub fn $filtered_any(
             #[spirv(global_invocation_id)] id: UVec3,
             #[spirv(local_invocation_index)] lane: u32,
             $(#[spirv(uniform, descriptor_set = 0, binding = 0)] $root: &[UVec4; 2],)?
@@ -83,7 +130,8 @@ macro_rules! trace_kernels {
         ) {
             $(let $root = root_words($root);)?
             let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
-            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            let rays = PlainRays { rays, count: count.x, exponent: exponent.x };
+            let rays = FilteredRays { rays, ends, sides, target };
             store::any(stack, tree, thread_index(id), rays, found, list);
         }
 
@@ -107,7 +155,8 @@ macro_rules! trace_kernels {
         ) {
             $(let $root = root_words($root);)?
             let (stack, tree) = (&mut $stack(words, lane), (&$node_source, &$triangle_source));
-            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            let rays = PlainRays { rays, count: count.x, exponent: exponent.x };
+            let rays = FilteredRays { rays, ends, sides, target };
             store::nearest(stack, tree, thread_index(id), rays, hits, list);
         }
 
@@ -130,7 +179,8 @@ macro_rules! trace_kernels {
         ) {
             $(let $root = root_words($root);)?
             let tree = (&$node_source, &$triangle_source);
-            let rays = Rays { rays, ends, count: u32::MAX, exponent: exponent.x, sides, target };
+            let rays = PlainRays { rays, count: u32::MAX, exponent: exponent.x };
+            let rays = FilteredRays { rays, ends, sides, target };
             store::listed_rays(tree, (thread_index(id), groups.x), params.x, rays, list, answers);
         }
 
@@ -150,7 +200,8 @@ macro_rules! trace_kernels {
             #[spirv(storage_buffer, descriptor_set = 0, binding = $i)] counts: &mut [[u32; 2]],
         ) {
             $(let $root = root_words($root);)?
-            let rays = Rays { rays, ends, count: count.x, exponent: exponent.x, sides, target };
+            let rays = PlainRays { rays, count: count.x, exponent: exponent.x };
+            let rays = FilteredRays { rays, ends, sides, target };
             store::counted(thread_index(id), &$node_source, &$triangle_source, rays, counts);
         }
 

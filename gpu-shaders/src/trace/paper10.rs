@@ -1,7 +1,7 @@
 //! Kernels that trace trees in the paper10 codec, a row each.
 
 use super::overflow::noted;
-use super::rays::Rays;
+use super::rays::{FilteredRays, PlainRays};
 use super::{root_words, scaled_target, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
@@ -21,6 +21,8 @@ trace_kernels! {
         TriangleRows(triangles);
     pub fn trace_closest_paper10_f32;
     pub fn trace_any_paper10_f32;
+    pub fn trace_filtered_closest_paper10_f32;
+    pub fn trace_filtered_any_paper10_f32;
     pub fn trace_nearest_paper10_f32;
     pub fn trace_rays_paper10_f32_overflow;
     pub fn trace_counted_paper10_f32;
@@ -39,6 +41,8 @@ trace_kernels! {
         Paper10Triangles { triangles, opaque_zero: root.opaque_zero() };
     pub fn trace_closest_paper10_leaf10;
     pub fn trace_any_paper10_leaf10;
+    pub fn trace_filtered_closest_paper10_leaf10;
+    pub fn trace_filtered_any_paper10_leaf10;
     pub fn trace_nearest_paper10_leaf10;
     pub fn trace_rays_paper10_leaf10_overflow;
     pub fn trace_counted_paper10_leaf10;

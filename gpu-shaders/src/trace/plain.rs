@@ -1,7 +1,7 @@
 //! Kernels that trace trees in full.
 
 use super::overflow::noted;
-use super::rays::Rays;
+use super::rays::{FilteredRays, PlainRays};
 use super::{scaled_target, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
@@ -20,6 +20,8 @@ trace_kernels! {
     |nodes: NodeRow, triangles: TrianglePair| NodeRows(nodes), TriangleRows(triangles);
     pub fn trace_closest;
     pub fn trace_any;
+    pub fn trace_filtered_closest;
+    pub fn trace_filtered_any;
     pub fn trace_nearest;
     pub fn trace_rays_overflow;
     pub fn trace_counted;

@@ -4,24 +4,107 @@ use super::scaled_target;
 use glam::UVec4;
 use slimbvh_core::classify::{FacingFilter, PackedSides};
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
-use slimbvh_core::trace::{EndsFilter, EndsSource, HitFilter};
+use slimbvh_core::trace::{EndsFilter, EndsSource, HitFilter, Skip};
 use slimbvh_core::{Ray, RayEnds};
 
-/// The rays of a dispatch.
+/// The rays of a dispatch, and what is a hit for them.
+pub trait RaySource: Copy {
+    /// What is a hit for one of them.
+    type Filter: HitFilter;
+
+    /// Whether there is a ray of this number.
+    fn has(&self, i: u32) -> bool;
+
+    /// The ray of this number, which is there, in the scene's magnitude.
+    fn prepared(&self, i: u32) -> PreparedRay;
+
+    /// What is a hit for it.
+    fn filter(&self, i: u32, ray: PreparedRay) -> Self::Filter;
+
+    /// Room in the list of rays whose stack was full.
+    fn room(&self) -> u32;
+}
+
+/// Rays for which all triangles are hits.
 #[derive(Clone, Copy)]
-pub struct Rays<'a> {
+pub struct PlainRays<'a> {
     /// All that there is room for.
     pub rays: &'a [Ray],
-    /// What the ends of each lie on. Rays beyond the last have no such end.
-    pub ends: &'a [RayEnds],
     /// How many of the rays there are.
     pub count: u32,
     /// The scene's exponent.
     pub exponent: u32,
+}
+
+impl RaySource for PlainRays<'_> {
+    type Filter = Skip;
+
+    #[inline(always)]
+    fn has(&self, i: u32) -> bool {
+        i < self.count && (i as usize) < self.rays.len()
+    }
+
+    #[inline(always)]
+    fn prepared(&self, i: u32) -> PreparedRay {
+        let mut ray = Ray::EMPTY;
+        if (i as usize) < self.rays.len() {
+            ray = self.rays[i as usize];
+        }
+        PreparedRay::new(&ray, self.exponent as i32)
+    }
+
+    #[inline(always)]
+    fn filter(&self, _: u32, _: PreparedRay) -> Skip {
+        Skip::NONE
+    }
+
+    #[inline(always)]
+    fn room(&self) -> u32 {
+        self.rays.len() as u32
+    }
+}
+
+/// Rays whose ends may lie on surfaces, through a tree that may have a rule.
+#[derive(Clone, Copy)]
+pub struct FilteredRays<'a> {
+    pub rays: PlainRays<'a>,
+    /// What the ends of each lie on. Rays beyond the last have no such end.
+    pub ends: &'a [RayEnds],
     /// The packed sides of the primitives: what is not on the side that faces the target is no hit. Sides of 0 accept all triangles.
     pub sides: &'a [u32],
     /// The target's words, in the caller's unit.
     pub target: &'a [UVec4; 2],
+}
+
+impl<'a> RaySource for FilteredRays<'a> {
+    type Filter = RayFilter<'a>;
+
+    #[inline(always)]
+    fn has(&self, i: u32) -> bool {
+        self.rays.has(i)
+    }
+
+    #[inline(always)]
+    fn prepared(&self, i: u32) -> PreparedRay {
+        self.rays.prepared(i)
+    }
+
+    #[inline(always)]
+    fn filter(&self, i: u32, ray: PreparedRay) -> RayFilter<'a> {
+        RayFilter {
+            i,
+            exponent: self.rays.exponent,
+            ray,
+            ends: self.ends,
+            sides: self.sides,
+            target: self.target,
+        }
+    }
+
+    #[inline(always)]
+    fn room(&self) -> u32 {
+        self.rays.room()
+    }
 }
 
 /// Whether a tree's rule accepts a triangle that a ray meets. All is read here, for each such triangle: nothing of it is held while
@@ -42,23 +125,9 @@ fn accepts(
     filter.accepts(primitive, corners, axes)
 }
 
-impl Rays<'_> {
-    /// Whether there is a ray of this number.
-    #[inline(always)]
-    pub const fn has(&self, i: u32) -> bool {
-        i < self.count && (i as usize) < self.rays.len()
-    }
-
-    /// Room in the list of rays whose stack was full.
-    #[inline(always)]
-    pub const fn room(&self) -> u32 {
-        self.rays.len() as u32
-    }
-}
-
 /// Accepts what the tree's rule accepts and the ray's ends do not lie on.
 ///
-/// The fields are slices and not [`Rays`]: a struct of structs of slices does not compile to SPIR-V.
+/// It has slices of its own: with [`FilteredRays`] in it, it would not compile to SPIR-V.
 #[derive(Clone, Copy)]
 pub struct RayFilter<'a> {
     i: u32,
@@ -67,21 +136,6 @@ pub struct RayFilter<'a> {
     ends: &'a [RayEnds],
     sides: &'a [u32],
     target: &'a [UVec4; 2],
-}
-
-impl<'a> RayFilter<'a> {
-    /// Of the ray of this number, which is prepared.
-    #[inline(always)]
-    pub const fn new(rays: Rays<'a>, i: u32, ray: PreparedRay) -> Self {
-        Self {
-            i,
-            exponent: rays.exponent,
-            ray,
-            ends: rays.ends,
-            sides: rays.sides,
-            target: rays.target,
-        }
-    }
 }
 
 /// The ends of a ray that meets a triangle.

@@ -1,7 +1,7 @@
 //! What one thread does of each question, whatever the tree.
 
 use super::overflow::{note, noted};
-use super::rays::{RayFilter, Rays};
+use super::rays::RaySource;
 use crate::count;
 use glam::Vec3;
 use slimbvh_core::Hit;
@@ -14,22 +14,23 @@ use slimbvh_core::trace::{
 };
 
 #[inline(always)]
-pub fn closest<S, N, T>(
+pub fn closest<S, N, T, R>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     i: u32,
-    rays: Rays,
+    rays: R,
     hits: &mut [Hit],
     list: &mut [u32],
 ) where
     S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
+    R: RaySource,
 {
     let slot = i as usize;
     if rays.has(i) && slot < hits.len() {
-        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
-        let filter = RayFilter::new(rays, i, ray);
+        let ray = rays.prepared(i);
+        let filter = rays.filter(i, ray);
         let mut collector = ClosestHit::new(ray.t_max);
         if traverse_with(stack, nodes, triangles, &ray, &filter, &mut collector) {
             hits[slot] = ray.restore(collector.hit);
@@ -40,22 +41,23 @@ pub fn closest<S, N, T>(
 }
 
 #[inline(always)]
-pub fn any<S, N, T>(
+pub fn any<S, N, T, R>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     i: u32,
-    rays: Rays,
+    rays: R,
     found: &mut [u32],
     list: &mut [u32],
 ) where
     S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
+    R: RaySource,
 {
     let slot = i as usize;
     if rays.has(i) && slot < found.len() {
-        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
-        let filter = RayFilter::new(rays, i, ray);
+        let ray = rays.prepared(i);
+        let filter = rays.filter(i, ray);
         let mut collector = AnyHit::new(ray.t_max);
         if traverse_with(stack, nodes, triangles, &ray, &filter, &mut collector) {
             found[slot] = collector.found as u32;
@@ -66,22 +68,23 @@ pub fn any<S, N, T>(
 }
 
 #[inline(always)]
-pub fn nearest<S, N, T>(
+pub fn nearest<S, N, T, R>(
     stack: &mut S,
     (nodes, triangles): (&N, &T),
     i: u32,
-    rays: Rays,
+    rays: R,
     hits: &mut [[Hit; NEAREST_COUNT]],
     list: &mut [u32],
 ) where
     S: Waiting<N::Node, Enter = ()>,
     N: NodeSource,
     T: TriangleSource<N::Bounds>,
+    R: RaySource,
 {
     let slot = i as usize;
     if rays.has(i) && slot < hits.len() {
-        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
-        let filter = RayFilter::new(rays, i, ray);
+        let ray = rays.prepared(i);
+        let filter = rays.filter(i, ray);
         let mut collector = NearestHits::<NEAREST_COUNT>::new(ray.t_max);
         if traverse_with(stack, nodes, triangles, &ray, &filter, &mut collector) {
             for k in 0..NEAREST_COUNT {
@@ -95,18 +98,18 @@ pub fn nearest<S, N, T>(
 
 /// The second pass of [`closest`], [`any`] and [`nearest`], for 1, 0 and [`NEAREST_COUNT`] hits a ray. `length` is that of the list.
 #[inline(always)]
-pub fn listed_rays<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn listed_rays<N: NodeSource, T: TriangleSource<N::Bounds>, R: RaySource>(
     (nodes, triangles): (&N, &T),
     (thread, length): (u32, u32),
     hit_count: u32,
-    rays: Rays,
+    rays: R,
     list: &[u32],
     answers: &mut [u32],
 ) {
     let i = noted(thread, length, rays.room(), list);
     if rays.has(i) {
-        let ray = PreparedRay::new(&rays.rays[i as usize], rays.exponent as i32);
-        let filter = RayFilter::new(rays, i, ray);
+        let ray = rays.prepared(i);
+        let filter = rays.filter(i, ray);
         let mut collector = UpTo::<NEAREST_COUNT>::new(hit_count, ray.t_max);
         let mut stack = <<N::Node as Fork>::PrivateStack as Empty>::EMPTY;
         traverse_with(&mut stack, nodes, triangles, &ray, &filter, &mut collector);
@@ -139,17 +142,17 @@ fn put(place: u32, word: u32, words: &mut [u32]) {
 }
 
 #[inline(always)]
-pub fn counted<N: NodeSource, T: TriangleSource<N::Bounds>>(
+pub fn counted<N: NodeSource, T: TriangleSource<N::Bounds>, R: RaySource>(
     i: u32,
     nodes: &N,
     triangles: &T,
-    rays: Rays,
+    rays: R,
     counts: &mut [[u32; 2]],
 ) {
     let slot = i as usize;
     if rays.has(i) && slot < counts.len() {
-        let ray = PreparedRay::new(&rays.rays[slot], rays.exponent as i32);
-        let filter = RayFilter::new(rays, i, ray);
+        let ray = rays.prepared(i);
+        let filter = rays.filter(i, ray);
         let mut collector = Counted::new(ClosestHit::new(ray.t_max));
         traverse(nodes, triangles, &ray, &filter, &mut collector);
         counts[slot] = [collector.node_count, collector.triangle_count];

@@ -1,7 +1,7 @@
 //! Kernels that trace trees of wide nodes, a row each.
 
 use super::overflow::noted;
-use super::rays::Rays;
+use super::rays::{FilteredRays, PlainRays};
 use super::{root_words, scaled_target, step, store};
 use crate::thread_index;
 use glam::{UVec3, UVec4};
@@ -24,6 +24,8 @@ trace_kernels! {
     |nodes: FullWideRow, triangles: TrianglePair| FullWideNodes(nodes), TriangleRows(triangles);
     pub fn trace_closest_w4_f32;
     pub fn trace_any_w4_f32;
+    pub fn trace_filtered_closest_w4_f32;
+    pub fn trace_filtered_any_w4_f32;
     pub fn trace_nearest_w4_f32;
     pub fn trace_rays_w4_f32_overflow;
     pub fn trace_counted_w4_f32;
@@ -42,6 +44,8 @@ trace_kernels! {
         TriangleRows(triangles);
     pub fn trace_closest_w4_64_f32;
     pub fn trace_any_w4_64_f32;
+    pub fn trace_filtered_closest_w4_64_f32;
+    pub fn trace_filtered_any_w4_64_f32;
     pub fn trace_nearest_w4_64_f32;
     pub fn trace_rays_w4_64_f32_overflow;
     pub fn trace_counted_w4_64_f32;
@@ -60,6 +64,8 @@ trace_kernels! {
         LatticeTriangles { words: triangles, step: step(&root) };
     pub fn trace_closest_w4_64_lattice;
     pub fn trace_any_w4_64_lattice;
+    pub fn trace_filtered_closest_w4_64_lattice;
+    pub fn trace_filtered_any_w4_64_lattice;
     pub fn trace_nearest_w4_64_lattice;
     pub fn trace_rays_w4_64_lattice_overflow;
     pub fn trace_counted_w4_64_lattice;
@@ -78,6 +84,8 @@ trace_kernels! {
         SharedTriangles { words: triangles, step: step(&root) };
     pub fn trace_closest_w4_48_lattice;
     pub fn trace_any_w4_48_lattice;
+    pub fn trace_filtered_closest_w4_48_lattice;
+    pub fn trace_filtered_any_w4_48_lattice;
     pub fn trace_nearest_w4_48_lattice;
     pub fn trace_rays_w4_48_lattice_overflow;
     pub fn trace_counted_w4_48_lattice;

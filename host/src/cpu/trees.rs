@@ -30,7 +30,7 @@ pub type Trees<'a> = backend::Trees<'a, Bvh, (Sides<'a>, Target)>;
 /// let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
 /// let tree = Tree::all(&bvh);
 /// let ray = Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]);
-/// assert_eq!(tree.closest_hit(&ray), bvh.closest_hit(&ray));
+/// assert_eq!(tree.closest_hit(&ray), bvh.closest_hit(ray));
 /// # Ok::<(), slimbvh::MeshError>(())
 /// ```
 impl Tree<'_> {

@@ -17,7 +17,7 @@ pub enum AdapterChoice {
 /// A printable description of an adapter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AdapterSummary {
-    /// Its name.
+    /// Its name; a browser hides it, and has "WebGPU".
     pub name: String,
     /// Discrete, integrated, virtual, software, or other.
     pub kind: &'static str,
@@ -65,7 +65,7 @@ pub(super) async fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, Adap
     let adapters = enumerate().await;
     let names = adapters
         .iter()
-        .map(|adapter| format!("{:?}", adapter.get_info().name))
+        .map(|adapter| format!("{:?}", name_of(adapter.get_info())))
         .collect::<Vec<_>>()
         .join(", ");
     if adapters.is_empty() {
@@ -81,7 +81,7 @@ pub(super) async fn choose(choice: &AdapterChoice) -> Result<wgpu::Adapter, Adap
             let lower = wanted.to_lowercase();
             adapters
                 .into_iter()
-                .find(|adapter| adapter.get_info().name.to_lowercase().contains(&lower))
+                .find(|adapter| name_of(adapter.get_info()).to_lowercase().contains(&lower))
                 .ok_or(AdapterError::NoSuchName {
                     wanted: wanted.clone(),
                     names,
@@ -110,8 +110,26 @@ async fn enumerate() -> Vec<wgpu::Adapter> {
     adapters
 }
 
+/// An adapter's name, or that of its interface where a browser hides it.
+pub(super) fn name_of(info: wgpu::AdapterInfo) -> String {
+    if info.name.is_empty() {
+        return api_of(&info).into();
+    }
+    info.name
+}
+
 fn is_software(info: &wgpu::AdapterInfo) -> bool {
     info.device_type == wgpu::DeviceType::Cpu
+}
+
+fn api_of(info: &wgpu::AdapterInfo) -> &'static str {
+    match info.backend {
+        wgpu::Backend::Vulkan => "Vulkan",
+        wgpu::Backend::Metal => "Metal",
+        wgpu::Backend::Dx12 => "Direct3D 12",
+        wgpu::Backend::BrowserWebGpu => "WebGPU",
+        _ => "other",
+    }
 }
 
 fn summarize(adapter: &wgpu::Adapter) -> AdapterSummary {
@@ -125,13 +143,7 @@ fn summarize(adapter: &wgpu::Adapter) -> AdapterSummary {
             wgpu::DeviceType::Cpu => "software",
             wgpu::DeviceType::Other => "other",
         },
-        api: match info.backend {
-            wgpu::Backend::Vulkan => "Vulkan",
-            wgpu::Backend::Metal => "Metal",
-            wgpu::Backend::Dx12 => "Direct3D 12",
-            wgpu::Backend::BrowserWebGpu => "WebGPU",
-            _ => "other",
-        },
+        api: api_of(&info),
         driver: driver.trim().into(),
         is_software: is_software(&info),
         has_timestamps: adapter.features().contains(wgpu::Features::TIMESTAMP_QUERY),
@@ -140,6 +152,6 @@ fn summarize(adapter: &wgpu::Adapter) -> AdapterSummary {
         max_storage_buffers: limits.max_storage_buffers_per_shader_stage,
         max_workgroup_bytes: limits.max_compute_workgroup_storage_size,
         subgroup_size: [info.subgroup_min_size, info.subgroup_max_size],
-        name: info.name,
+        name: name_of(info),
     }
 }

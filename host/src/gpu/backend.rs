@@ -29,7 +29,13 @@ pub enum Geometry<'a> {
     /// On the host.
     Host(&'a crate::Mesh),
     /// On the GPU.
-    Buffers(&'a Mesh),
+    Buffers {
+        /// The buffers.
+        mesh: &'a Mesh,
+        /// The same triangles on the host, vertices at rest or anywhere, so that a survey of the surfaces need not read the
+        /// buffers back.
+        rest: Option<&'a crate::Mesh>,
+    },
 }
 
 impl<'a> From<&'a crate::Mesh> for Geometry<'a> {
@@ -40,7 +46,14 @@ impl<'a> From<&'a crate::Mesh> for Geometry<'a> {
 
 impl<'a> From<&'a Mesh> for Geometry<'a> {
     fn from(mesh: &'a Mesh) -> Self {
-        Self::Buffers(mesh)
+        Self::Buffers { mesh, rest: None }
+    }
+}
+
+impl<'a> From<(&'a Mesh, &'a crate::Mesh)> for Geometry<'a> {
+    fn from((mesh, rest): (&'a Mesh, &'a crate::Mesh)) -> Self {
+        let rest = Some(rest);
+        Self::Buffers { mesh, rest }
     }
 }
 
@@ -123,7 +136,7 @@ impl<'g> Backend for &'g Gpu {
     fn triangle_count(geometry: Geometry) -> usize {
         match geometry {
             Geometry::Host(mesh) => mesh.indices.len(),
-            Geometry::Buffers(mesh) => mesh.triangle_count() as usize,
+            Geometry::Buffers { mesh, .. } => mesh.triangle_count() as usize,
         }
     }
 
@@ -131,14 +144,21 @@ impl<'g> Backend for &'g Gpu {
         match (geometry, &held.mesh) {
             (_, None) => false,
             (Geometry::Host(_), Some(_)) => true,
-            (Geometry::Buffers(mesh), Some(held)) => mesh == held,
+            (Geometry::Buffers { mesh, .. }, Some(held)) => mesh == held,
         }
     }
 
     fn on_host<'a>(self, geometry: Self::Geometry<'a>) -> Result<Cow<'a, crate::Mesh>, GpuError> {
         match geometry {
             Geometry::Host(mesh) => Ok(Cow::Borrowed(mesh)),
-            Geometry::Buffers(mesh) => Ok(Cow::Owned(mesh.download(self)?)),
+            Geometry::Buffers { mesh, rest: None } => Ok(Cow::Owned(mesh.download(self)?)),
+            Geometry::Buffers {
+                mesh,
+                rest: Some(rest),
+            } => {
+                mesh.check_rest(rest)?;
+                Ok(Cow::Borrowed(rest))
+            }
         }
     }
 
@@ -158,7 +178,7 @@ impl<'g> Backend for &'g Gpu {
             }
             (Geometry::Host(mesh), Some(held), Change::Vertices) => held.move_vertices(self, mesh),
             (Geometry::Host(_), Some(_), Change::View) => {}
-            (Geometry::Buffers(mesh), kept, change) => {
+            (Geometry::Buffers { mesh, .. }, kept, change) => {
                 if kept.as_ref() != Some(mesh) || change == Change::Scene {
                     builder.check(self, mesh.triangle_count())?;
                     *held = Held::default();

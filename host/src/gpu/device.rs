@@ -57,7 +57,7 @@ impl Gpu {
         pollster::block_on(Self::open_async(choice))
     }
 
-    /// [`Self::open`], without blocking: for browsers. A browser has one adapter, whose name may be empty.
+    /// [`Self::open`], without blocking: for browsers. A browser has one adapter, of the name "WebGPU".
     ///
     /// ```no_run
     /// use slimbvh::gpu::{AdapterChoice, Gpu};
@@ -72,7 +72,7 @@ impl Gpu {
     /// Those of [`Self::open`].
     pub async fn open_async(choice: &AdapterChoice) -> Result<Self, GpuError> {
         let adapter = adapter::choose(choice).await?;
-        let info = adapter.get_info();
+        let name = adapter::name_of(adapter.get_info());
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("slimbvh"),
             required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
@@ -82,7 +82,7 @@ impl Gpu {
         };
         let opened = adapter.request_device(&descriptor).await;
         let (device, queue) = opened.map_err(|error| GpuError::Refused {
-            adapter: info.name,
+            adapter: name,
             reason: one_line(&error.to_string()),
         })?;
         let gpu = Self::from_device(device, queue)?;
@@ -110,7 +110,7 @@ impl Gpu {
     /// # Errors
     /// If the device's limits are smaller.
     pub fn from_device(device: wgpu::Device, queue: wgpu::Queue) -> Result<Self, GpuError> {
-        let (limits, name) = (device.limits(), device.adapter_info().name);
+        let (limits, name) = (device.limits(), adapter::name_of(device.adapter_info()));
         let needs: [(&'static str, u64, u64); 4] = [
             (
                 "max_storage_buffers_per_shader_stage",

@@ -67,8 +67,11 @@ macro_rules! kernels {
 pub struct Traces {
     pub closest: Kernel,
     pub any: Kernel,
+    /// The two above, of triangles that a filter accepts.
+    pub filtered_closest: Kernel,
+    pub filtered_any: Kernel,
     pub nearest: Kernel,
-    /// The second pass of the three above.
+    /// The second pass of all above.
     pub rays_overflow: Kernel,
     pub counted: Kernel,
     pub paths: Kernel,
@@ -81,7 +84,7 @@ pub struct Traces {
 macro_rules! traces {
     (
         $(
-            $coding:pat => $closest:ident, $any:ident, $nearest:ident, $rays_overflow:ident, $counted:ident, $paths:ident,
+            $coding:pat => $closest:ident, $any:ident, $filtered_closest:ident, $filtered_any:ident, $nearest:ident, $rays_overflow:ident, $counted:ident, $paths:ident,
             $paths_overflow:ident, $paths_counted:ident, $shadows:ident, $shadows_overflow:ident;
         )*
     ) => {
@@ -91,6 +94,8 @@ macro_rules! traces {
                 $($coding => Traces {
                     closest: Kernel::$closest,
                     any: Kernel::$any,
+                    filtered_closest: Kernel::$filtered_closest,
+                    filtered_any: Kernel::$filtered_any,
                     nearest: Kernel::$nearest,
                     rays_overflow: Kernel::$rays_overflow,
                     counted: Kernel::$counted,
@@ -152,7 +157,8 @@ pub fn compile(device: &wgpu::Device, kernel: Kernel) -> Result<wgpu::ComputePip
             label,
             layout: None,
             module: &module,
-            entry_point: Some(kernel.name()),
+            // The only one. For a browser wgpu writes WGSL, and changes names that end in a digit.
+            entry_point: None,
             compilation_options: wgpu::PipelineCompilationOptions {
                 // Every kernel writes its workgroup memory before it reads it.
                 zero_initialize_workgroup_memory: false,

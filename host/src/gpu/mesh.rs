@@ -157,6 +157,22 @@ impl Mesh {
         }
     }
 
+    /// Refuses a mesh on the host that has other counts.
+    pub(super) fn check_rest(&self, rest: &crate::Mesh) -> Result<(), GpuError> {
+        let vertex_count = self.vertices.size / ELEMENT_BYTES;
+        let own = [u64::from(self.triangle_count), vertex_count];
+        let surfaces = [rest.indices.len(), rest.vertices.len()].map(|count| count as u64);
+        if own == surfaces {
+            return Ok(());
+        }
+        let fault = Misfit::OtherMesh {
+            triangle_count: own[0],
+            vertex_count,
+            surfaces,
+        };
+        Err(fault.of("the mesh in buffers"))
+    }
+
     /// Reads the mesh back: positions and indices, as they are once all work submitted before is done. Waits for that.
     ///
     /// # Errors

@@ -38,12 +38,15 @@ impl Query {
         }
     }
 
-    const fn kernel(self, traces: &Traces) -> Kernel {
-        match self {
-            Self::Closest => traces.closest,
-            Self::Any => traces.any,
-            Self::Nearest => traces.nearest,
-            Self::Counted => traces.counted,
+    /// The kernel, and whether it has a filter.
+    const fn kernel(self, traces: &Traces, needs_filter: bool) -> (Kernel, bool) {
+        match (self, needs_filter) {
+            (Self::Closest, false) => (traces.closest, false),
+            (Self::Any, false) => (traces.any, false),
+            (Self::Closest, true) => (traces.filtered_closest, true),
+            (Self::Any, true) => (traces.filtered_any, true),
+            (Self::Nearest, _) => (traces.nearest, true),
+            (Self::Counted, _) => (traces.counted, true),
         }
     }
 
@@ -131,13 +134,14 @@ impl Tree<'_> {
             let mut recorder = Recorder::default();
             recorder.stage("trace");
             let kernels = traces(built.coding());
-            let kernel = query.kernel(&kernels);
+            let needs_filter = tree.rule.is_some() || rays.ends.is_some();
+            let (kernel, is_filtered) = query.kernel(&kernels, needs_filter);
             let [nodes, triangles] = &built.traced();
-            let mut tree_uniforms: Vec<Uniform> = built.root().into_iter().collect();
-            tree_uniforms.extend([
+            let root: Vec<Uniform> = built.root().into_iter().collect();
+            let (exponent, target) = (
                 Uniform::Stored(&built.exponent),
                 Uniform::Stored(tree.target()),
-            ]);
+            );
             let mut first = 0;
             while first < rays.count {
                 let count = most.min(rays.count - first);
@@ -147,8 +151,7 @@ impl Tree<'_> {
                 let ends = ends.as_ref().unwrap_or(&no_ends);
                 let answers = &answers.part(first * answer_bytes, count * answer_bytes);
                 let counted = rays.record_count(gpu, &mut recorder, first as u32, count as u32);
-                let reads = [nodes, triangles, tree.sides(), own_rays, ends];
-                let (uniform, each) = match &counted {
+                let (number, each) = match &counted {
                     Some(groups) => (
                         Uniform::Stored(groups),
                         Groups::Indirect(groups.part(4, 12)),
@@ -158,9 +161,17 @@ impl Tree<'_> {
                         threads(count as u32),
                     ),
                 };
-                let mut uniforms = tree_uniforms.clone();
-                uniforms.push(uniform);
                 first += count;
+                let sides = tree.sides();
+                let (uniforms, reads) = if is_filtered {
+                    (
+                        vec![exponent, target, number],
+                        vec![nodes, triangles, sides, own_rays, ends],
+                    )
+                } else {
+                    (vec![exponent, number], vec![nodes, triangles, own_rays])
+                };
+                let uniforms = [root.clone(), uniforms].concat();
                 let Some(hit_count) = query.hit_count() else {
                     recorder.dispatch(kernel, &uniforms, &reads, &[answers], each);
                     continue;
@@ -170,10 +181,10 @@ impl Tree<'_> {
                 let to = [answers, &list.touching(0)];
                 recorder.dispatch(kernel, &uniforms, &reads, &to, each);
                 let groups = overflow.record(&mut recorder);
-                let mut uniforms = tree_uniforms.clone();
-                uniforms.push(overflow.length());
-                uniforms.push(Uniform::Params([hit_count, 0, 0, 0]));
-                let reads = [nodes, triangles, tree.sides(), own_rays, ends, list];
+                let hit_count = Uniform::Params([hit_count, 0, 0, 0]);
+                let uniforms = [exponent, target, overflow.length(), hit_count];
+                let uniforms = [root.clone(), uniforms.to_vec()].concat();
+                let reads = [nodes, triangles, sides, own_rays, ends, list];
                 let untouched = reads.map(|range| range.touching(0));
                 recorder.dispatch(
                     kernels.rays_overflow,

@@ -102,15 +102,15 @@ mod tests {
     #[test]
     fn all_bindings_move_to_the_group() {
         for text in [wgsl(3), wgsl_compute(3)] {
-            assert_eq!(text.matches("@group(3)").count(), 3);
-            assert_eq!(text.matches("@group(").count(), 3);
+            assert_eq!(text.matches("@group(3)").count(), 5);
+            assert_eq!(text.matches("@group(").count(), 5);
         }
         let lattice = MeshCodec::Lattice { step_exponent: 0 };
         for (nodes, mesh, count) in [
-            (WideStore::Full, MeshCodec::F32, 3),
-            (WideStore::Exact, MeshCodec::F32, 4),
-            (WideStore::Exact, lattice, 4),
-            (WideStore::Packed, lattice, 4),
+            (WideStore::Full, MeshCodec::F32, 5),
+            (WideStore::Exact, MeshCodec::F32, 6),
+            (WideStore::Exact, lattice, 6),
+            (WideStore::Packed, lattice, 6),
         ] {
             let codecs = (NodeCodec::Wide(nodes), mesh);
             for text in [wgsl_for(codecs, 3), wgsl_compute_for(codecs, 3)] {

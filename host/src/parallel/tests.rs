@@ -46,8 +46,7 @@ fn one_thread_gives_what_rayon_gives() {
     assert_eq!((largest, none, joined), (Some(1008), None, (1000, 856)));
 }
 
-#[cfg(not(feature = "parallel"))]
 #[test]
-fn without_rayon_there_is_one_thread() {
-    assert_eq!(super::current_num_threads(), 1);
+fn the_stand_in_has_one_thread() {
+    assert_eq!(super::serial::current_num_threads(), 1);
 }

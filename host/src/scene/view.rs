@@ -264,7 +264,7 @@ impl Camera {
     ///     up: [0.0, 1.0, 0.0],
     ///     projection: Projection::Perspective { vertical_fov: 30.0 },
     /// };
-    /// let hit = bvh.closest_hit(&camera.ray([320, 180], [640, 360])?);
+    /// let hit = bvh.closest_hit(camera.ray([320, 180], [640, 360])?);
     /// if hit.is_hit() {
     ///     let part = scene.mesh.part_of(hit.primitive).map(|part| part.name.as_str());
     ///     let color = scene.material_of(hit.primitive).base_color;

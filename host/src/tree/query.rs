@@ -47,7 +47,7 @@ impl Query<'_> {
             && let Some(plain) = self.bvh.stored.as_plain()
         {
             let (nodes, triangles) = (plain.node_source(), plain.triangle_source());
-            return trace::nearest_hits(&nodes, &triangles, &ray.ray, exponent);
+            return trace::nearest_hits(&nodes, &triangles, &ray.ray, exponent, &Skip::NONE);
         }
         let prepared = PreparedRay::new(&ray.ray, exponent);
         let mut collector = NearestHits::<K>::new(prepared.t_max);

@@ -21,7 +21,7 @@ impl Bvh {
     ///     ..Mesh::default()
     /// };
     /// let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
-    /// let hit = bvh.closest_hit(&Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
+    /// let hit = bvh.closest_hit(Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
     /// assert_eq!((hit.primitive, hit.t), (0, 3.0));
     /// # Ok::<(), slimbvh::MeshError>(())
     /// ```
@@ -65,7 +65,7 @@ impl Bvh {
     /// #     ..Mesh::default()
     /// # };
     /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
-    /// let hits = bvh.nearest_hits::<3>(&Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
+    /// let hits = bvh.nearest_hits::<3>(Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
     /// assert_eq!(hits.map(|hit| hit.is_hit()), [true, true, false]);
     /// assert_eq!((hits[0].t, hits[1].t), (2.0, 3.0));
     /// # Ok::<(), slimbvh::MeshError>(())
@@ -86,7 +86,7 @@ impl Bvh {
     /// #     ..Mesh::default()
     /// # };
     /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
-    /// let hits = bvh.all_hits(&Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
+    /// let hits = bvh.all_hits(Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]));
     /// let thickness = hits[1].t - hits[0].t;
     /// assert_eq!((hits.len(), thickness), (2, 1.0));
     /// # Ok::<(), slimbvh::MeshError>(())
@@ -112,11 +112,11 @@ impl Bvh {
     /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
     /// let ray = Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]);
     /// // A mask: only triangles of material 0.
-    /// let floor = bvh.closest_hit_where(&ray, |hit| mesh.materials[hit.primitive as usize] == 0);
+    /// let floor = bvh.closest_hit_where(ray, |hit| mesh.materials[hit.primitive as usize] == 0);
     /// assert_eq!((floor.primitive, floor.t), (0, 3.0));
     /// // An alpha test: v is a texture coordinate, and the texture has holes.
     /// let is_opaque = |v: f32| (v * 8.0) as u32 % 2 == 1;
-    /// let leaf = bvh.closest_hit_where(&ray, |hit| hit.primitive != 1 || is_opaque(hit.v));
+    /// let leaf = bvh.closest_hit_where(ray, |hit| hit.primitive != 1 || is_opaque(hit.v));
     /// assert_eq!(leaf.primitive, 0);
     /// # Ok::<(), slimbvh::MeshError>(())
     /// ```
@@ -142,8 +142,8 @@ impl Bvh {
     /// // Transparent triangles cast no shadow.
     /// let is_transparent = [true];
     /// let ray = Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]);
-    /// assert!(bvh.any_hit(&ray));
-    /// assert!(!bvh.any_hit_where(&ray, |hit| !is_transparent[hit.primitive as usize]));
+    /// assert!(bvh.any_hit(ray));
+    /// assert!(!bvh.any_hit_where(ray, |hit| !is_transparent[hit.primitive as usize]));
     /// # Ok::<(), slimbvh::MeshError>(())
     /// ```
     #[must_use]
@@ -285,7 +285,7 @@ impl Bvh {
     /// # };
     /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
     /// let ray = Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]);
-    /// let hit = bvh.closest_hit(&ray);
+    /// let hit = bvh.closest_hit(ray);
     /// let point = bvh.surface(&mesh, &ray, &hit).expect("the ray hits");
     /// assert_eq!(point.position, [1.0, 0.5, 0.0]);
     /// assert_eq!(point.normal, [0.0, 0.0, 1.0]);

@@ -87,7 +87,12 @@ impl Set {
         let (Some(components), Some(target)) = (&self.0, &facing.target) else {
             return Ok(Subset::All);
         };
-        to.set(frame, target, &Frustum::EVERYWHERE, &facing.sides)?;
+        to.set(
+            frame,
+            components,
+            (target, &Frustum::EVERYWHERE),
+            &facing.sides,
+        )?;
         Ok(Subset::Of {
             components,
             sides: to,

@@ -53,13 +53,14 @@ use slimbvh_core::sort::{DigitRun, digit, total_place};
 use slimbvh_core::surface::Surface;
 use slimbvh_core::topology::{Codes30, Codes63, internal_node, is_kept, kept_nodes};
 use slimbvh_core::trace::{
-    BruteForce, Children, ClosestHit, FullWideNodes, FullWideRow, Lane, LaneBoxStack, LaneBoxWords,
-    LaneStack, LaneWords, LeafTriangles, NodeRow, NodeRows, NodeSource, PacketStacks, PlainNodes,
-    PreparedRays, Skip, TrianglePair, TriangleRows, UpTo, any_hit, closest_hit, nearest_hits,
-    trace_packet, traverse_with,
+    BruteForce, Children, ClosestHit, EndsFilter, FullWideNodes, FullWideRow, HitFilter, Lane,
+    LaneBoxStack, LaneBoxWords, LaneStack, LaneWords, LeafTriangles, NodeRow, NodeRows, NodeSource,
+    PacketStacks, PlainNodes, PreparedEnds, PreparedRays, Skip, TrianglePair, TriangleRows, UpTo,
+    any_hit, closest_hit, nearest_hits, trace_packet, traverse_with,
 };
 use slimbvh_core::{
-    Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, Triangle, Vec3, view,
+    Aabb, Hit, IndexedTriangles, LeafTriangle, Node, NodeRef, Ray, RayEnd, SurfacePoint,
+    SurfaceRay, Triangle, Vec3, view,
 };
 
 unsafe extern "C" {
@@ -355,7 +356,7 @@ pub fn trace_lattice(
     *to = (
         closest_hit(&mixed, &words, ray, 3, &Skip(4)),
         closest_hit(&full, &triangles, ray, 3, &Skip(4)),
-        nearest_hits::<8, _, _>(&mixed, &words, ray, 3),
+        nearest_hits::<8, _, _, _>(&mixed, &words, ray, 3, &Skip::NONE),
     );
 }
 
@@ -509,7 +510,7 @@ pub fn trace(
     *to = (
         closest_hit(&nodes, &triangles, ray, 3, &Skip(4)),
         any_hit(&nodes, &triangles, ray, 3, &rule),
-        nearest_hits::<8, _, _>(&nodes, &triangles, ray, 3),
+        nearest_hits::<8, _, _, _>(&nodes, &triangles, ray, 3, &Skip::NONE),
         closest_hit(&BruteForce(9), &triangles, ray, 3, &Skip(4)),
     );
 }
@@ -583,6 +584,31 @@ pub fn shade(
         ),
         Orientation::new(triangle, target),
         mean_radiance(&[path], hit.primitive, 2),
+    );
+}
+
+#[unsafe(no_mangle)]
+pub fn leave(
+    (triangle, hit, direction): (&Triangle, &Hit, &Vec3),
+    ray: &PreparedRay,
+    other: &RayEnd,
+    to: Out<(SurfacePoint, SurfaceRay, SurfaceRay, [[f32; 3]; 2], bool)>,
+) {
+    let surface = Surface::new(*triangle, hit, *direction, [*direction; 3]);
+    let point = SurfacePoint::new(&surface, hit.primitive, ray.t_exponent);
+    let between = Ray::between(&point, *other);
+    let filter = EndsFilter(PreparedEnds {
+        ray,
+        ends: &between.ends,
+        scene_exponent: ray.t_exponent,
+    });
+    let corners = [triangle.v0, triangle.v1, triangle.v2].map(|v| v.to_array());
+    *to = (
+        point,
+        between,
+        point.ray(direction.to_array()),
+        [point.leave(), point.enter()],
+        filter.accepts(hit.primitive, &corners, ray.axes),
     );
 }
 

@@ -25,8 +25,8 @@ pub fn saved_file(data: &[u8]) {
     for target in mesh.vertices.iter().take(16) {
         for eye in [[0.0; 3], [3.0, -2.0, 1.0]] {
             let ray = Ray::new(eye, [0, 1, 2].map(|axis| target[axis] - eye[axis]));
-            let hit = saved.bvh.closest_hit(&ray);
-            assert_eq!(saved.bvh.any_hit(&ray), hit.is_hit());
+            let hit = saved.bvh.closest_hit(ray);
+            assert_eq!(saved.bvh.any_hit(ray), hit.is_hit());
             assert!(!hit.is_hit() || (hit.primitive as usize) < mesh.indices.len());
         }
     }

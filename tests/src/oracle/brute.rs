@@ -31,9 +31,9 @@ impl Answers {
         Self {
             closest: trace::closest_hit(nodes, triangles, ray, scene_exponent, &Skip::NONE),
             any: trace::any_hit(nodes, triangles, ray, scene_exponent, &Skip::NONE),
-            nearest_1: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
-            nearest_4: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
-            nearest_8: trace::nearest_hits(nodes, triangles, ray, scene_exponent),
+            nearest_1: trace::nearest_hits(nodes, triangles, ray, scene_exponent, &Skip::NONE),
+            nearest_4: trace::nearest_hits(nodes, triangles, ray, scene_exponent, &Skip::NONE),
+            nearest_8: trace::nearest_hits(nodes, triangles, ray, scene_exponent, &Skip::NONE),
         }
     }
 

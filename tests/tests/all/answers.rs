@@ -61,10 +61,10 @@ proptest! {
         for code_bits in CODE_BITS {
             let (once, twice) = (build(&mesh, code_bits), build(&twice, code_bits));
             for ray in cook(&recipes, &mesh) {
-                let (a, b) = (once.closest_hit(&ray), twice.closest_hit(&ray));
+                let (a, b) = (once.closest_hit(ray), twice.closest_hit(ray));
                 prop_assert_eq!(bytemuck::bytes_of(&a), bytemuck::bytes_of(&b), "{:?}", ray);
-                prop_assert_eq!(once.any_hit(&ray), twice.any_hit(&ray), "{:?}", ray);
-                let (a, b): ([Hit; 4], [Hit; 8]) = (once.nearest_hits(&ray), twice.nearest_hits(&ray));
+                prop_assert_eq!(once.any_hit(ray), twice.any_hit(ray), "{:?}", ray);
+                let (a, b): ([Hit; 4], [Hit; 8]) = (once.nearest_hits(ray), twice.nearest_hits(ray));
                 let firsts = b.iter().filter(|hit| hit.is_hit() && hit.primitive < count).count();
                 let seconds = b.iter().filter(|hit| hit.is_hit() && hit.primitive >= count).count();
                 prop_assert!(firsts >= seconds, "{:?} {:#?}", ray, b);
@@ -84,17 +84,17 @@ proptest! {
         };
         let (bvh, other) = (build(&mesh, CodeBits::Bits30), build(&shuffled, CodeBits::Bits30));
         for ray in cook(&recipes, &mesh) {
-            let hit = bvh.closest_hit(&ray);
-            let mut moved = other.closest_hit(&ray);
+            let hit = bvh.closest_hit(ray);
+            let mut moved = other.closest_hit(ray);
             // One of two hits at t = 0 may have t = -0.
             prop_assert_eq!(hit.t, moved.t);
-            prop_assert_eq!(bvh.any_hit(&ray), other.any_hit(&ray));
+            prop_assert_eq!(bvh.any_hit(ray), other.any_hit(ray));
             if moved.is_hit() {
                 moved.primitive = order[moved.primitive as usize];
             }
 
             // Among equal t the smaller index comes first. The shuffle changes indices, so look for the hit in the list.
-            let equals: [Hit; 64] = bvh.nearest_hits(&ray);
+            let equals: [Hit; 64] = bvh.nearest_hits(ray);
             let is_full = equals[63].t == hit.t;
             prop_assert!(equals.contains(&moved) || is_full, "{:?} {:?} {:?}", ray, hit, moved);
         }

@@ -81,9 +81,9 @@ proptest! {
             prop_assert_eq!(coded.validate(), Ok(()));
             for recipe in &recipes {
                 let ray = recipe.cook(&mesh);
-                let (a, b) = (coded.closest_hit(&ray), plain.closest_hit(&ray));
+                let (a, b) = (coded.closest_hit(ray), plain.closest_hit(ray));
                 prop_assert_eq!(bytemuck::bytes_of(&a), bytemuck::bytes_of(&b), "{:?} {:?}", nodes, ray);
-                prop_assert_eq!(coded.any_hit(&ray), plain.any_hit(&ray));
+                prop_assert_eq!(coded.any_hit(ray), plain.any_hit(ray));
             }
         }
     }

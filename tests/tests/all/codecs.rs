@@ -274,7 +274,7 @@ fn what_was_never_built_can_be_refitted() {
         let mut builder = Builder::new(config(nodes, MeshCodec::F32));
         assert!(builder.refit(&mesh, &mut bvh).is_ok());
         let ray = slimbvh::Ray::new([0.0; 3], [1.0, 0.0, 0.0]);
-        assert!(!bvh.closest_hit(&ray).is_hit() && bvh.validate().is_ok());
+        assert!(!bvh.closest_hit(ray).is_hit() && bvh.validate().is_ok());
     }
 }
 

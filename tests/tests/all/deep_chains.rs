@@ -178,7 +178,7 @@ pub fn rays_inside(bvh: &Bvh, count: usize) -> Vec<Ray> {
     let ray = |i: usize| {
         let origin = random.point() * INSIDE;
         let ray = Ray::new(origin.to_array(), random.direction().to_array());
-        let t = bvh.closest_hit(&ray).t;
+        let t = bvh.closest_hit(ray).t;
         let t_max = [ray.t_max, ray.t_max, 1e-3, t, t.next_down(), 1.5 * t][i % 6];
         Ray { t_max, ..ray }
     };
@@ -196,7 +196,7 @@ pub fn rays_around(bvh: &Bvh, count: usize) -> Vec<Ray> {
         match i % 8 {
             0..3 => inside,
             3 => Ray {
-                t_min: bvh.closest_hit(&inside).t.min(inside.t_max),
+                t_min: bvh.closest_hit(inside).t.min(inside.t_max),
                 ..inside
             },
             4..6 => to_the_middle,

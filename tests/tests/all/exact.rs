@@ -43,12 +43,12 @@ proptest! {
         let bvh = build(&mesh_of(&corners), CodeBits::Bits30);
         for grid_ray in rays {
             let ray = grid_ray.ray();
-            let hit = bvh.closest_hit(&ray);
+            let hit = bvh.closest_hit(ray);
             let Some(expected) = nearest(&grid_ray, &triangles) else {
                 prop_assert!(!hit.is_hit(), "{:?} {:?}", grid_ray, hit);
                 continue;
             };
-            prop_assert!(hit.is_hit() && bvh.any_hit(&ray), "{:?} {:?}", grid_ray, expected);
+            prop_assert!(hit.is_hit() && bvh.any_hit(ray), "{:?} {:?}", grid_ray, expected);
 
             // The exact ray hits this triangle, at a t that is the smallest up to rounding; the reported t is off by at most 4
             // roundings.

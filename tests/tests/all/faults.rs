@@ -59,7 +59,7 @@ fn fifty_million_triangles_are_built_and_traced() {
     assert_eq!(bvh.triangle_count(), mesh.indices.len());
     for i in 0..10_000u16 {
         let [x, z] = [i % 100, i / 100].map(|i| 0.0987 * f32::from(i) - 4.9);
-        let hit = bvh.closest_hit(&Ray::new([x, 100.0, z], [0.0, -1.0, 0.0]));
+        let hit = bvh.closest_hit(Ray::new([x, 100.0, z], [0.0, -1.0, 0.0]));
         assert!(hit.is_hit() && (97.5..=100.0).contains(&hit.t), "{hit:?}");
     }
 }

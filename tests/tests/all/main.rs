@@ -12,6 +12,7 @@ mod deep_chains;
 mod deepest_trees;
 mod exact;
 mod faults;
+mod filters;
 mod flat_roofs;
 mod floors;
 mod fuzz_seeds;

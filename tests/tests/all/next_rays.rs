@@ -22,8 +22,8 @@ fn corners(mesh: &Mesh, primitive: u32) -> [DVec3; 3] {
 /// The point that a ray through a target hits.
 fn found(bvh: &Bvh, mesh: &Mesh, eye: [f32; 3], target: [f32; 3]) -> Option<Found> {
     let ray = Ray::new(eye, [0, 1, 2].map(|axis| target[axis] - eye[axis]));
-    let hit = bvh.closest_hit(&ray);
-    let point = bvh.surface(mesh, &ray, &hit)?;
+    let hit = bvh.closest_hit(ray);
+    let point = bvh.surface(mesh, ray, &hit)?;
     let [a, b, c] = corners(mesh, hit.primitive);
     let [u, v, w] = weights(hit.u, hit.v).to_array().map(f64::from);
     let exact = (a * u + b * v + c * w) / (u + v + w);
@@ -47,15 +47,15 @@ fn separates(mesh: &Mesh, primitive: u32, a: &Found, b: &Found) -> bool {
 
 /// What blocks two points.
 fn blocker(bvh: &Bvh, a: &Found, b: &Found) -> Option<Hit> {
-    let ray = Ray::between(&a.point, &b.point);
-    let hit = bvh.closest_hit(&ray);
-    assert_eq!(bvh.any_hit(&ray), hit.is_hit());
+    let ray = Ray::between(a.point, b.point);
+    let hit = bvh.closest_hit(ray);
+    assert_eq!(bvh.any_hit(ray), hit.is_hit());
     hit.is_hit().then_some(hit)
 }
 
 /// The negative control: the same ray without errors, with the primitives at both ends skipped.
 fn is_blocked_without_errors(bvh: &Bvh, a: &Found, b: &Found) -> bool {
-    let ray = Ray::between(&a.point, &b.point);
+    let ray = Ray::between(a.point, b.point);
     bvh.any_hit(SurfaceRay {
         ends: RayEnds {
             error: [-1.0; 2],

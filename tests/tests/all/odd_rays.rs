@@ -25,7 +25,7 @@ fn assert_misses(bvh: &Bvh, ray: &Ray) {
 fn rays_that_are_not_rays_miss() {
     let bvh = sphere();
     let good = Ray::new([0.1, 0.2, 0.3], [0.4, 0.5, 0.6]);
-    assert!(bvh.any_hit(&good));
+    assert!(bvh.any_hit(good));
     for bad in [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         for axis in 0..3 {
             let mut ray = good;
@@ -44,7 +44,7 @@ fn rays_that_are_not_rays_miss() {
         assert_misses(&bvh, &Ray::new([0.0; 3], [zero; 3]));
     }
     assert_misses(&bvh, &Ray::EMPTY);
-    assert!(bvh.any_hit(&Ray {
+    assert!(bvh.any_hit(Ray {
         t_max: f32::INFINITY,
         ..good
     }));
@@ -67,7 +67,7 @@ proptest! {
         let ray: Ray = bytemuck::cast(bits);
         let result = Parts::from(&bvh).compare([&ray]);
         prop_assert!(result.is_ok(), "{:?}", result);
-        let hit = bvh.closest_hit(&ray);
+        let hit = bvh.closest_hit(ray);
         prop_assert!(!hit.t.is_nan() && !hit.u.is_nan() && !hit.v.is_nan());
     }
 
@@ -77,8 +77,8 @@ proptest! {
         prop_assume!(long.iter().zip(d).all(|(&l, d)| scale_by_power_of_two(l, -e) == d));
         prop_assume!(d.iter().any(|x| x.abs() > 0.01));
         let bvh = sphere();
-        let hit = bvh.closest_hit(&Ray::new(p, d));
-        let scaled = bvh.closest_hit(&Ray::new(p, long));
+        let hit = bvh.closest_hit(Ray::new(p, d));
+        let scaled = bvh.closest_hit(Ray::new(p, long));
         prop_assert!(hit.is_hit());
         prop_assert_eq!((hit.primitive, hit.u, hit.v), (scaled.primitive, scaled.u, scaled.v));
         prop_assert_eq!(scaled.t, scale_by_power_of_two(hit.t, -e));
@@ -120,7 +120,7 @@ proptest! {
             }
             let origin = ray.origin.map(|x| scale_by_power_of_two(x, e));
             let direction = ray.direction.map(|x| scale_by_power_of_two(x, e));
-            let (a, b) = (bvh.closest_hit(&ray), other.closest_hit(&Ray { origin, direction, ..ray }));
+            let (a, b) = (bvh.closest_hit(ray), other.closest_hit(Ray { origin, direction, ..ray }));
             prop_assert_eq!(bytemuck::bytes_of(&a), bytemuck::bytes_of(&b), "{:?} {:?}", ray, recipe);
         }
     }

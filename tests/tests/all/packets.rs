@@ -206,7 +206,7 @@ fn a_collector_may_ask_the_same_tree() {
         }
 
         fn offer(&mut self, _: Hit) {
-            self.1 += usize::from(self.0.any_hit(&across()));
+            self.1 += usize::from(self.0.any_hit(across()));
         }
     }
     let mesh = icosphere(Vec3::ZERO, 1.0, 2);

@@ -199,7 +199,7 @@ fn an_order_may_be_kept_for_a_mesh_that_moved() {
                 let turn = i as f32 * 0.7;
                 let to = [turn.sin(), (turn * 0.37).cos(), (turn * 1.3).cos()];
                 let ray = Ray::new(EYE, [to[0] - EYE[0], to[1] - EYE[1], to[2] - EYE[2]]);
-                assert_eq!(kept.closest_hit(&ray), fresh.closest_hit(&ray));
+                assert_eq!(kept.closest_hit(ray), fresh.closest_hit(ray));
             }
         }
         let other = generate::icosphere(Vec3::ZERO, 1.0, 1);
@@ -252,7 +252,12 @@ fn sets_are_the_same_on_both_backends() {
             let mut frame = gpu.frame();
             done(builder.sort(&mut frame, &mesh));
             for (target, bvh) in targets().iter().zip(&mut bvhs) {
-                done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1, 0]));
+                done(facing.set(
+                    &mut frame,
+                    &components,
+                    (target, &Frustum::EVERYWHERE),
+                    &[1, 0],
+                ));
                 let subset = gpu::Subset::Of {
                     components: &components,
                     sides: &facing,
@@ -293,7 +298,12 @@ fn reduced_and_whole_trees_give_the_same_picture_on_the_gpu() {
         let mut whole = gpu::Bvh::new();
         done(builder.build(&mut frame, &uploaded.mesh, &mut whole));
         for ((target, facing), set) in targets().iter().zip(&mut facings).zip(&mut sets) {
-            done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1, 0]));
+            done(facing.set(
+                &mut frame,
+                &components,
+                (target, &Frustum::EVERYWHERE),
+                &[1, 0],
+            ));
             let subset = gpu::Subset::Of {
                 components: &components,
                 sides: facing,

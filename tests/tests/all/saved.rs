@@ -74,7 +74,7 @@ proptest! {
                 prop_assert!(saved(&back.scene, &back.bvh) == bytes);
                 for recipe in &recipes {
                     let ray = recipe.cook(&snapped);
-                    prop_assert_eq!(back.bvh.closest_hit(&ray), bvh.closest_hit(&ray));
+                    prop_assert_eq!(back.bvh.closest_hit(ray), bvh.closest_hit(ray));
                     prop_assert_eq!(back.bvh.nearest_hits::<4>(&ray), bvh.nearest_hits::<4>(&ray));
                 }
 

@@ -512,8 +512,8 @@ fn every_tree_can_be_refitted_into_every_store() {
             assert_eq!(bvh.validate_over(&mesh), Ok(()), "{from:?} {to:?}");
             for to in mesh.vertices.iter().step_by(7) {
                 let ray = slimbvh::Ray::new([0.5, -1.0, 2.0], [0, 1, 2].map(|i| to[i] - 0.3));
-                let expected = build_as(&mesh, *from).closest_hit(&ray);
-                assert_eq!(bvh.closest_hit(&ray), expected);
+                let expected = build_as(&mesh, *from).closest_hit(ray);
+                assert_eq!(bvh.closest_hit(ray), expected);
             }
         }
     }
@@ -532,7 +532,7 @@ fn what_was_never_built_can_be_refitted() {
         for _ in 0..2 {
             assert!(builder.refit(&Mesh::default(), &mut bvh).is_ok());
             let ray = slimbvh::Ray::new([0.0; 3], [1.0, 0.0, 0.0]);
-            assert!(!bvh.closest_hit(&ray).is_hit() && bvh.validate().is_ok());
+            assert!(!bvh.closest_hit(ray).is_hit() && bvh.validate().is_ok());
         }
     }
 }

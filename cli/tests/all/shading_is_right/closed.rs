@@ -51,7 +51,7 @@ fn expected(scene: &Scene, bvh: &Bvh, [x, y]: [f64; 2]) -> Option<Vec<(Wide, boo
         .map(|[dx, dy]| {
             let (origin, direction) = pixel_ray(&scene.cameras[0], SIZE, [x + dx, y + dy]);
             let ray = Ray::new(origin.narrow(), direction.narrow());
-            let hit: Hit = bvh.closest_hit(&ray);
+            let hit: Hit = bvh.closest_hit(ray);
             hit.is_hit()
                 .then(|| face_color(scene, hit.primitive))
                 .flatten()

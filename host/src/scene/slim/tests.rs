@@ -135,8 +135,8 @@ fn use_it(saved: &mut Saved, is_thorough: bool) {
     let Saved { scene, bvh, .. } = saved;
     assert_eq!(bvh.validate_over(&scene.mesh), Ok(()));
     for ray in rays(scene) {
-        let hit = bvh.closest_hit(&ray);
-        assert_eq!(bvh.any_hit(&ray), hit.is_hit());
+        let hit = bvh.closest_hit(ray);
+        assert_eq!(bvh.any_hit(ray), hit.is_hit());
         assert_eq!(bvh.nearest_hits::<4>(&ray)[0].t.to_bits(), hit.t.to_bits());
         assert!(!hit.is_hit() || (hit.primitive as usize) < scene.mesh.indices.len());
     }

@@ -50,7 +50,7 @@ pub fn aim(scene: &Scene, bvh: &Bvh, ray_count: usize) -> Result<Cracks> {
         for target in targets(triangle) {
             let direction = [0, 1, 2].map(|i| target[i] - eye[i]);
             if cosine(triangle, direction.map(f64::from)) > COSINE {
-                let hit = bvh.closest_hit(&Ray::new(eye, direction));
+                let hit = bvh.closest_hit(Ray::new(eye, direction));
                 let from_behind =
                     || cosine(hit.primitive as usize, direction.map(f64::from)) < -COSINE;
                 cracks.aimed += 1;

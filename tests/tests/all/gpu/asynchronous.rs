@@ -36,7 +36,14 @@ fn rays() -> Vec<Ray> {
     let ray = |i: u32| {
         let [x, z] = [i % 16, i / 16].map(|at| 2.0 * at as f32 - 15.0);
         let origin = [x, 4.0, z];
-        Ray::new(origin, [0.1 * x, -1.0, 0.1 * z])
+        Ray::new(
+            origin,
+            [
+                0.1 * x,
+                if i.is_multiple_of(3) { 1.0 } else { -1.0 },
+                0.1 * z,
+            ],
+        )
     };
     (0..256).map(ray).collect()
 }

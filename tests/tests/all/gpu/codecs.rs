@@ -258,7 +258,7 @@ fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {
             let mut sets = Vec::new();
             for target in &targets {
                 let (mut facing, mut bvh) = (TargetSides::new(), gpu::Bvh::new());
-                done(facing.set(&mut frame, target, &Frustum::EVERYWHERE, &[1]));
+                done(facing.set(&mut frame, &on_gpu, (target, &Frustum::EVERYWHERE), &[1]));
                 let subset = Subset::Of {
                     components: &on_gpu,
                     sides: &facing,

@@ -208,7 +208,13 @@ fn texts_for_users_bind_the_tree_and_nothing_else() {
         };
         let expected = Interface {
             entry_points: Vec::new(),
-            bindings: vec![(2, 0, "uniform"), (2, 1, "read"), (2, 2, "read")],
+            bindings: vec![
+                (2, 0, "uniform"),
+                (2, 1, "read"),
+                (2, 2, "read"),
+                (2, 3, "read"),
+                (2, 4, "uniform"),
+            ],
         };
         assert_eq!(interface(what, &module), expected);
 

@@ -186,7 +186,12 @@ fn nothing_is_decided_of_nothing() {
     done(decisions.measure(&mut frame, &builder, &uploaded));
     // An eye that was decided for other components is an error.
     let mut eye = TargetSides::new();
-    done(eye.set(&mut frame, &place, &Frustum::EVERYWHERE, &[1, 1, 1, 0]));
+    done(eye.set(
+        &mut frame,
+        decisions.components(),
+        (&place, &Frustum::EVERYWHERE),
+        &[1, 1, 1, 0],
+    ));
     let answer = Answer::Smaller { eye: &eye };
     let wrong = facing.decide(
         &mut frame,

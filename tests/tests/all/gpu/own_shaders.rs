@@ -207,7 +207,7 @@ fn check(gpu: &Gpu, bvh: &Bvh, rays: &[Ray]) -> [usize; 2] {
     }
 
     // Where rays with hits overflowed, a shader that does not trace them again is found out.
-    let lost = (0..rays.len()).any(|i| !both(&i) && bvh.any_hit(&rays[i]));
+    let lost = (0..rays.len()).any(|i| !both(&i) && bvh.any_hit(rays[i]));
     assert_eq!(tried.compare(bvh, rays, software).is_err(), lost);
     tried.overflow_counts()
 }
@@ -288,7 +288,7 @@ fn listed(gpu: &Gpu, kernel: Kernel, bvh: &Bvh, rays: &[Ray]) -> Vec<u32> {
     let outputs = Dispatch {
         kernel,
         group_count: rays.len().div_ceil(LANES) as u32,
-        uniforms: &[&exponent],
+        uniforms: &[&exponent, &[rays.len() as u32; 4]],
         reads: &[
             bytemuck::cast_slice(bvh.nodes()),
             &triangles,

@@ -143,7 +143,7 @@ impl Nearly {
         });
         Self {
             still,
-            nearest: stretched.map(|ray| bvh.nearest_hits(&ray)),
+            nearest: stretched.map(|ray| bvh.nearest_hits(ray)),
         }
     }
 
@@ -166,7 +166,7 @@ fn ends_of_ranges_are_all_that_a_real_gpu_may_see_otherwise() {
     let mesh = soup(50, 1);
     let bvh = build(&mesh, CodeBits::Bits30);
     let hits = rays_at(&mesh, 400, 7).into_iter().filter_map(|ray| {
-        let t = Some(bvh.closest_hit(&ray)).filter(Hit::is_hit)?.t;
+        let t = Some(bvh.closest_hit(ray)).filter(Hit::is_hit)?.t;
         Some((ray, t))
     });
     let (mut at_end, mut within) = (Vec::new(), Vec::new());

@@ -139,6 +139,10 @@ fn a_targets_rays_have_the_cpus_answers() {
             let again = frame(gpu, &mut views, &buffers, Change::Scene, &rays);
             assert_eq!(again, answers, "{reduce:?}");
             assert_eq!(has_sets(views.plan()), reduce == Reduce::On);
+            // So they have where the survey reads the mesh on the host.
+            let mut views = ViewSets::new(gpu, config(reduce));
+            let known = frame(gpu, &mut views, (&buffers, &mesh), Change::Scene, &rays);
+            assert_eq!(known, answers, "{reduce:?}");
         }
     }
 }
@@ -204,6 +208,22 @@ fn decisions_of_the_gpu_are_told() {
             );
         }
     }
+}
+
+#[test]
+fn another_mesh_on_the_host_is_refused_by_its_counts() {
+    let Some(gpu) = gpu() else { return };
+    let meshes = meshes();
+    let (buffers, _) = in_buffers(gpu, &meshes[0]);
+    let mut views = ViewSets::new(gpu, config(Reduce::On));
+    let mut frame = gpu.frame();
+    let geometry = (&buffers, &meshes[2]);
+    let refused = views.update(&mut frame, geometry, &targets(), Change::Scene);
+    let message = refused.expect_err("the counts differ").to_string();
+    assert!(
+        message.contains("the mesh in buffers has 5192 triangles"),
+        "{message}"
+    );
 }
 
 /// A buffer that cannot be copied from is read back all the same.

@@ -123,7 +123,7 @@ fn a_hit_on_a_long_wall_does_not_fall_behind_the_eye() {
             CodeBits::Bits30,
         );
         let eye = rotation * Vec3::new(50_000.0, 0.65, 0.35);
-        let hit = bvh.closest_hit(&Ray::new(eye.to_array(), (rotation * direction).to_array()));
+        let hit = bvh.closest_hit(Ray::new(eye.to_array(), (rotation * direction).to_array()));
         assert!(hit.is_hit(), "turned by {turn}");
 
         // Rotation rounds the eye and the corners to 2^-9.

@@ -105,7 +105,7 @@ fn a_ray_at_a_centroid_returns_that_triangle() {
         let bvh = build(&solid.mesh, CodeBits::Bits30);
         for (face, primitive) in solid.mesh.indices.iter().zip(0..) {
             let [a, b, c] = face.map(|v| Vec3::from(solid.mesh.vertices[v as usize]));
-            let hit = bvh.closest_hit(&aims::at(Vec3::ZERO, (a + b + c) / 3.0));
+            let hit = bvh.closest_hit(aims::at(Vec3::ZERO, (a + b + c) / 3.0));
             assert_eq!(hit.primitive, primitive, "{}", solid.name);
             assert!((hit.t - 1.0).abs() < 1e-4, "{}: {}", solid.name, hit.t);
         }
