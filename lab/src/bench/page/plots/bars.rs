@@ -1,6 +1,7 @@
 //! The parts of times as bars.
 
 use super::super::super::measure::SetupRecord;
+use super::super::super::report::ms;
 use super::{INK, WIDTH, part_color, themed};
 use anyhow::Result;
 use plotters::prelude::*;
@@ -12,7 +13,7 @@ pub fn bars(records: &[&SetupRecord]) -> Result<String> {
     const ROW: i32 = 22;
     let longest = records.iter().map(|record| record.frame());
     let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
-    let room = f64::from(WIDTH as i32 - NAMES - 40);
+    let room = f64::from(WIDTH as i32 - NAMES - 58);
     let length = |ms: f64| (ms / longest * room).round() as i32;
     let mut svg = String::new();
     {
@@ -39,7 +40,8 @@ pub fn bars(records: &[&SetupRecord]) -> Result<String> {
                 }
             }
             let end = NAMES + length(sum) + 5;
-            root.draw(&Text::new(format!("{sum:.1}"), (end, middle), left.clone()))?;
+            // The number of the table.
+            root.draw(&Text::new(ms(record.frame()), (end, middle), left.clone()))?;
         }
         root.present()?;
     }
