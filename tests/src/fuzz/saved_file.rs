@@ -61,8 +61,8 @@ fn hierarchy_alone(bytes: &[u8]) {
     for direction in [[1.0, 0.5, 0.25], [-1.0, 2.0, 0.0], [0.0, 0.0, -1.0]] {
         for eye in [[0.0; 3], [3.0, -2.0, 1.0]] {
             let ray = Ray::new(eye, direction);
-            let hit = bvh.closest_hit(&ray);
-            assert_eq!(bvh.any_hit(&ray), hit.is_hit());
+            let hit = bvh.closest_hit(ray);
+            assert_eq!(bvh.any_hit(ray), hit.is_hit());
             assert!(!hit.is_hit() || (hit.primitive as usize) < count);
         }
     }

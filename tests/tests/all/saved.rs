@@ -117,7 +117,7 @@ proptest! {
                 prop_assert_eq!(back.validate_over(&snapped), Ok(()));
                 for recipe in &recipes {
                     let ray = recipe.cook(&snapped);
-                    prop_assert_eq!(back.closest_hit(&ray), bvh.closest_hit(&ray));
+                    prop_assert_eq!(back.closest_hit(ray), bvh.closest_hit(ray));
                 }
                 if !snapped.indices.is_empty() {
                     prop_assert_eq!(read(&bytes).err(), Some(FileError::NoScene));

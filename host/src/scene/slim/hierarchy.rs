@@ -20,7 +20,7 @@ use std::io::Write;
 ///
 /// let loaded = read_hierarchy(&file)?;
 /// let ray = Ray::new([0.5, 9.0, 0.25], [0.0, -1.0, 0.0]);
-/// assert_eq!(loaded.closest_hit(&ray), bvh.closest_hit(&ray));
+/// assert_eq!(loaded.closest_hit(ray), bvh.closest_hit(ray));
 /// // Whoever has the mesh can compare.
 /// loaded.validate_over(&mesh)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -38,7 +38,7 @@ fn the_hierarchy_that_is_read_is_the_one_written() {
             assert_eq!(read.validate_over(&scene.mesh), Ok(()));
             assert!(alone(&read) == bytes);
             for ray in rays(&scene) {
-                assert_eq!(read.closest_hit(&ray), bvh.closest_hit(&ray));
+                assert_eq!(read.closest_hit(ray), bvh.closest_hit(ray));
             }
             // The mesh is not in the file.
             let with_scene = saved(subdivisions, config).len();
@@ -119,8 +119,8 @@ fn whatever_passes_with_a_right_checksum_is_sound() {
                 assert!(alone(&bvh) == bytes, "{config:?} word at {at} = {word:x}");
                 assert_eq!(bvh.decoded().validate(), Ok(()));
                 for ray in rays(&scene).take(6) {
-                    let hit = bvh.closest_hit(&ray);
-                    assert_eq!(bvh.any_hit(&ray), hit.is_hit());
+                    let hit = bvh.closest_hit(ray);
+                    assert_eq!(bvh.any_hit(ray), hit.is_hit());
                     assert!(!hit.is_hit() || (hit.primitive as usize) < bvh.mesh_triangle_count());
                 }
             }
