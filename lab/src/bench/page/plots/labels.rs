@@ -19,17 +19,27 @@ pub fn places(dots: &[[i32; 2]]) -> Vec<[i32; 2]> {
             let down = y + GAP + row * SIZE[1];
             sides.into_iter().flat_map(move |x| [[x, up], [x, down]])
         });
-        let mut free = heights.filter(|place| {
+        let is_free = |place: &[i32; 2]| {
             is_inside(*place) && taken.iter().all(|other| !overlaps(*place, *other))
-        });
-        // A drawing without room shows the number where it belongs.
-        taken.push(free.next().unwrap_or([x + GAP, y - GAP - SIZE[1]]));
+        };
+        let is_clear = |place: &[i32; 2]| dots.iter().all(|dot| !covers(*place, *dot));
+        // Beside all dots if there is room, else at least not over another number.
+        let mut free = heights.filter(is_free);
+        let beside = free.clone().find(is_clear).or_else(|| free.next());
+        let own = [x + GAP, y - GAP - SIZE[1]];
+        taken.push(beside.unwrap_or(own));
     }
     taken
 }
 
 fn is_inside([x, y]: [i32; 2]) -> bool {
     x >= 0 && y >= 0 && x + SIZE[0] <= WIDTH as i32 && y + SIZE[1] <= HEIGHT as i32
+}
+
+/// Whether a number at this place lies over a dot.
+fn covers(place: [i32; 2], dot: [i32; 2]) -> bool {
+    (0..2)
+        .all(|axis| (place[axis] - GAP < dot[axis]) && (dot[axis] < place[axis] + SIZE[axis] + GAP))
 }
 
 fn overlaps(a: [i32; 2], b: [i32; 2]) -> bool {
@@ -55,10 +65,16 @@ mod tests {
 
     #[test]
     fn numbers_at_one_dot_stand_around_it() {
-        let places = places(&[[100, 100]; 4]);
-        assert_eq!(places[0], [105, 80]);
-        assert_eq!(overlap_count(&places), 0);
-        assert!(places.iter().all(|place| (place[1] - 100).abs() < 40));
+        let four = places(&[[100, 100]; 4]);
+        assert_eq!(four[0], [105, 80]);
+        assert_eq!(overlap_count(&four), 0);
+        assert!(four.iter().all(|place| (place[1] - 100).abs() < 40));
+        // A dot beside another one pushes its number away.
+        let pair = places(&[[100, 100], [110, 88]]);
+        assert!(
+            pair.iter()
+                .all(|place| !covers(*place, [100, 100]) && !covers(*place, [110, 88]))
+        );
         // What is not placed is printed over each other.
         assert_eq!(overlap_count(&[[100, 100]; 4]), 6);
     }
