@@ -1,5 +1,6 @@
 //! Rays between points of surfaces, and rays that leave surfaces: no face, edge or corner that an end lies on blocks them.
 
+mod coded;
 mod rooms;
 mod solids;
 
@@ -27,6 +28,10 @@ fn found(bvh: &Bvh, mesh: &Mesh, eye: [f32; 3], target: [f32; 3]) -> Option<Foun
     let [a, b, c] = corners(mesh, hit.primitive);
     let [u, v, w] = weights(hit.u, hit.v).to_array().map(f64::from);
     let exact = (a * u + b * v + c * w) / (u + v + w);
+    for axis in 0..3 {
+        let off = (exact[axis] - f64::from(point.position[axis])).abs();
+        assert!(off <= f64::from(point.error[axis]), "{point:?} {exact}");
+    }
     Some(Found { point, exact })
 }
 
