@@ -50,6 +50,11 @@ fn separates(mesh: &Mesh, primitive: u32, a: &Found, b: &Found) -> bool {
     height(corners, a.exact) * height(corners, b.exact) < 0.0
 }
 
+/// Whether the exact point is in a triangle's plane.
+fn is_on(mesh: &Mesh, primitive: u32, point: &Found) -> bool {
+    height(corners(mesh, primitive), point.exact) == 0.0
+}
+
 /// What blocks two points.
 fn blocker(bvh: &Bvh, a: &Found, b: &Found) -> Option<Hit> {
     let ray = Ray::between(a.point, b.point);

@@ -45,7 +45,7 @@ fn points_lie_on_the_triangles_that_rays_hit() {
         assert!(normal.dot(eye - along) >= -1e-5 && shading.dot(normal) > 0.0);
         assert!(shading == normal || shading.z.abs() > 0.999, "{point:?}");
         assert!(
-            !coded.any_hit(Ray::between(&point, eye.to_array())),
+            !coded.any_hit(Ray::between(point, eye.to_array())),
             "{point:?}"
         );
         seen += 1;
