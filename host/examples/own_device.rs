@@ -1,8 +1,8 @@
-//! An application with its own wgpu device and geometry: two moving hills. slimbvh builds once, then refits, and traces
-//! straight down in the same submission. Only the hits are read back.
+//! An application with its own wgpu device, geometry and command encoder: two moving hills, with interleaved vertices and 16-bit
+//! indices. slimbvh builds once, then refits, and traces straight down in the application's submission. Only the hits are read back.
 
 use bytemuck::cast_slice;
-use slimbvh::gpu::{Builder, Bvh, Gpu, Mesh, Query, wgpu};
+use slimbvh::gpu::{Builder, Bvh, Gpu, IndexLayout, Mesh, Query, VertexLayout, WarmUp, wgpu};
 use slimbvh::{BuildConfig, Hit, Ray};
 use std::error::Error;
 use wgpu::BufferUsages;
@@ -28,10 +28,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     let vertex_buffer = buffer(
         "vertices",
-        12 * u64::from((SIDE + 1) * (SIDE + 1)),
+        24 * u64::from((SIDE + 1) * (SIDE + 1)),
         BufferUsages::VERTEX,
     );
-    let index_buffer = buffer("indices", 12 * indices.len() as u64, BufferUsages::INDEX);
+    let index_buffer = buffer("indices", 6 * indices.len() as u64, BufferUsages::INDEX);
     let ray_buffer = buffer("rays", 32 * u64::from(SIDE), BufferUsages::empty());
     let hit_buffer = buffer("hits", 16 * u64::from(SIDE), BufferUsages::COPY_SRC);
     queue.write_buffer(&index_buffer, 0, cast_slice(&indices));
@@ -39,15 +39,34 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // slimbvh works on the same device.
     let gpu = Gpu::from_device(device.clone(), queue.clone())?;
-    let mesh = Mesh::from_buffers(&gpu, vertex_buffer.slice(..), index_buffer.slice(..))?;
-    let mut builder = Builder::new(BuildConfig::default());
+    let vertices = VertexLayout {
+        slice: vertex_buffer.slice(..),
+        stride: 24,
+        offset: 0,
+    };
+    let indices = IndexLayout {
+        slice: index_buffer.slice(..),
+        format: wgpu::IndexFormat::Uint16,
+    };
+    let mesh = Mesh::from_layout(&gpu, vertices, indices)?;
+    let config = BuildConfig::default();
+    let mut builder = Builder::new(config);
     let mut bvh = Bvh::new();
+
+    // Otherwise the first frame compiles the kernels.
+    let uses = WarmUp::new(config)
+        .with_layouts()
+        .with_refits()
+        .with_queries(&[Query::Closest]);
+    println!("{}", gpu.warm_up(&uses)?);
 
     for step in 0..3 {
         let phase = step as f32;
         queue.write_buffer(&vertex_buffer, 0, cast_slice(&hills(phase)));
 
-        let mut frame = gpu.frame();
+        // The application's encoder: its own passes may stand before and behind.
+        let mut encoder = device.create_command_encoder(&Default::default());
+        let mut frame = gpu.frame_in(&mut encoder);
         if step == 0 {
             builder.build(&mut frame, &mesh, &mut bvh)?;
         } else {
@@ -60,7 +79,9 @@ fn main() -> Result<(), Box<dyn Error>> {
             hit_buffer.slice(..),
         )?;
         let hits = frame.read_later(hit_buffer.slice(..))?;
-        let stages = frame.submit()?.wait()?;
+        let recorded = frame.end()?;
+        let index = queue.submit([encoder.finish()]);
+        let stages = recorded.submitted(&gpu, index).wait()?;
 
         let hits: Vec<Hit> = hits.read(&gpu)?;
         let heights = hits.iter().map(|hit| 100.0 - hit.t);
@@ -89,16 +110,27 @@ fn height(x: f32, z: f32, phase: f32) -> f32 {
     4.0 * (0.2 * x + phase).sin() + 2.0 * (0.15 * z).cos()
 }
 
-fn hills(phase: f32) -> Vec<[f32; 3]> {
+/// Positions and normals.
+fn hills(phase: f32) -> Vec<[f32; 6]> {
     let points = (0..=SIDE).flat_map(|z| (0..=SIDE).map(move |x| (x as f32, z as f32)));
-    points.map(|(x, z)| [x, height(x, z, phase), z]).collect()
+    let slope = |x: f32, z: f32| {
+        let along_x = 0.8 * (0.2 * x + phase).cos();
+        let along_z = -0.3 * (0.15 * z).sin();
+        (along_x, along_z)
+    };
+    points
+        .map(|(x, z)| {
+            let (along_x, along_z) = slope(x, z);
+            [x, height(x, z, phase), z, -along_x, 1.0, -along_z]
+        })
+        .collect()
 }
 
-fn squares() -> Vec<[u32; 3]> {
+fn squares() -> Vec<[u16; 3]> {
     let corners = (0..SIDE).flat_map(|z| (0..SIDE).map(move |x| z * (SIDE + 1) + x));
     corners
         .flat_map(|a| {
-            let (b, c, d) = (a + 1, a + SIDE + 1, a + SIDE + 2);
+            let [a, b, c, d] = [a, a + 1, a + SIDE + 1, a + SIDE + 2].map(|corner| corner as u16);
             [[a, c, b], [b, c, d]]
         })
         .collect()

@@ -1,5 +1,6 @@
-//! Your own compute shader in WGSL that traces rays: it views a teapot and stores the steepness of what each ray hits.
+//! Your own compute shader in WGSL that traces rays: it views a teapot that a lamp lights, shadows included.
 
+use bytemuck::cast_slice;
 use slimbvh::gpu::{AdapterChoice, Builder, Bvh, Gpu, Mesh, wgpu, wgsl_compute};
 use slimbvh::{BuildConfig, generate};
 use std::error::Error;
@@ -8,7 +9,14 @@ const SIZE: [u32; 2] = [78, 30];
 
 /// Group 0 belongs to slimbvh, group 1 to this shader.
 const SHADER: &str = "
-@group(1) @binding(0) var<storage, read_write> steepness: array<f32>;
+@group(1) @binding(0) var<storage, read_write> shades: array<f32>;
+@group(1) @binding(1) var<storage> vertices: array<f32>;
+@group(1) @binding(2) var<storage> indices: array<u32>;
+
+fn corner(primitive: u32, i: u32) -> vec3<f32> {
+    let at = 3u * indices[3u * primitive + i];
+    return vec3<f32>(vertices[at], vertices[at + 1u], vertices[at + 2u]);
+}
 
 @compute @workgroup_size(8, 8)
 fn look(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
@@ -21,27 +29,44 @@ fn look(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_
     let origin = vec3<f32>(x, y + 25.0, 50.0);
     let direction = vec3<f32>(0.0, -0.5, -1.0);
 
-    // Two more rays beside it tell the slope. One call in a loop, as compilers copy the traversal to each call.
-    var first = SlimbvhHit();
-    var slope = vec2<f32>();
-    for (var i = 0u; i < 3u; i++) {
-        let beside = 0.01 * vec3<f32>(f32(i == 1u), f32(i == 2u), 0.0);
-        let hit = slimbvh_closest_hit_in_group(lane, origin + beside, 0.0, direction, 100.0);
-        if i == 0u {
-            first = hit;
-        } else {
-            slope[i - 1u] = (hit.t - first.t) / 0.01;
+    let hit = slimbvh_closest_hit_in_group(lane, origin, 0.0, direction, 100.0);
+    var shade = -1.0;
+    if hit.primitive != 0xffffffffu {
+        // The shadow ray begins off the surface, and leaves out the triangle that was hit: no small distance is guessed.
+        let i = hit.primitive;
+        let surface = slimbvh_surface(corner(i, 0u), corner(i, 1u), corner(i, 2u), hit, direction);
+        let to_lamp = vec3<f32>(-30.0, 50.0, 40.0) - surface.leave;
+        shade = 0.0;
+        if !slimbvh_any_hit_from_in_group(lane, surface.leave, 0.0, to_lamp, 1.0, hit.primitive) {
+            shade = max(dot(surface.normal, normalize(to_lamp)), 0.0);
         }
     }
-    let is_miss = first.primitive == 0xffffffffu;
-    steepness[id.y * 78u + id.x] = select(min(length(slope), 4.0) / 4.0, -1.0, is_miss);
+    shades[id.y * 78u + id.x] = shade;
 }
 ";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let gpu = Gpu::open(&AdapterChoice::Any)?;
     let device = gpu.device();
-    let mesh = Mesh::upload(&gpu, &generate::teapot())?;
+    let teapot = generate::teapot();
+    let buffer = |label, bytes: u64, usage| {
+        device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(label),
+            size: bytes,
+            usage: usage | wgpu::BufferUsages::STORAGE,
+            mapped_at_creation: false,
+        })
+    };
+    let [vertices, indices] = [
+        ("vertices", cast_slice::<_, u8>(&teapot.vertices)),
+        ("indices", cast_slice(&teapot.indices)),
+    ]
+    .map(|(label, bytes)| {
+        let made = buffer(label, bytes.len() as u64, wgpu::BufferUsages::COPY_DST);
+        gpu.queue().write_buffer(&made, 0, bytes);
+        made
+    });
+    let mesh = Mesh::from_buffers(&gpu, vertices.slice(..), indices.slice(..))?;
     let (mut builder, mut bvh) = (Builder::new(BuildConfig::default()), Bvh::new());
 
     // slimbvh's text, then the shader.
@@ -61,12 +86,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         },
         cache: None,
     });
-    let steepness = device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("steepness"),
-        size: 4 * u64::from(SIZE[0] * SIZE[1]),
-        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
-        mapped_at_creation: false,
-    });
+    let shades = buffer(
+        "shades",
+        4 * u64::from(SIZE[0] * SIZE[1]),
+        wgpu::BufferUsages::COPY_SRC,
+    );
 
     // Build and view in one submission.
     let mut frame = gpu.frame();
@@ -79,10 +103,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let own = device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("own"),
         layout: &pipeline.get_bind_group_layout(1),
-        entries: &[wgpu::BindGroupEntry {
-            binding: 0,
-            resource: steepness.as_entire_binding(),
-        }],
+        entries: &[(0, &shades), (1, &vertices), (2, &indices)].map(|(binding, buffer)| {
+            wgpu::BindGroupEntry {
+                binding,
+                resource: buffer.as_entire_binding(),
+            }
+        }),
     });
     let mut pass = frame.encoder().begin_compute_pass(&Default::default());
     pass.set_pipeline(&pipeline);
@@ -90,27 +116,28 @@ fn main() -> Result<(), Box<dyn Error>> {
     pass.set_bind_group(1, &own, &[]);
     pass.dispatch_workgroups(SIZE[0].div_ceil(8), SIZE[1].div_ceil(8), 1);
     drop(pass);
-    let answers = frame.read_later(steepness.slice(..))?;
+    let answers = frame.read_later(shades.slice(..))?;
     frame.submit()?.wait()?;
 
     let answers: Vec<f32> = answers.read(&gpu)?;
     for row in answers.chunks(SIZE[0] as usize) {
         println!("{}", row.iter().copied().map(mark).collect::<String>());
     }
-    let seen = answers.iter().filter(|&&answer| answer >= 0.0).count();
-    let share = seen as f64 / answers.len() as f64;
-    assert!(
-        (0.3..0.7).contains(&share),
-        "{share} of the picture is teapot"
-    );
+    // Some of the picture is teapot, and some of that in shadow.
+    let share = |is_it: fn(&&f32) -> bool| {
+        answers.iter().filter(is_it).count() as f64 / answers.len() as f64
+    };
+    let [teapot, dark] = [share(|&&shade| shade >= 0.0), share(|&&shade| shade == 0.0)];
+    assert!((0.3..0.7).contains(&teapot), "{teapot}");
+    assert!((0.01..0.5 * teapot).contains(&dark), "{dark}");
     Ok(())
 }
 
-/// Flat to steep; a space for a miss.
-fn mark(steepness: f32) -> char {
-    let marks = ['@', '%', '#', '*', '+', '=', '-', ':', '.'];
-    if steepness < 0.0 {
+/// Dark to bright; a space for a miss.
+fn mark(shade: f32) -> char {
+    let marks = ['.', ':', '-', '=', '+', '*', '#', '%', '@'];
+    if shade < 0.0 {
         return ' ';
     }
-    marks[(steepness * 8.99) as usize]
+    marks[(shade * 8.99) as usize]
 }
