@@ -11,16 +11,28 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use std::cell::RefCell;
 
-/// The sides of components for targets, as found before over the same surfaces: finding them takes all triangles.
+/// What was found before over the same surfaces and positions, as it takes all triangles: the mesh's bounds, and the sides of
+/// components for targets.
 #[derive(Clone, Debug, Default)]
-pub struct KnownSides {
+pub struct Known {
+    bounds: Option<Aabb>,
     /// Of the plan before this one.
     old: Vec<(Target, Vec<i32>)>,
     /// Of this plan.
     new: Vec<(Target, Vec<i32>)>,
 }
 
-impl KnownSides {
+impl Known {
+    /// The mesh's bounds.
+    pub fn bounds(&mut self, mesh: &Mesh) -> Aabb {
+        *(self.bounds).get_or_insert_with(|| mesh.bounds().unwrap_or(Aabb::EMPTY))
+    }
+
+    /// Forgets the bounds: vertices have moved.
+    pub fn forget_bounds(&mut self) {
+        self.bounds = None;
+    }
+
     /// Forgets what the latest plan did not need.
     pub fn begin(&mut self) {
         self.old = std::mem::take(&mut self.new);
@@ -43,7 +55,7 @@ impl KnownSides {
 /// The surfaces, and samples of the triangles.
 pub struct MeshSurvey<'a> {
     topology: &'a Topology,
-    known: RefCell<&'a mut KnownSides>,
+    known: RefCell<&'a mut Known>,
     facts: Vec<Facts>,
     samples: Samples<'a>,
 }
@@ -54,7 +66,7 @@ impl<'a> MeshSurvey<'a> {
         topology: &'a Topology,
         mesh: &'a Mesh,
         bounds: &Aabb,
-        known: &'a mut KnownSides,
+        known: &'a mut Known,
     ) -> Self {
         known.begin();
         let scale = PowerOfTwo::new(scene_exponent(bounds));

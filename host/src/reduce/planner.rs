@@ -1,6 +1,6 @@
 //! Plans from frame to frame, with one survey for all.
 
-use super::mesh_survey::KnownSides;
+use super::mesh_survey::Known;
 use super::{Plan, PlanRequest, Reduce, Saving, Seams, Survey, Switches, Views, survey};
 use crate::{BuildConfig, Mesh, MeshError};
 use std::sync::Arc;
@@ -57,8 +57,8 @@ pub struct Planner {
     survey: Option<Survey>,
     /// Whether vertices have moved since the survey.
     has_moved: bool,
-    /// The sides of the latest plan's targets, while no vertex moves.
-    known: KnownSides,
+    /// What the latest plan found, while no vertex moves.
+    known: Known,
 }
 
 impl Planner {
@@ -70,7 +70,7 @@ impl Planner {
             build,
             survey: None,
             has_moved: false,
-            known: KnownSides::default(),
+            known: Known::default(),
         }
     }
 
@@ -99,7 +99,7 @@ impl Planner {
     pub fn forget(&mut self) {
         self.survey = None;
         self.has_moved = false;
-        self.known = KnownSides::default();
+        self.known = Known::default();
     }
 
     /// The latest survey.
@@ -112,13 +112,14 @@ impl Planner {
     /// ([`Seams::None`]), nothing is left out from now on until the next survey.
     pub fn moved(&mut self) {
         self.has_moved = true;
+        self.known.forget_bounds();
     }
 
     /// Updates the survey for vertices that have moved ([`Self::moved`]).
     pub fn follow(&mut self, mesh: &Mesh) {
         self.moved();
         let is_used = !self.must_stay_plain();
-        self.known = KnownSides::default();
+        self.known = Known::default();
         if let Some(survey) = self.survey.as_mut().filter(|_| is_used) {
             Arc::make_mut(&mut survey.topology).update(mesh);
         }
