@@ -15,46 +15,12 @@
 //! # }
 //! ```
 
-use crate::animate::{Action, Update};
+use crate::animate::Action;
 use crate::backend::{Backend, Change, Output, Shot, Source, TreeSize, Trees, TreesOf};
-use crate::reduce::{Hierarchies, Plan, PlanConfig, Still, Views};
-use crate::views::ViewSets;
-use crate::{BuildConfig, RenderReport, RenderSettings, Scene, Stages, Stopwatch, ViewError};
+use crate::reduce::{Hierarchies, Plan, Views};
+use crate::views::{FrameConfig, FrameSizes, ViewSets};
+use crate::{RenderReport, RenderSettings, Scene, Stages, Stopwatch, ViewError};
 use std::time::Duration;
-
-/// How frames are planned, built and updated.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct FrameConfig {
-    /// How trees are built and stored.
-    pub build: BuildConfig,
-    /// What the trees leave out.
-    pub plan: PlanConfig,
-    /// How trees are updated from frame to frame.
-    pub update: Update,
-    /// Whether each change of the trees is followed by the cost of the tree for all rays, if that needs no wait. Trees
-    /// whose cost has grown are rebuilt; without the cost, every eighth update rebuilds.
-    pub finds_cost: bool,
-}
-
-impl FrameConfig {
-    /// For about this many frames that share a survey of the surfaces. Trees are kept while nothing moves.
-    #[must_use]
-    pub fn for_frames(frame_count: u32) -> Self {
-        let still = Still {
-            vertices: true,
-            lights: false,
-        };
-        Self {
-            plan: PlanConfig {
-                frame_count,
-                still: Some(still),
-                ..PlanConfig::default()
-            },
-            finds_cost: true,
-            ..Self::default()
-        }
-    }
-}
 
 /// The inputs of a frame whose plan the caller made.
 #[derive(Clone, Copy, Debug)]
@@ -84,15 +50,6 @@ pub struct FrameReport<B: Backend> {
     pub sah_cost: Option<f64>,
     /// The backend's own decisions.
     pub decisions: Option<B::Decisions>,
-}
-
-/// The sizes of a frame's trees.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct FrameSizes {
-    /// The sum of all trees that exist at the same time.
-    pub total: TreeSize,
-    /// The triangle count of each set, by the names of its targets.
-    pub sets: Vec<(String, usize)>,
 }
 
 /// Renders frames. Keeps all memory from one frame to the next.
@@ -313,7 +270,7 @@ impl<B: Backend> Frames<B> {
 #[cfg(all(test, feature = "scenes"))]
 mod tests {
     use super::*;
-    use crate::animate::{Animation, Deform, Motion};
+    use crate::animate::{Animation, Deform, Motion, Update};
     use crate::generate::default_scene;
     use crate::{Cpu, CpuError, Picture};
 

@@ -39,7 +39,7 @@ mod views;
 pub use backend::{Backend, Change, Output};
 pub use config::{BuildConfig, CodeBits, TreeKind};
 pub use cpu::{Builder, Cpu, CpuError, Decisions, Division, Renderer, Subset, Tree, Trees};
-pub use frame::{FrameConfig, FrameReport, FrameRequest, FrameSizes, Frames};
+pub use frame::{FrameReport, FrameRequest, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use reduce::ViewTarget;
@@ -59,7 +59,7 @@ pub use tree::{
     Bvh, CodecError, MeshCodec, NodeCodec, Processor, Reads, RefitError, TreeError, WideStore,
     check_codecs, sah_cost,
 };
-pub use views::ViewSets;
+pub use views::{FrameConfig, FrameSizes, ViewSets};
 
 /// The examples of the repository's README.
 #[cfg(doctest)]

@@ -1,8 +1,11 @@
 //! View sets: what the rays of each target need, built and kept up from frame to frame.
 
+mod config;
+
+pub use config::{FrameConfig, FrameSizes};
+
 use crate::animate::{Action, Upkeep};
 use crate::backend::{Backend, Change, Load, TreeOf, TreeSize};
-use crate::frame::{FrameConfig, FrameSizes};
 #[cfg(feature = "gpu")]
 use crate::gpu::{DecisionsDownload, Frame, Geometry, Gpu, GpuError};
 use crate::reduce::{Hierarchies, Plan, Planner, Survey, ViewTarget, Views, Work};

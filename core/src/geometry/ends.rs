@@ -224,7 +224,7 @@ impl From<[f32; 3]> for RayEnd {
 }
 
 impl RayEnd {
-    /// The ray from here in a direction: the surface here is no hit, whichever side the ray leaves it on.
+    /// The ray from here in a direction, on either side of the surface here: no triangle whose plane contains the point is a hit.
     #[inline]
     #[must_use]
     pub fn ray(&self, direction: [f32; 3]) -> SurfaceRay {

@@ -76,8 +76,8 @@ impl SurfacePoint {
         }
     }
 
-    /// The ray from the point in a direction, on either side of the surface: a mirrored ray, an occlusion ray or a refracted one. The
-    /// surface that the point lies on is no hit.
+    /// The ray from the point in a direction, on either side of the surface: a mirrored ray, an occlusion ray or a refracted one. No
+    /// triangle whose plane contains the point is a hit.
     #[inline]
     #[must_use]
     pub fn ray(&self, direction: [f32; 3]) -> SurfaceRay {

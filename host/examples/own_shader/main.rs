@@ -49,10 +49,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let pipeline = pipeline(gpu.device(), module, entry_point);
         let (mut builder, mut bvh) = (Builder::new(config), Bvh::new());
 
-        // Build, then trace, in one submission. The tree's bindings come first: three, and a fourth for the compressed one's root.
+        // Build, then trace, in one submission. The tree's bindings come first: three, and a fourth for the compressed one's root. The
+        // last two are a rule's, which this shader does not read.
         let mut frame = gpu.frame();
         builder.build(&mut frame, &mesh, &mut bvh)?;
         let mut entries = bvh.bindings()?;
+        entries.truncate(entries.len() - 2);
         let first = entries.len() as u32;
         for (binding, buffer) in (first..).zip([&ray_buffer, &found]) {
             entries.push(wgpu::BindGroupEntry {

@@ -13,9 +13,31 @@ use crate::{BuildConfig, MeshCodec, NodeCodec};
 /// struct SlimbvhHit { t: f32, u: f32, v: f32, primitive: u32 }
 /// ```
 ///
-/// A miss has the primitive `0xffffffff`. The functions read a hierarchy with nodes and triangles in full from bindings 0 to 2 of
-/// this group; [`super::Bvh::bindings`] returns them. [`wgsl_for`] returns the text of other hierarchies. All names begin with
-/// `slimbvh` or `Slimbvh`.
+/// A miss has the primitive `0xffffffff`. Rays that leave what a ray hit need no small distance:
+///
+/// ```wgsl
+/// fn slimbvh_surface(v0: vec3<f32>, v1: vec3<f32>, v2: vec3<f32>, hit: SlimbvhHit, direction: vec3<f32>) -> SlimbvhSurface
+/// struct SlimbvhSurface {
+///     position: vec3<f32>, side: f32, error: vec3<f32>, normal: vec3<f32>, leave: vec3<f32>, enter: vec3<f32>
+/// }
+/// fn slimbvh_closest_hit_from(origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> SlimbvhHit
+/// fn slimbvh_any_hit_from(origin: vec3<f32>, t_min: f32, direction: vec3<f32>, t_max: f32, skip: u32) -> bool
+/// ```
+///
+/// `slimbvh_surface` takes the corners of the triangle that was hit, in the mesh's unit, the hit, and the direction of its ray. It
+/// returns the numbers of [`crate::SurfacePoint`]: the position and a bound on its error by axis, the unit normal on the side that the
+/// ray came from, and 1 where that is the front, −1 where the back. A shadow or mirror ray begins at `leave`, a refracted one at
+/// `enter`; both lie off the triangle's exact plane. The primitive `skip` is no hit for it:
+///
+/// ```wgsl
+/// let hit = slimbvh_closest_hit(eye, 0.0, direction, 1e30);
+/// let surface = slimbvh_surface(v0, v1, v2, hit, direction);
+/// let is_lit = !slimbvh_any_hit_from(surface.leave, 0.0, lamp - surface.leave, 1.0, hit.primitive);
+/// ```
+///
+/// The functions read a hierarchy with nodes and triangles in full, and its rule, from bindings 0 to 4 of this group;
+/// [`super::Tree::bindings`] and [`super::Bvh::bindings`] return them. [`wgsl_for`] returns the text of other hierarchies. All names
+/// begin with `slimbvh` or `Slimbvh`.
 ///
 /// The stack is private memory, 1 KiB an invocation: compute shaders trace faster with [`wgsl_compute`].
 #[must_use]
@@ -24,7 +46,7 @@ pub fn wgsl(group: u32) -> String {
 }
 
 /// The text of [`wgsl`] for hierarchies in these codecs: in full, or of wide nodes. The functions are the same, and so are their
-/// answers; bindings are those of [`super::Bvh::bindings`], four where the nodes are on a lattice.
+/// answers; bindings are those of [`super::Tree::bindings`], six where the nodes are on a lattice.
 ///
 /// # Errors
 /// For codecs without such a text.
@@ -72,6 +94,9 @@ fn moved(text: &str, group: u32) -> String {
 /// struct SlimbvhTriedHit { hit: SlimbvhHit, overflowed: bool }
 /// struct SlimbvhTriedAny { found: bool, overflowed: bool }
 /// ```
+///
+/// Each of the four has a variant with `_from` behind `hit` and a last argument `skip`, as those of [`wgsl`]:
+/// `slimbvh_any_hit_from_in_group`, `slimbvh_try_any_hit_from`.
 ///
 /// `lane` is the invocation's `local_invocation_index`. The answers are those of [`wgsl`], to the bit. Calls may stand in
 /// branches and loops.

@@ -2,7 +2,7 @@
 
 use super::decide::{self, Candidate};
 use super::group::{group, joined_target};
-use super::mesh_survey::MeshSurvey;
+use super::mesh_survey::{Known, MeshSurvey};
 use super::set::{TreeChoice, ViewSet, frustum_within, sets};
 use super::target::TargetKind;
 use super::{Cull, PlanRequest, Reduce, Saving};
@@ -84,9 +84,19 @@ impl Plan {
     /// [`Switches::reduce`](super::Switches::reduce).
     #[must_use]
     pub fn new(topology: &Arc<Topology>, mesh: &Mesh, request: &PlanRequest) -> Self {
+        Self::knowing(topology, mesh, request, &mut Known::default())
+    }
+
+    /// As [`Self::new`], with what is known from the plan before.
+    pub(super) fn knowing(
+        topology: &Arc<Topology>,
+        mesh: &Mesh,
+        request: &PlanRequest,
+        known: &mut Known,
+    ) -> Self {
         let savings = request.switches.savings;
-        let bounds = mesh.bounds().unwrap_or(slimbvh_core::Aabb::EMPTY);
-        let survey = MeshSurvey::new(topology, mesh, &bounds);
+        let bounds = known.bounds(mesh);
+        let survey = MeshSurvey::new(topology, mesh, &bounds, known);
         let targets = &request.views.targets;
 
         let mut sets = sets(targets);

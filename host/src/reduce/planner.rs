@@ -1,5 +1,6 @@
 //! Plans from frame to frame, with one survey for all.
 
+use super::mesh_survey::Known;
 use super::{Plan, PlanRequest, Reduce, Saving, Seams, Survey, Switches, Views, survey};
 use crate::{BuildConfig, Mesh, MeshError};
 use std::sync::Arc;
@@ -56,6 +57,8 @@ pub struct Planner {
     survey: Option<Survey>,
     /// Whether vertices have moved since the survey.
     has_moved: bool,
+    /// What the latest plan found, while no vertex moves.
+    known: Known,
 }
 
 impl Planner {
@@ -67,6 +70,7 @@ impl Planner {
             build,
             survey: None,
             has_moved: false,
+            known: Known::default(),
         }
     }
 
@@ -95,6 +99,7 @@ impl Planner {
     pub fn forget(&mut self) {
         self.survey = None;
         self.has_moved = false;
+        self.known = Known::default();
     }
 
     /// The latest survey.
@@ -107,12 +112,14 @@ impl Planner {
     /// ([`Seams::None`]), nothing is left out from now on until the next survey.
     pub fn moved(&mut self) {
         self.has_moved = true;
+        self.known.forget_bounds();
     }
 
     /// Updates the survey for vertices that have moved ([`Self::moved`]).
     pub fn follow(&mut self, mesh: &Mesh) {
         self.moved();
         let is_used = !self.must_stay_plain();
+        self.known = Known::default();
         if let Some(survey) = self.survey.as_mut().filter(|_| is_used) {
             Arc::make_mut(&mut survey.topology).update(mesh);
         }
@@ -120,10 +127,13 @@ impl Planner {
 
     /// The plan for the mesh in its present state; a plain one without a survey.
     #[must_use]
-    pub fn plan(&self, mesh: &Mesh, views: &Views) -> Plan {
+    pub fn plan(&mut self, mesh: &Mesh, views: &Views) -> Plan {
         let request = self.request(mesh.indices.len(), views);
+        let is_plain = self.must_stay_plain();
         match &self.survey {
-            Some(survey) if !self.must_stay_plain() => Plan::new(&survey.topology, mesh, &request),
+            Some(survey) if !is_plain => {
+                Plan::knowing(&survey.topology, mesh, &request, &mut self.known)
+            }
             _ => self.plain(mesh.indices.len(), views),
         }
     }

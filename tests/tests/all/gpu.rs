@@ -10,6 +10,7 @@ mod contract;
 mod decisions;
 mod dispatches;
 mod encoders;
+mod filtered;
 mod generated;
 mod kernels;
 mod layouts;

@@ -5,6 +5,8 @@
 //! incremental build differ by up to 6 %. Without Valgrind, or on another kind of processor, the test is skipped;
 //! `REQUIRE_VALGRIND=1` makes that a failure.
 
+mod frames;
+
 use slimbvh::generate::{TorusKnot, terrain, torus_knot};
 use slimbvh::{
     BuildConfig, Builder, Bvh, CodeBits, Hit, Mesh, MeshCodec, NodeCodec, Ray, TreeKind, WideStore,
@@ -20,7 +22,7 @@ struct Job {
     run: fn(usize),
 }
 
-const JOBS: [Job; 10] = [
+const JOBS: [Job; 12] = [
     Job {
         name: "build, 30-bit codes",
         run: |rounds| build(rounds, CodeBits::Bits30.into()),
@@ -60,6 +62,14 @@ const JOBS: [Job; 10] = [
     Job {
         name: "closest hits together, w4-48, triangles on the lattice",
         run: |rounds| trace(rounds, on_lattice(), closest_together),
+    },
+    Job {
+        name: "frame with two sets, by hand",
+        run: frames::by_hand,
+    },
+    Job {
+        name: "frame with two sets, by view sets",
+        run: frames::by_view_sets,
     },
 ];
 

@@ -1,5 +1,6 @@
 //! Rays between points of surfaces, and rays that leave surfaces: no face, edge or corner that an end lies on blocks them.
 
+mod coded;
 mod rooms;
 mod solids;
 
@@ -27,6 +28,10 @@ fn found(bvh: &Bvh, mesh: &Mesh, eye: [f32; 3], target: [f32; 3]) -> Option<Foun
     let [a, b, c] = corners(mesh, hit.primitive);
     let [u, v, w] = weights(hit.u, hit.v).to_array().map(f64::from);
     let exact = (a * u + b * v + c * w) / (u + v + w);
+    for axis in 0..3 {
+        let off = (exact[axis] - f64::from(point.position[axis])).abs();
+        assert!(off <= f64::from(point.error[axis]), "{point:?} {exact}");
+    }
     Some(Found { point, exact })
 }
 
@@ -43,6 +48,11 @@ fn height(corners: [DVec3; 3], point: DVec3) -> f64 {
 fn separates(mesh: &Mesh, primitive: u32, a: &Found, b: &Found) -> bool {
     let corners = corners(mesh, primitive);
     height(corners, a.exact) * height(corners, b.exact) < 0.0
+}
+
+/// Whether the exact point is in a triangle's plane.
+fn is_on(mesh: &Mesh, primitive: u32, point: &Found) -> bool {
+    height(corners(mesh, primitive), point.exact) == 0.0
 }
 
 /// What blocks two points.
