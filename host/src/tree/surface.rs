@@ -32,7 +32,7 @@ impl Query<'_> {
             return None;
         }
         let scene_exponent = self.bvh.scene_exponent();
-        let triangle = if self.bvh.codecs().1 == MeshCodec::Leaf10 {
+        let triangle = if self.bvh.codecs().1.moves_vertices() {
             self.traced_triangle(ray, hit.primitive)?
         } else {
             let scale = PowerOfTwo::new(scene_exponent);
