@@ -115,8 +115,10 @@ pub fn run(arguments: &AnimateArguments) -> Result<()> {
     arguments.storage.check()?;
     arguments.storage.check_reduction(&arguments.reduce)?;
     let place = Destination::check(arguments)?;
-    let chosen = choose(&arguments.backend)?;
+    // The file is read before an adapter is opened, so that a missing one is told at once.
+    arguments.backend.check()?;
     let mut scene = arguments.scene.load()?;
+    let chosen = choose(&arguments.backend)?;
     let work = || animate(arguments, &chosen, &mut scene, &place);
     let run = arguments.threads.run(work)??;
     if !output::is_stdout(arguments.json.as_deref()) {

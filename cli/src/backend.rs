@@ -26,6 +26,22 @@ impl BackendArguments {
         }
     }
 
+    /// Rejects options that exclude each other, and a GPU where this build has no backend for one.
+    pub(crate) fn check(&self) -> Result<()> {
+        let Self { backend, adapter } = self;
+        if cfg!(not(feature = "gpu")) && (*backend == Backend::Gpu || adapter.is_some()) {
+            bail!(
+                "this build has no GPU backend; use --backend cpu, or build with the feature gpu"
+            );
+        }
+        match adapter {
+            Some(name) if *backend == Backend::Cpu => bail!(
+                "--adapter {name:?} selects a GPU, but --backend cpu excludes it; leave one out"
+            ),
+            _ => Ok(()),
+        }
+    }
+
     /// The options as written on the command line.
     #[must_use]
     pub fn words(&self) -> Vec<String> {
@@ -91,11 +107,9 @@ impl Chosen {
 #[cfg(feature = "gpu")]
 pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
     use slimbvh::gpu::{AdapterChoice, Gpu, GpuError};
+    arguments.check()?;
     match (arguments.backend, &arguments.adapter) {
-        (Backend::Cpu, Some(name)) => {
-            bail!("--adapter {name:?} selects a GPU, but --backend cpu excludes it; leave one out")
-        }
-        (Backend::Cpu, None) => Ok(Chosen::Cpu),
+        (Backend::Cpu, _) => Ok(Chosen::Cpu),
         (_, Some(name)) => Ok(Chosen::Gpu(Gpu::open(&AdapterChoice::Named(name.clone()))?)),
         (Backend::Gpu, None) => Ok(Chosen::Gpu(Gpu::open(&AdapterChoice::Hardware)?)),
         (Backend::Auto, None) => Ok(match Gpu::open(&AdapterChoice::Hardware) {
@@ -115,9 +129,7 @@ pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
 /// If the arguments ask for a GPU.
 #[cfg(not(feature = "gpu"))]
 pub fn choose(arguments: &BackendArguments) -> Result<Chosen> {
-    if arguments.backend == Backend::Gpu || arguments.adapter.is_some() {
-        bail!("this build has no GPU backend; use --backend cpu, or build with the feature gpu");
-    }
+    arguments.check()?;
     Ok(Chosen::Cpu)
 }
 

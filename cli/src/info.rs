@@ -262,12 +262,10 @@ fn extent(bounds: &Aabb) -> String {
     let [a, b] = [bounds.min, bounds.max];
     // Subtract in f64: the difference of two `f32` may overflow `f32`.
     let size: [f64; 3] = std::array::from_fn(|i| f64::from(b[i]) - f64::from(a[i]));
-    let size = size.map(|x| {
-        if x < f64::from(f32::MAX) {
-            f64::from(x as f32)
-        } else {
-            x
-        }
+    // As many digits as an `f32` has, where it is one.
+    let size = size.map(|x| match x as f32 {
+        x if x.is_finite() => x.to_string(),
+        _ => x.to_string(),
     });
     format!(
         "{} x {} x {} from ({}, {}, {}) to ({}, {}, {})",

@@ -40,6 +40,35 @@ pub struct Arguments {
     command: Command,
 }
 
+impl Arguments {
+    /// The arguments of this process. Wrong ones end it, with exit code 2 and a message on standard error; for a file in place of
+    /// a command the message names the command that renders it.
+    #[must_use]
+    pub fn read() -> Self {
+        Self::try_parse().unwrap_or_else(|error| with_tip(error).exit())
+    }
+}
+
+/// The error, with a tip if a file stands in place of a command.
+fn with_tip(mut error: clap::Error) -> clap::Error {
+    use clap::error::{ContextKind, ContextValue, ErrorKind};
+    let tip = match error.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(word)) if error.kind() == ErrorKind::InvalidSubcommand => {
+            let path = Path::new(word);
+            let is_file = path.extension().is_some() || path.is_file();
+            is_file.then(|| format!("to render this file: slimbvh render {word}"))
+        }
+        _ => None,
+    };
+    if let Some(tip) = tip {
+        error.insert(
+            ContextKind::Suggested,
+            ContextValue::StyledStrs(vec![tip.into()]),
+        );
+    }
+    error
+}
+
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Render a scene to a PNG picture

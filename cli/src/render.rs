@@ -100,14 +100,17 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     arguments.storage.check()?;
     arguments.storage.check_reduction(&arguments.reduce)?;
     check_places(arguments)?;
+    // The file is read before an adapter is opened, so that a missing one is told at once.
+    arguments.backend.check()?;
     let (summary, text, picture) = if arguments.scene.is_saved() {
         saved::check(arguments)?;
+        let opened = arguments.threads.run(|| saved::open(arguments))??;
         let chosen = choose(&arguments.backend)?;
-        let work = || saved::render(arguments, &chosen);
+        let work = || saved::render(arguments, opened, &chosen);
         arguments.threads.run(work)??
     } else {
-        let chosen = choose(&arguments.backend)?;
         let mut scene = arguments.scene.load()?;
+        let chosen = choose(&arguments.backend)?;
         let work = || render(arguments, &chosen, &mut scene);
         arguments.threads.run(work)??
     };

@@ -1,10 +1,12 @@
 //! `slimbvh-lab bench`.
 
 mod cross;
+mod equal;
 mod facts;
 mod findings;
 mod likeness;
 mod measure;
+mod only;
 mod page;
 mod pareto;
 mod prepared;
@@ -14,6 +16,7 @@ mod row;
 mod scaling;
 mod scenes;
 mod setup;
+mod spread;
 #[cfg(test)]
 mod tests;
 mod times;
@@ -22,13 +25,16 @@ mod trial;
 use crate::measure::machine::describe;
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
-use measure::measure;
+use measure::{Conditions, measure};
+use only::Only;
 use protocol::Protocol;
 use report::{Measured, Report, check_folder};
 use scenes::Subject;
 use slimbvh_cli::backend::{BackendArguments, Chosen, choose};
+use slimbvh_cli::options::{self, CameraOption};
 use slimbvh_cli::{ThreadArguments, output};
 use std::path::PathBuf;
+use std::str::FromStr;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -36,6 +42,8 @@ Examples:
   slimbvh-lab bench --quick --out report
   slimbvh-lab bench model.glb terrain --out report --threads 4
   slimbvh-lab bench --quick --backend cpu,gpu --out report
+  slimbvh-lab bench model.glb --only reduce,refit,\"nodes w4-48\" --rounds 9
+  slimbvh-lab bench model.glb --camera \"eye=0,1,5 target=0,0,0\" --size 640x360
   slimbvh-lab bench --scaling --out growth";
 
 #[derive(Debug, Args)]
@@ -59,6 +67,24 @@ pub struct BenchArguments {
     #[arg(long)]
     scaling: bool,
 
+    /// Only these setups besides the default, separated by commas: knobs (reduce, lights, nodes, mesh, codes, tree, update, threads,
+    /// crossed), or parts of a setup's name as the table prints it ("nodes q10", "mesh lattice 0.5px", refit)
+    #[arg(long, value_delimiter = ',', value_name = "SETUP")]
+    only: Vec<String>,
+
+    /// Camera of every scene, any of the parts "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or
+    /// height=H in place of fov for parallel rays; default: the scene's own camera, or one that frames it
+    #[arg(long, value_name = "PARTS")]
+    camera: Option<Camera>,
+
+    /// Size of the pictures in pixels; default: 1280x720, and 320x180 with --quick
+    #[arg(long, value_name = "WIDTHxHEIGHT", value_parser = options::size)]
+    size: Option<[u32; 2]>,
+
+    /// Timed pictures of each setup, beside as many of the default; default: 5, and 3 with --quick. Fewer than 3 show no spread
+    #[arg(long, value_name = "N", value_parser = |text: &str| options::whole(text, 1..=1000))]
+    rounds: Option<u32>,
+
     /// Folder for a page with plots (index.html), bench.csv and bench.json; created if missing
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
@@ -81,6 +107,24 @@ pub struct BenchArguments {
     threads: ThreadArguments,
 }
 
+/// A camera, with the text that gave it.
+#[derive(Clone, Debug)]
+struct Camera {
+    text: String,
+    option: CameraOption,
+}
+
+impl FromStr for Camera {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        Ok(Self {
+            text: text.to_owned(),
+            option: text.parse()?,
+        })
+    }
+}
+
 /// A backend to measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Backend {
@@ -91,15 +135,14 @@ enum Backend {
 }
 
 pub fn run(arguments: &BenchArguments) -> Result<()> {
-    let protocol = match arguments.quick {
-        true => Protocol::QUICK,
-        false => Protocol::FULL,
-    };
-    let backends = arguments.backends()?;
-    // Read all scenes before the first measurement, so that a bad scene is reported at once.
+    let protocol = arguments.protocol();
+    arguments.check_backends()?;
+    // Read all scenes before the first measurement and before any adapter is opened, so that a bad scene is reported at once.
+    let camera = arguments.camera.as_ref().map(|camera| &camera.option);
     let subjects = arguments.scenes.iter();
-    let subjects = subjects.map(|name| Subject::new(name, protocol.size));
+    let subjects = subjects.map(|name| Subject::new(name, protocol.size, camera));
     let subjects: Vec<Subject> = subjects.collect::<Result<_>>()?;
+    let backends = arguments.backends()?;
     if let Some(folder) = &arguments.out {
         check_folder(folder)?;
     }
@@ -108,7 +151,14 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
         let pairs = subjects
             .iter()
             .flat_map(|subject| backends.iter().map(move |backend| (subject, backend)));
-        let records = pairs.map(|(subject, backend)| measure(subject, backend, &protocol, threads));
+        let lights = subjects.iter().map(|subject| subject.scene.lights.len());
+        let only = Only::new(&arguments.only, threads, lights.max().unwrap_or(0))?;
+        let conditions = Conditions {
+            protocol: &protocol,
+            threads,
+            only: &only,
+        };
+        let records = pairs.map(|(subject, backend)| measure(subject, backend, &conditions));
         let records = records.collect::<Result<_>>()?;
         let mut scaling = Vec::new();
         for backend in backends.iter().filter(|_| arguments.scaling) {
@@ -116,7 +166,7 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
         }
         let measured = Measured { records, scaling };
         let machines = backends.iter().map(describe);
-        let (command, machines) = (arguments.command(), machines.collect());
+        let (command, machines) = (arguments.command(&only), machines.collect());
         Ok(Report::new(command, machines, protocol, threads, measured))
     };
     let report = arguments.threads.run(work)??;
@@ -128,11 +178,29 @@ pub fn run(arguments: &BenchArguments) -> Result<()> {
 }
 
 impl BenchArguments {
-    /// Opens every requested backend once.
-    fn backends(&self) -> Result<Vec<Chosen>> {
+    /// The sizes and repeats.
+    fn protocol(&self) -> Protocol {
+        let usual = match self.quick {
+            true => Protocol::QUICK,
+            false => Protocol::FULL,
+        };
+        Protocol {
+            size: self.size.unwrap_or(usual.size),
+            rounds: self.rounds.unwrap_or(usual.rounds),
+            ..usual
+        }
+    }
+
+    /// Rejects a name of a GPU that no backend is for.
+    fn check_backends(&self) -> Result<()> {
         if let (Some(name), false) = (&self.adapter, self.backend.contains(&Backend::Gpu)) {
             bail!("--adapter {name:?} needs a GPU, but --backend names none; add gpu to --backend");
         }
+        Ok(())
+    }
+
+    /// Opens every requested backend once.
+    fn backends(&self) -> Result<Vec<Chosen>> {
         let mut backends = self.backend.clone();
         backends.dedup();
         let open = |backend: &Backend| match backend {
@@ -143,7 +211,7 @@ impl BenchArguments {
     }
 
     /// The command that reproduces the report, without the folders of scene files.
-    fn command(&self) -> String {
+    fn command(&self, only: &Only) -> String {
         let mut words = vec!["slimbvh-lab bench".to_owned()];
         let name = |scene: &String| {
             let path = std::path::Path::new(scene);
@@ -154,6 +222,13 @@ impl BenchArguments {
         for (flag, is_there) in [("--quick", self.quick), ("--scaling", self.scaling)] {
             words.extend(is_there.then(|| flag.to_owned()));
         }
+        words.extend(only.words());
+        let camera = self.camera.iter();
+        words.extend(camera.map(|camera| format!("--camera {:?}", camera.text)));
+        if let Some([width, height]) = self.size {
+            words.push(format!("--size {width}x{height}"));
+        }
+        words.extend(self.rounds.map(|rounds| format!("--rounds {rounds}")));
         if self.backend != [Backend::Cpu] {
             let names = self.backend.iter().filter_map(ValueEnum::to_possible_value);
             let names: Vec<String> = names.map(|name| name.get_name().to_owned()).collect();

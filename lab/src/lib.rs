@@ -8,6 +8,7 @@
 mod bench;
 pub mod measure;
 pub mod oracle;
+mod own;
 mod reproduce;
 pub mod scenes;
 pub mod stress;

@@ -18,6 +18,7 @@ mod times;
 mod verdicts;
 mod visits;
 
+use crate::own::Own;
 use anyhow::Result;
 use clap::{Args, Subcommand, ValueEnum};
 use measure::{SceneRecord, measure};
@@ -48,6 +49,7 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh-lab reproduce reduced --quick
   slimbvh-lab reproduce reduced --only doll toasters --json -
+  slimbvh-lab reproduce reduced --mesh model.glb
   slimbvh-lab reproduce reduced --scenes models --threads 2 --out reduced-cpu.md";
 
 #[derive(Debug, Args)]
@@ -76,11 +78,11 @@ pub fn run(arguments: &ReproduceArguments) -> Result<()> {
 }
 
 fn reduced(ReducedArguments { options }: &ReducedArguments) -> Result<()> {
-    options.run(|chosen| make(options, chosen), Report::sheet)
+    options.run(|chosen, own| make(options, chosen, own), Report::sheet)
 }
 
 /// Measures on the chosen backend.
-fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
+fn make(options: &Options<SceneName>, chosen: &Chosen, own: &[Own]) -> Result<Report> {
     let protocol = if options.quick {
         Protocol::quick()
     } else {
@@ -92,7 +94,12 @@ fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
         let subject = Subject::new(name, folder.as_deref(), protocol.size)?;
         measure(subject, chosen, &protocol, name == SceneName::Armadillo)
     };
+    let measure_own = |own: &Own| {
+        let _progress = output::spinner(format!("measuring {}", own.name));
+        measure(Subject::own(own, protocol.size)?, chosen, &protocol, true)
+    };
     let names = options.names(&SceneName::Dragon).into_iter();
-    let scenes: Vec<SceneRecord> = names.map(measure_one).collect::<Result<_>>()?;
+    let scenes = own.iter().map(measure_own).chain(names.map(measure_one));
+    let scenes: Vec<SceneRecord> = scenes.collect::<Result<_>>()?;
     Ok(Report::new(options, chosen, protocol, scenes))
 }

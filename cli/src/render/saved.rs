@@ -1,6 +1,7 @@
 //! Renders a saved hierarchy, without a build.
 
 use super::{Outcome, RenderArguments, Summary, tell};
+use crate::Kept;
 use crate::backend::Chosen;
 use crate::output;
 use anyhow::{Result, bail};
@@ -22,11 +23,18 @@ pub fn check(arguments: &RenderArguments) -> Result<()> {
     Ok(())
 }
 
-/// Reads the file and renders its scene.
-pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, String, Picture)> {
+/// The contents of a file, and the times of loading.
+pub struct Opened {
+    scene: Scene,
+    kept: Kept,
+    load: Stages,
+}
+
+/// Reads the file, and checks that it can be rendered.
+pub fn open(arguments: &RenderArguments) -> Result<Opened> {
     let name = arguments.scene.name();
     let mut load = Stages::default();
-    let (mut scene, kept) = load.time("load", || arguments.scene.open())?;
+    let (scene, kept) = load.time("load", || arguments.scene.open())?;
     let Some(kept) = kept else {
         bail!("\"{name}\" holds no hierarchy");
     };
@@ -37,6 +45,21 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
             "\"{name}\" holds a hierarchy over a part of its triangles, which cannot be rendered"
         );
     }
+    Ok(Opened { scene, kept, load })
+}
+
+/// Renders the scene of a file.
+pub fn render(
+    arguments: &RenderArguments,
+    opened: Opened,
+    chosen: &Chosen,
+) -> Result<(Summary, String, Picture)> {
+    let name = arguments.scene.name();
+    let Opened {
+        mut scene,
+        kept,
+        load,
+    } = opened;
     let settings = arguments.picture.settings();
     (arguments.picture.sight).prepare(&mut scene, &name, kept.framing)?;
     let switches = arguments.reduce.config().switches;
@@ -45,7 +68,7 @@ pub fn render(arguments: &RenderArguments, chosen: &Chosen) -> Result<(Summary, 
 
     let saved = Saved {
         scene: &scene,
-        bvh,
+        bvh: &kept.bvh,
         load,
         plan,
         settings: &settings,

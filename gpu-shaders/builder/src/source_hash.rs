@@ -1,11 +1,18 @@
-//! A hash of the code that shaders are made from and by. It stays where only comments, layout or tests change.
+//! A hash of the code that shaders are made from and by. It stays where only comments, layout, tests or code for the CPU change:
+//! items, methods and fields under `#[cfg(not(target_arch = "spirv"))]`, a whole module among them.
 
 use anyhow::{Context, Result};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use std::path::Path;
-use syn::visit_mut::{VisitMut, visit_file_mut, visit_item_mod_mut};
-use syn::{Attribute, File, Item, Meta};
+use syn::visit_mut::{
+    VisitMut, visit_expr_struct_mut, visit_fields_named_mut, visit_file_mut, visit_item_impl_mut,
+    visit_item_mod_mut, visit_item_trait_mut,
+};
+use syn::{
+    Attribute, ExprStruct, FieldsNamed, File, ImplItem, Item, ItemImpl, ItemMod, ItemTrait, Meta,
+    TraitItem,
+};
 
 /// Packages whose versions count, and the lock file that names them.
 const PINNED: [(&str, &str); 7] = [
@@ -73,7 +80,7 @@ pub fn pinned_versions(root: &Path) -> Result<Vec<(String, String)>> {
     Ok(versions)
 }
 
-/// Calls `visit` with a file, then with the files of its modules: code without docs and tests. `children` is the folder where
+/// Calls `visit` with a file, then with the files of its modules: code that shaders may have, without docs. `children` is the folder where
 /// the modules' files are.
 ///
 /// # Errors
@@ -109,20 +116,58 @@ fn read(path: &Path) -> Result<String> {
     std::fs::read_to_string(path).with_context(|| path.display().to_string())
 }
 
-/// Takes out docs and tests.
+/// Takes out docs, and what no shader has. A statement or an arm that no shader has stays, and counts.
 struct OnlyCode;
 
 impl VisitMut for OnlyCode {
     fn visit_file_mut(&mut self, file: &mut File) {
-        file.items.retain(|item| !is_test(item));
+        file.items.retain(|item| is_in_shaders(of_item(item)));
         visit_file_mut(self, file);
     }
 
-    fn visit_item_mod_mut(&mut self, module: &mut syn::ItemMod) {
+    fn visit_item_mod_mut(&mut self, module: &mut ItemMod) {
         if let Some((_, items)) = &mut module.content {
-            items.retain(|item| !is_test(item));
+            items.retain(|item| is_in_shaders(of_item(item)));
         }
         visit_item_mod_mut(self, module);
+    }
+
+    fn visit_item_impl_mut(&mut self, item: &mut ItemImpl) {
+        item.items.retain(|item| {
+            is_in_shaders(match item {
+                ImplItem::Const(item) => &item.attrs,
+                ImplItem::Fn(item) => &item.attrs,
+                ImplItem::Macro(item) => &item.attrs,
+                ImplItem::Type(item) => &item.attrs,
+                _ => &[],
+            })
+        });
+        visit_item_impl_mut(self, item);
+    }
+
+    fn visit_item_trait_mut(&mut self, item: &mut ItemTrait) {
+        item.items.retain(|item| {
+            is_in_shaders(match item {
+                TraitItem::Const(item) => &item.attrs,
+                TraitItem::Fn(item) => &item.attrs,
+                TraitItem::Macro(item) => &item.attrs,
+                TraitItem::Type(item) => &item.attrs,
+                _ => &[],
+            })
+        });
+        visit_item_trait_mut(self, item);
+    }
+
+    fn visit_fields_named_mut(&mut self, fields: &mut FieldsNamed) {
+        let named = std::mem::take(&mut fields.named).into_iter();
+        fields.named = named.filter(|it| is_in_shaders(&it.attrs)).collect();
+        visit_fields_named_mut(self, fields);
+    }
+
+    fn visit_expr_struct_mut(&mut self, value: &mut ExprStruct) {
+        let fields = std::mem::take(&mut value.fields).into_iter();
+        value.fields = fields.filter(|it| is_in_shaders(&it.attrs)).collect();
+        visit_expr_struct_mut(self, value);
     }
 
     fn visit_attributes_mut(&mut self, attributes: &mut Vec<Attribute>) {
@@ -130,22 +175,34 @@ impl VisitMut for OnlyCode {
     }
 }
 
-/// Whether an item exists only in tests.
-fn is_test(item: &Item) -> bool {
-    let attributes = match item {
+/// The attributes of an item.
+fn of_item(item: &Item) -> &[Attribute] {
+    match item {
         Item::Const(item) => &item.attrs,
+        Item::Enum(item) => &item.attrs,
         Item::ExternCrate(item) => &item.attrs,
         Item::Fn(item) => &item.attrs,
         Item::Impl(item) => &item.attrs,
         Item::Macro(item) => &item.attrs,
         Item::Mod(item) => &item.attrs,
+        Item::Static(item) => &item.attrs,
         Item::Struct(item) => &item.attrs,
+        Item::Trait(item) => &item.attrs,
+        Item::Type(item) => &item.attrs,
         Item::Use(item) => &item.attrs,
-        _ => return false,
-    };
-    attributes.iter().any(|attribute| {
-        matches!(&attribute.meta, Meta::List(list)
-            if list.path.is_ident("cfg") && list.tokens.to_string() == "test")
+        _ => &[],
+    }
+}
+
+/// Whether code with these attributes may be in a shader: it is neither a test nor left out of SPIR-V.
+fn is_in_shaders(attributes: &[Attribute]) -> bool {
+    !attributes.iter().any(|attribute| match &attribute.meta {
+        Meta::List(list) if list.path.is_ident("cfg") => {
+            // Spaces between tokens are a printer's choice.
+            let condition = list.tokens.to_string().replace(' ', "");
+            ["test", "not(target_arch=\"spirv\")"].contains(&condition.as_str())
+        }
+        _ => false,
     })
 }
 

@@ -46,15 +46,20 @@
 //!
 //! `slimbvh_core` specifies the items of sections 12 and 13: [`Node`](crate::Node), [`LeafTriangle`](crate::LeafTriangle)
 //! and `encode`. A section without items still has a position.
+//!
+//! A hierarchy alone ([`write_hierarchy`], [`read_hierarchy`]) has the same layout: sections 1 to 9 have no items, and the
+//! scene's record is zeros.
 
 mod check;
 mod error;
+mod hierarchy;
 mod layout;
 mod read;
 mod records;
 mod write;
 
 pub use error::{ContentError, FileError, WriteError};
+pub use hierarchy::{read_hierarchy, write_hierarchy};
 pub use layout::Section;
 pub use read::read;
 pub use write::write;

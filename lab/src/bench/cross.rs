@@ -10,7 +10,12 @@ pub type Objectives = [f64; 3];
 
 /// Combines the knob values on the Pareto front. Keeps at most `most` combinations that no measured or predicted setup
 /// dominates. A prediction multiplies time and bytes by each knob's own factor, and takes the largest of the knobs' errors.
-pub fn candidates(records: &[SetupRecord], most: usize) -> Vec<Setup> {
+/// `known_as` finds the setup that was measured in place of one that does the same work.
+pub fn candidates(
+    records: &[SetupRecord],
+    known_as: &impl Fn(Setup) -> Setup,
+    most: usize,
+) -> Vec<Setup> {
     let Some(usual) = records.first().map(|record| record.setup) else {
         return Vec::new();
     };
@@ -38,7 +43,8 @@ pub fn candidates(records: &[SetupRecord], most: usize) -> Vec<Setup> {
                     let is_new = comparable.iter().all(|record| record.setup != setup)
                         && found.iter().all(|(other, _)| *other != setup);
                     if is_new && setup.is_possible() {
-                        found.extend(predict(&comparable, &usual, setup).map(|it| (setup, it)));
+                        let predicted = predict(&comparable, known_as, &usual, setup);
+                        found.extend(predicted.map(|it| (setup, it)));
                     }
                 }
             }
@@ -54,8 +60,14 @@ pub fn candidates(records: &[SetupRecord], most: usize) -> Vec<Setup> {
 }
 
 /// Predicts a setup's objectives; `None` if one of its knobs was not measured alone.
-fn predict(records: &[&SetupRecord], usual: &Setup, setup: Setup) -> Option<Objectives> {
+fn predict(
+    records: &[&SetupRecord],
+    known_as: &impl Fn(Setup) -> Setup,
+    usual: &Setup,
+    setup: Setup,
+) -> Option<Objectives> {
     let of = |setup: Setup| {
+        let setup = known_as(setup);
         let record = records.iter().find(|record| record.setup == setup);
         record.map(|record| record.objectives())
     };

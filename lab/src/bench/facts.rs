@@ -5,7 +5,7 @@ use crate::measure::counts::{Counts, count};
 use crate::measure::walks::Walks;
 use crate::stress::{Moves, moved};
 use anyhow::Result;
-use slimbvh::reduce::{Planner, Saving, Savings, Views};
+use slimbvh::reduce::{Saving, Savings};
 use slimbvh::{Builder, Bvh, Cpu, FrameConfig, Frames};
 
 /// Sizes and counts of a picture's trees, the same on every machine.
@@ -28,18 +28,13 @@ pub struct Facts {
 impl Facts {
     /// Builds all trees at once, without [`Saving::Turns`], and traces all rays of the picture.
     pub fn new(prepared: &Prepared) -> Result<Self> {
-        let (scene, settings) = (&prepared.scene, &prepared.settings);
-        let savings = Savings::ALL.without(Saving::Turns);
-        let mut planner = Planner::new(prepared.config, prepared.plan_config(savings));
-        let views = Views::of_picture(scene, settings)?;
-        planner.survey(&scene.mesh, &views)?;
-        let plan = planner.plan(&scene.mesh, &views);
+        let plan = prepared.plan(Savings::ALL.without(Saving::Turns))?;
         let config = FrameConfig {
             build: prepared.config,
             ..FrameConfig::default()
         };
         let mut frames = Frames::new(Cpu, config);
-        frames.build(scene, &plan)?;
+        frames.build(&prepared.scene, &plan)?;
         let all = || frames.hierarchies().all(&plan);
         let sum = |of: fn(&Bvh) -> usize| all().map(of).sum();
         let trees = frames.trees(&plan);

@@ -11,7 +11,7 @@ use crate::measure::step::Step;
 use serde::Serialize;
 use slimbvh::reduce::Reduce;
 use slimbvh::{CodeBits, LatticeBits, NodeCodec, WideStore};
-use words::{MIN_DIFFERENCE, Sentence, compared, in_words, is_clear, quotient, time, win_if};
+use words::{Sentence, compared, quotient, time, verdict, win_if, within};
 
 /// The verdict of a sentence on slimbvh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -21,6 +21,8 @@ pub enum Verdict {
     Wins,
     /// It loses something, or gains nothing.
     Loses,
+    /// The spread of the runs hides whether it gains or loses.
+    Open,
     /// An expected property holds.
     Holds,
     /// An expected property fails.
@@ -75,12 +77,16 @@ fn sentences(scene: &SceneRecord) -> Vec<Sentence> {
     sentences.extend(both.map(|(coarse, printed)| beside_printed(coarse, printed)));
     let reduced = find(&|record| record.knob == Knob::Reduce && record.setup.reduce == Reduce::On);
     sentences.extend(reduced.map(|record| reduction(record, scene)));
+    let whole = find(&|record| record.knob == Knob::Reduce && record.setup.reduce == Reduce::Off);
+    let whole = whole.filter(|_| reduced.is_none());
+    sentences.extend(whole.map(|record| without_reduction(record, usual, scene)));
     let apart = find(&|record| record.knob == Knob::Lights);
-    sentences.extend(
-        apart
-            .zip(reduced)
-            .map(|(apart, reduced)| lights(apart, reduced)),
-    );
+    let both = apart.zip(reduced);
+    sentences.extend(both.map(|(apart, reduced)| lights(apart, reduced)));
+    if scene.equal.iter().any(|it| it.knob == Knob::Lights) {
+        let text = "These lights share no tree: grouping changes nothing.";
+        sentences.push((Verdict::Loses, text.into()));
+    }
     let long = find(&|record| record.knob == Knob::Codes && record.setup.codes == CodeBits::Bits63);
     sentences.extend(long.map(codes));
     sentences.extend(find(&|record| record.knob == Knob::Update).map(refit));
@@ -175,7 +181,6 @@ fn beside_printed(own: &SetupRecord, printed: &SetupRecord) -> Sentence {
 }
 
 fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Sentence {
-    let (whole, planned) = (own.ratio(Times::frame), own.ratio(Times::planned));
     let plan = own.rounds.median(|round| round.own.plan);
     let kept = own.facts.tree_triangles as f64 / scene.triangles.max(1) as f64;
     if own.facts.trees == 1 && own.facts.tree_triangles == scene.triangles {
@@ -188,59 +193,69 @@ fn reduction(own: &SetupRecord, scene: &SceneRecord) -> Sentence {
         "Trees reduced to what their rays can hit ({trees} with {} of the triangles in all) make a picture {}; planning the reduction \
          takes {plan:.1} ms more, once per mesh, so that a single picture is made {}.",
         percent(kept),
-        compared(own, Times::planned),
-        in_words(whole)
+        compared(&own.ratios(Times::planned)),
+        compared(&own.ratios(Times::frame))
     );
-    (win_if(is_clear(own, Times::planned) && planned < 1.0), text)
+    (verdict(&own.ratios(Times::planned)), text)
+}
+
+/// The same where the default reduces: then it is measured beside the whole tree.
+fn without_reduction(whole: &SetupRecord, usual: &SetupRecord, scene: &SceneRecord) -> Sentence {
+    let ratios = usual
+        .ratios(Times::planned)
+        .over(&whole.ratios(Times::planned));
+    let kept = usual.facts.tree_triangles as f64 / scene.triangles.max(1) as f64;
+    let trees = slimbvh_cli::output::things(usual.facts.trees, "tree");
+    let text = format!(
+        "The default reduces trees here to what their rays can hit ({trees} with {} of the triangles in all): compared with one whole \
+         tree, a picture is made {}, without the planning.",
+        percent(kept),
+        compared(&ratios)
+    );
+    (verdict(&ratios), text)
 }
 
 fn lights(apart: &SetupRecord, grouped: &SetupRecord) -> Sentence {
-    let time = |record: &SetupRecord| record.ratio(Times::planned);
-    if grouped.facts.trees == apart.facts.trees {
-        let text =
-            "These lights are too far from each other to share a tree: grouping changes nothing.";
-        return (Verdict::Loses, text.into());
-    }
-    let times = time(grouped) / time(apart);
+    let [grouped, apart] = [grouped, apart].map(|record| record.ratios(Times::planned));
+    let times = grouped.over(&apart);
     let text = format!(
         "With trees shared by lights, a picture is made {}.",
-        in_words(times)
+        compared(&times)
     );
-    (win_if(times < 1.0 - MIN_DIFFERENCE), text)
+    (verdict(&times), text)
 }
 
 fn codes(own: &SetupRecord) -> Sentence {
     let text = format!(
         "With 63-bit codes instead of 30-bit codes, rays are traced {}, and the tree is built {}.",
-        compared(own, Times::trace),
-        compared(own, |times| times.build)
+        compared(&own.ratios(Times::trace)),
+        compared(&own.ratios(|times| times.build))
     );
-    let wins = own.ratio(Times::frame) < 1.0 && is_clear(own, Times::frame);
-    (win_if(wins), text)
+    (verdict(&own.ratios(Times::frame)), text)
 }
 
 fn refit(own: &SetupRecord) -> Sentence {
-    let build = own.ratio(|times| times.build);
+    let build = own.ratios(|times| times.build);
     let text = format!(
-        "Refitting a tree after a 64th of the twist's period takes {} of the time of a rebuild; rays are traced {}.",
-        percent(build),
-        compared(own, Times::trace)
+        "A tree is refitted after a 64th of the twist's period {}, compared with a rebuild; rays are traced {}.",
+        compared(&build),
+        compared(&own.ratios(Times::trace))
     );
-    (win_if(build < 1.0), text)
+    (verdict(&build), text)
 }
 
 fn threads(one: &SetupRecord, usual: &SetupRecord) -> Sentence {
-    let (times, count) = (one.ratio(Times::frame), usual.setup.threads);
-    let is_faster = times > 1.0 && is_clear(one, Times::frame);
-    let text = match is_faster {
-        true => format!("{count} threads make a picture {times:.2} times as fast as one."),
-        false => {
-            format!(
-                "{count} threads are not clearly faster than one here ({times:.2} times as fast)."
-            )
-        }
+    let (times, count) = (one.ratios(Times::frame), usual.setup.threads);
+    let within = within(&times);
+    let text = format!(
+        "{count} threads make a picture {:.2} times as fast as one{within}.",
+        times.median
+    );
+    let verdict = match times.is_clear() {
+        true => win_if(times.median > 1.0),
+        false => Verdict::Open,
     };
-    (win_if(is_faster), text)
+    (verdict, text)
 }
 
 /// The fastest and the smallest of the setups that change no pixel.
@@ -248,8 +263,9 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Sentence {
     let same = |record: &&SetupRecord| {
         record.likeness.changed_pixels == 0.0 && record.setup.is_comparable(&usual.setup)
     };
+    let frames = |record: &SetupRecord| record.ratios(Times::frame);
     let fastest = scene.setups.iter().filter(same);
-    let fastest = fastest.min_by(|a, b| a.ratio(Times::frame).total_cmp(&b.ratio(Times::frame)));
+    let fastest = fastest.min_by(|a, b| frames(a).median.total_cmp(&frames(b).median));
     let smallest = scene.setups.iter().filter(same);
     let smallest = smallest.min_by_key(|record| record.facts.resident_bytes());
     let (Some(fastest), Some(smallest)) = (fastest, smallest) else {
@@ -258,14 +274,14 @@ fn best(scene: &SceneRecord, usual: &SetupRecord) -> Sentence {
             "No setup makes the plain tree's picture.".into(),
         );
     };
-    let is_faster = fastest.ratio(Times::frame) < 1.0 && is_clear(fastest, Times::frame);
+    let is_faster = frames(fastest).median < 1.0 && frames(fastest).is_clear();
     let fast = match is_faster {
         true => format!(
             "\"{}\" is the fastest, {}",
             fastest.name,
-            compared(fastest, Times::frame)
+            compared(&frames(fastest))
         ),
-        false => "no setup is clearly faster than the default".into(),
+        false => "none is faster than the default by more than the spread of these runs".into(),
     };
     let bytes = |record: &SetupRecord| record.facts.resident_bytes() as f64;
     let text = format!(

@@ -1,13 +1,16 @@
 //! Measurements of a scene.
 
 use super::cross::{Objectives, candidates};
+use super::equal::{Equal, Work, known_as};
 use super::facts::Facts;
 use super::likeness::Likeness;
-use super::pareto::front;
+use super::only::Only;
+use super::pareto::{front, stays};
 use super::prepared::Prepared;
 use super::protocol::Protocol;
 use super::scenes::Subject;
 use super::setup::{Knob, Setup};
+use super::spread::Ratios;
 use super::times::{Round, Times};
 use super::trial::{Trial, has};
 use crate::measure::paths::Seen;
@@ -28,8 +31,17 @@ pub struct SceneRecord {
     pub diagonal: f32,
     /// The default comes first.
     pub setups: Vec<SetupRecord>,
+    /// Setups that were not measured, as each does the same work as one of those above.
+    pub equal: Vec<Equal>,
     /// The picture of the plain tree.
     pub picture: Picture,
+}
+
+/// What is measured, and how.
+pub struct Conditions<'a> {
+    pub protocol: &'a Protocol,
+    pub threads: usize,
+    pub only: &'a Only,
 }
 
 /// The measurements of one setup.
@@ -45,6 +57,8 @@ pub struct SetupRecord {
     pub likeness: Likeness,
     /// Whether the setup is on the Pareto front of time, bytes and error among the setups with the same work and threads.
     pub on_front: bool,
+    /// Whether it is there wherever within their spreads the times lie.
+    pub front_is_clear: bool,
     /// The picture, if it differs from the plain tree's.
     pub picture: Option<Picture>,
 }
@@ -79,24 +93,42 @@ impl SetupRecord {
 
     /// The median ratio of a time to the default's in the same round.
     pub fn ratio(&self, of: impl Fn(&Times) -> f64) -> f64 {
-        self.rounds
-            .median(|round| of(&round.own) / of(&round.usual))
+        self.ratios(of).median
+    }
+
+    /// The ratios of a time to the default's in the same rounds.
+    pub fn ratios(&self, of: impl Fn(&Times) -> f64) -> Ratios {
+        let rounds = self.rounds.0.iter();
+        Ratios::new(rounds.map(|round| of(&round.own) / of(&round.usual)))
+    }
+
+    /// The spread of [`Self::frame`]: that of the ratios; for the default, which all others are compared with, that of its times.
+    pub fn spread(&self) -> f64 {
+        match self.knob {
+            Knob::Default => self.rounds.spread(|round| round.own.frame()),
+            _ => self.ratios(Times::frame).spread(),
+        }
+    }
+
+    /// Where [`Self::frame`] may lie, beside the default's.
+    pub fn frame_range(&self) -> [f64; 2] {
+        let range = self.ratios(Times::frame).range();
+        range.map(|ratio| ratio * self.usual_ms)
+    }
+
+    /// The ranges of [`Self::objectives`].
+    fn objective_ranges(&self) -> [[f64; 2]; 3] {
+        let [_, bytes, error] = self.objectives();
+        [self.frame_range(), [bytes; 2], [error; 2]]
     }
 }
 
 /// Measures one scene with each setup, alternating with the default.
-pub fn measure(
-    subject: &Subject,
-    chosen: &Chosen,
-    protocol: &Protocol,
-    threads: usize,
-) -> Result<SceneRecord> {
+pub fn measure(subject: &Subject, chosen: &Chosen, conditions: &Conditions) -> Result<SceneRecord> {
     match chosen {
-        Chosen::Cpu => measure_on(Cpu, subject, chosen, protocol, threads),
+        Chosen::Cpu => measure_on(Cpu, subject, chosen, conditions),
         #[cfg(feature = "gpu")]
-        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => {
-            measure_on(gpu, subject, chosen, protocol, threads)
-        }
+        Chosen::Gpu(gpu) | Chosen::GpuIfItFits(gpu) => measure_on(gpu, subject, chosen, conditions),
     }
 }
 
@@ -104,12 +136,16 @@ fn measure_on<B: Backend>(
     backend: B,
     subject: &Subject,
     chosen: &Chosen,
-    protocol: &Protocol,
-    threads: usize,
+    conditions: &Conditions,
 ) -> Result<SceneRecord>
 where
     Frames<B>: Send,
 {
+    let Conditions {
+        protocol,
+        threads,
+        only,
+    } = *conditions;
     let scene = &subject.scene;
     let settings = RenderSettings {
         size: protocol.size,
@@ -131,17 +167,36 @@ where
     usual_trial.frame()?;
     let progress = output::bar(&format!("measuring {}", subject.name));
     let mut setups: Vec<SetupRecord> = Vec::new();
-    let mut run = |list: Vec<(Knob, Setup)>, setups: &mut Vec<SetupRecord>| -> Result<()> {
+    let mut works: Vec<Work> = Vec::new();
+    let mut equal: Vec<Equal> = Vec::new();
+    let mut run = |list: Vec<(Knob, Setup)>,
+                   setups: &mut Vec<SetupRecord>,
+                   equal: &mut Vec<Equal>|
+     -> Result<()> {
         let all = (setups.len() + list.len() + protocol.crossed) as f64;
         for (knob, setup) in list {
-            if !has(chosen, &setup, &usual.setup) {
+            let name = setup.name(&usual.setup);
+            if !has(chosen, &setup, &usual.setup) || !only.wants(knob, &name) {
                 continue;
             }
             let prepared = Prepared::new(setup, scene, settings);
+            let work = Work::new(&prepared)?;
+            if let Some(same) = works.iter().position(|other| work.is_same(other)) {
+                equal.push(Equal {
+                    scene: subject.name.clone(),
+                    backend: B::NAME,
+                    knob,
+                    setup: name,
+                    measured_as: setups[same].name.clone(),
+                    setups: [setup, setups[same].setup],
+                });
+                continue;
+            }
+            works.push(work);
             let mut own = Trial::new(backend, &prepared)?;
             let both = (&mut usual_trial, &mut own);
             let mut record = measure_one(&prepared, both, &plain, protocol)?;
-            (record.knob, record.name) = (knob, setup.name(&usual.setup));
+            (record.knob, record.name) = (knob, name);
             setups.push(record);
             progress.set(setups.len() as f64 / all);
         }
@@ -149,12 +204,10 @@ where
         Ok(())
     };
     let single = Setup::one_at_a_time(threads, scene.lights.len());
-    run(single, &mut setups)?;
-    let crossed = candidates(&setups, protocol.crossed).into_iter();
-    run(
-        crossed.map(|setup| (Knob::Crossed, setup)).collect(),
-        &mut setups,
-    )?;
+    run(single, &mut setups, &mut equal)?;
+    let crossed = candidates(&setups, &known_as(&equal), protocol.crossed).into_iter();
+    let crossed = crossed.map(|setup| (Knob::Crossed, setup));
+    run(crossed.collect(), &mut setups, &mut equal)?;
     mark_front(&mut setups);
     let bounds = scene.mesh.bounds();
     Ok(SceneRecord {
@@ -165,6 +218,7 @@ where
         lights: scene.lights.len(),
         diagonal: bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).length()),
         setups,
+        equal,
         picture: plain.picture,
     })
 }
@@ -175,7 +229,9 @@ fn settle(setups: &mut [SetupRecord]) {
         let rounds = record.rounds.0.iter();
         rounds.map(|round| round.usual).collect::<Vec<_>>()
     };
-    let rounds = setups.iter().skip(1).flat_map(usual);
+    // The default beside itself, only if it is alone.
+    let beside = usize::from(setups.len() > 1);
+    let rounds = setups.iter().skip(beside).flat_map(usual);
     let rounds: Vec<Round> = rounds.map(|usual| Round { usual, own: usual }).collect();
     if rounds.is_empty() {
         return;
@@ -223,11 +279,13 @@ where
         peak_bytes: own.peak_bytes(),
         likeness,
         on_front: false,
+        front_is_clear: false,
         picture: (likeness.changed_pixels > 0.0).then(|| picture.clone()),
     })
 }
 
-fn mark_front(setups: &mut [SetupRecord]) {
+/// Marks the setups on the Pareto front.
+pub fn mark_front(setups: &mut [SetupRecord]) {
     let Some(usual) = setups.first().map(|record| record.setup) else {
         return;
     };
@@ -236,7 +294,10 @@ fn mark_front(setups: &mut [SetupRecord]) {
         .filter(|record| record.setup.is_comparable(&usual))
         .collect();
     let objectives: Vec<Objectives> = comparable.iter().map(|it| it.objectives()).collect();
-    for (record, on_front) in comparable.iter_mut().zip(front(&objectives)) {
+    let ranges: Vec<_> = comparable.iter().map(|it| it.objective_ranges()).collect();
+    let marks = front(&objectives).into_iter().zip(stays(&ranges));
+    for (record, (on_front, stays)) in comparable.iter_mut().zip(marks) {
         record.on_front = on_front;
+        record.front_is_clear = on_front && stays;
     }
 }

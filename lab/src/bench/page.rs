@@ -5,7 +5,7 @@ mod table;
 
 use super::findings::{Verdict, percent};
 use super::measure::{SceneRecord, SetupRecord};
-use super::report::Report;
+use super::report::{Report, same_work};
 use super::setup::Knob;
 use super::times::Times;
 use anyhow::Result;
@@ -24,18 +24,21 @@ const ENLARGED: u8 = 8;
 const ERROR: Axis = Axis {
     name: "error of the picture, RMSE of 255",
     of: |record| record.likeness.image_rmse,
+    range: None,
     scale: Scale::PowersAndZero,
 };
 
 const TIME: Axis = Axis {
     name: "ms a picture",
     of: SetupRecord::frame,
+    range: Some(SetupRecord::frame_range),
     scale: Scale::Linear,
 };
 
 const BYTES: Axis = Axis {
     name: "bytes a triangle of the mesh",
     of: |record| record.facts.resident_bytes() as f64 / record.facts.mesh_triangles.max(1) as f64,
+    range: None,
     scale: Scale::Linear,
 };
 
@@ -113,8 +116,12 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
             html,
             "<figure><figcaption><b>{title}</b></figcaption>{svg}<ol>"
         );
-        for record in numbered(&comparable, axes) {
-            let _ = write!(html, "<li>{}</li>", escaped(&record.name));
+        for (record, is_clear) in numbered(&comparable, axes) {
+            let within = match is_clear {
+                true => "",
+                false => " <span class=\"soft\">(within the spread)</span>",
+            };
+            let _ = write!(html, "<li>{}{within}</li>", escaped(&record.name));
         }
         *html += "</ol></figure>\n";
     }
@@ -133,7 +140,10 @@ fn section(html: &mut String, report: &Report, scene: &SceneRecord) -> Result<()
     );
     pictures(html, scene)?;
     *html += "<h3>All figures</h3>\n<p class=\"soft\">● marks the Pareto front of time, bytes and error among the setups that rebuild with \
-              as many threads as the default.</p>\n";
+              as many threads as the default; ○ what is there by less than the spread of these runs.</p>\n";
+    if let Some(text) = same_work(scene) {
+        let _ = writeln!(html, "<p class=\"soft\">{}</p>", escaped(&text));
+    }
     *html += &table::table(report.rows_of(scene));
     Ok(())
 }
@@ -170,6 +180,7 @@ fn sentences(html: &mut String, report: &Report, scene: &SceneRecord) {
         ("Properties that fail", "loses", Verdict::Fails),
         ("Where slimbvh wins", "wins", Verdict::Wins),
         ("Where slimbvh does not", "loses", Verdict::Loses),
+        ("What the spread of these runs hides", "open", Verdict::Open),
         ("Properties that hold", "holds", Verdict::Holds),
     ] {
         let findings = report.findings_of(scene);

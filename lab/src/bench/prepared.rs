@@ -2,8 +2,9 @@
 
 use super::setup::{Lights, Setup, Update};
 use crate::stress::{Moves, snapped};
+use anyhow::Result;
 use slimbvh::animate::{Animation, Deform, Motion};
-use slimbvh::reduce::{PlanConfig, Saving, Savings, Switches};
+use slimbvh::reduce::{Plan, PlanConfig, Planner, Saving, Savings, Switches, Views};
 use slimbvh::{BuildConfig, RenderSettings, Scene};
 use std::borrow::Cow;
 
@@ -59,8 +60,17 @@ impl<'a> Prepared<'a> {
         }
     }
 
+    /// The plan of the picture with these savings, after a survey if that is likely to pay.
+    pub fn plan(&self, savings: Savings) -> Result<Plan> {
+        let mesh = &self.scene.mesh;
+        let mut planner = Planner::new(self.config, self.plan_config(savings));
+        let views = Views::of_picture(&self.scene, &self.settings)?;
+        planner.survey(mesh, &views)?;
+        Ok(planner.plan(mesh, &views))
+    }
+
     /// The settings of the plan, with these savings.
-    pub fn plan_config(&self, savings: Savings) -> PlanConfig {
+    fn plan_config(&self, savings: Savings) -> PlanConfig {
         PlanConfig {
             switches: Switches {
                 reduce: self.setup.reduce,

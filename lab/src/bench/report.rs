@@ -1,11 +1,13 @@
 //! The report as text, as a page, and as tables for programs.
 
+use super::equal::Equal;
 use super::findings::{Finding, Verdict, findings};
 use super::measure::SceneRecord;
 use super::page::page;
 use super::protocol::Protocol;
-use super::row::{Row, csv};
+use super::row::{Origin, Row, csv};
 use super::scaling::{LONG_MS, LONG_ROUNDS, MOST_COUNTED_SAMPLES, Series};
+use super::spread;
 use crate::measure::table::{Table, wrap};
 use anyhow::{Context, Result};
 use serde::Serialize;
@@ -28,6 +30,8 @@ pub struct Report {
     pub protocol: Protocol,
     pub findings: Vec<Finding>,
     pub rows: Vec<Row>,
+    /// Setups that were not measured twice.
+    pub equal: Vec<Equal>,
     /// The growth of costs, if requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub scaling: Vec<Series>,
@@ -52,18 +56,31 @@ impl Report {
         threads: usize,
         Measured { records, scaling }: Measured,
     ) -> Self {
-        let rows = records
-            .iter()
-            .flat_map(|scene| scene.setups.iter().map(|record| Row::new(scene, record)));
+        let commit = commit();
+        let machine = |backend| {
+            let mut machines = machines.iter();
+            let own = machines.find(|(name, _)| *name == backend);
+            own.map_or("", |(_, machine)| machine)
+        };
+        let rows = records.iter().flat_map(|scene| {
+            let origin = Origin {
+                machine: machine(scene.backend),
+                commit: commit.as_deref(),
+            };
+            let rows = scene.setups.iter();
+            rows.map(move |record| Row::new(scene, record, &origin))
+        });
+        let rows: Vec<Row> = rows.collect();
         Self {
             command,
             version: env!("CARGO_PKG_VERSION"),
-            commit: commit(),
+            commit,
             machines,
             threads,
             protocol,
             findings: records.iter().flat_map(findings).collect(),
-            rows: rows.collect(),
+            rows,
+            equal: records.iter().flat_map(|it| it.equal.clone()).collect(),
             scaling,
             records,
         }
@@ -87,7 +104,7 @@ impl Report {
     }
 
     /// The conditions of the figures of scenes.
-    fn of_scenes(&self) -> [(&'static str, String); 4] {
+    fn of_scenes(&self) -> [(&'static str, String); 5] {
         let [width, height] = self.protocol.size;
         let rounds = things(self.protocol.rounds, "picture");
         [
@@ -98,10 +115,11 @@ impl Report {
             (
                 "times",
                 format!(
-                    "medians of {rounds} after an untimed one; each setup alternates with the default, and ratios are medians of the ratios \
-                     of each round"
+                    "the default's medians, times the median over {rounds} of each setup's ratio to the default, with which it alternates, \
+                     after an untimed one"
                 ),
             ),
+            ("spread", spread::rule()),
             (
                 "counts",
                 "box tests, triangle tests and bytes, counted by the traversal over all rays of the picture".into(),
@@ -161,6 +179,7 @@ impl Report {
                 let sign = match finding.verdict {
                     Verdict::Wins => '+',
                     Verdict::Loses => '-',
+                    Verdict::Open => '?',
                     Verdict::Holds => '=',
                     Verdict::Fails => '!',
                 };
@@ -182,19 +201,29 @@ impl Report {
         let cells = |row: &Row| {
             vec![
                 row.setup.clone(),
-                format!("{:.1}", row.frame_ms),
+                ms(row.frame_ms),
                 format!("{:.0} %", 100.0 * row.frame_spread),
                 format!("{:.2}", row.frame_ratio),
                 format!("{:.0}", row.resident_bytes as f64 / 1024.0),
                 format!("{:.1}", row.box_tests_per_ray),
                 format!("{:.0}", row.bytes_per_ray),
                 format!("{:.3}", row.image_rmse),
-                if row.on_front { "*" } else { "" }.into(),
+                match (row.on_front, row.front_is_clear) {
+                    (true, true) => "*",
+                    (true, false) => "?",
+                    (false, _) => "",
+                }
+                .into(),
             ]
         };
+        let mut notes = vec![
+            "* on the Pareto front of time, bytes and error; ? there by less than the spread of these runs"
+                .into(),
+        ];
+        notes.extend(same_work(scene));
         Table {
             title: format!("{} on the {}", scene.name, scene.backend.to_uppercase()),
-            notes: vec!["* on the Pareto front of time, bytes and error".into()],
+            notes,
             word_columns: 1,
             head: vec![
                 "setup",
@@ -218,6 +247,25 @@ impl Report {
         output::write_whole(&table, &csv(&self.rows)?)?;
         output::write_json(&json, self)
     }
+}
+
+/// A time in milliseconds, as tables and bars show it.
+pub fn ms(ms: f64) -> String {
+    format!("{ms:.2}")
+}
+
+/// The setups that were not measured, in a sentence; `None` if all were.
+pub fn same_work(scene: &SceneRecord) -> Option<String> {
+    let pairs = scene.equal.iter();
+    let pairs: Vec<String> = pairs
+        .map(|it| format!("\"{}\" ({})", it.setup, it.measured_as))
+        .collect();
+    (!pairs.is_empty()).then(|| {
+        format!(
+            "Not measured, as each does the same work as the setup in parentheses: {}.",
+            pairs.join(", ")
+        )
+    })
 }
 
 /// Creates the folder if it is missing, and checks before the work that its files can be written.

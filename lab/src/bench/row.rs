@@ -2,15 +2,20 @@
 
 use super::measure::{SceneRecord, SetupRecord};
 use super::setup::Knob;
-use super::times::Times;
+use super::times::{Round, Times};
 use anyhow::{Context, Result};
 use serde::Serialize;
 
-/// Times are medians in milliseconds. Spreads are maximum minus minimum over the median. Lengths are in the scene's unit.
+/// Times are in milliseconds: the default's medians, times the median ratio of the same rounds ([`SetupRecord::frame`]), so that a
+/// temporary slowdown of the machine cancels out. The spread of a part is that of its own times, the largest minus the smallest over
+/// the median, and that of the whole picture [`SetupRecord::spread`]. Lengths are in the scene's unit.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
     pub scene: String,
     pub backend: &'static str,
+    /// The machine that measured, and the commit of the sources; empty if they are not present any more.
+    pub machine: String,
+    pub commit: String,
     pub knob: Knob,
     pub setup: String,
     pub reduce: &'static str,
@@ -40,6 +45,8 @@ pub struct Row {
     pub frame_spread: f64,
     /// The ratio to the default's time, median over rounds.
     pub frame_ratio: f64,
+    /// Whether that ratio differs from 1 by more than its spread ([`Ratios::is_clear`](super::spread::Ratios::is_clear)).
+    pub is_clear: bool,
     pub trees: usize,
     pub tree_triangles: usize,
     pub node_bytes: usize,
@@ -66,33 +73,52 @@ pub struct Row {
     pub image_rmse: f64,
     pub ssim: f64,
     pub on_front: bool,
+    /// Whether it is on the front wherever within their spreads the times lie.
+    pub front_is_clear: bool,
+}
+
+/// Where and from what a row was measured.
+pub struct Origin<'a> {
+    pub machine: &'a str,
+    pub commit: Option<&'a str>,
 }
 
 impl Row {
-    pub fn new(scene: &SceneRecord, record: &SetupRecord) -> Self {
+    pub fn new(scene: &SceneRecord, record: &SetupRecord, origin: &Origin) -> Self {
         let (setup, facts, likeness) = (&record.setup, &record.facts, &record.likeness);
-        let part = |of: fn(&Times) -> f64| {
-            let of = |round: &super::times::Round| of(&round.own);
-            let median = record.rounds.median(of);
-            let spread = match median > 0.0 {
+        let spread = |part: usize| {
+            let of = |round: &Round| round.own.parts()[part];
+            match record.rounds.median(of) > 0.0 {
                 true => record.rounds.spread(of),
                 false => 0.0,
-            };
-            (median, spread)
+            }
         };
-        let (plan_ms, plan_spread) = part(|times| times.plan);
-        let (build_ms, build_spread) = part(|times| times.build);
-        let (encode_ms, encode_spread) = part(|times| times.encode);
-        let (primary_ms, primary_spread) = part(|times| times.primary);
-        let (shadow_ms, shadow_spread) = part(|times| times.shadow);
-        let (reflection_ms, reflection_spread) = part(|times| times.reflection);
-        let (rest_ms, rest_spread) = part(|times| times.rest);
-        let (frame_ms, frame_spread) = part(Times::frame);
+        let [
+            plan_ms,
+            build_ms,
+            encode_ms,
+            primary_ms,
+            shadow_ms,
+            reflection_ms,
+            rest_ms,
+        ] = record.parts();
+        let [
+            plan_spread,
+            build_spread,
+            encode_spread,
+            primary_spread,
+            shadow_spread,
+            reflection_spread,
+            rest_spread,
+        ] = [0, 1, 2, 3, 4, 5, 6].map(spread);
+        let ratios = record.ratios(Times::frame);
         let counts = &facts.counts;
         let all = counts.all();
         Self {
             scene: scene.name.clone(),
             backend: scene.backend,
+            machine: origin.machine.into(),
+            commit: origin.commit.unwrap_or_default().into(),
             knob: record.knob,
             setup: record.name.clone(),
             reduce: setup.reduce_name(),
@@ -118,9 +144,10 @@ impl Row {
             reflection_spread,
             rest_ms,
             rest_spread,
-            frame_ms,
-            frame_spread,
-            frame_ratio: record.ratio(Times::frame),
+            frame_ms: record.frame(),
+            frame_spread: record.spread(),
+            frame_ratio: ratios.median,
+            is_clear: ratios.is_clear(),
             trees: facts.trees,
             tree_triangles: facts.tree_triangles,
             node_bytes: facts.node_bytes,
@@ -147,6 +174,7 @@ impl Row {
             image_rmse: likeness.image_rmse,
             ssim: likeness.ssim,
             on_front: record.on_front,
+            front_is_clear: record.front_is_clear,
         }
     }
 }

@@ -5,6 +5,7 @@ use anyhow::{Context, Result, bail};
 use slimbvh::generate::{self, TorusKnot};
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{Mesh, Scene};
+use slimbvh_cli::options::CameraOption;
 use std::path::Path;
 
 /// The name and the generator of a scene.
@@ -49,13 +50,18 @@ impl Subject {
     ///
     /// # Errors
     /// If there is no scene of this name, or if it cannot be measured.
-    pub fn new(name: &str, size: [u32; 2]) -> Result<Self> {
+    pub fn new(name: &str, size: [u32; 2], camera: Option<&CameraOption>) -> Result<Self> {
         let mut scene = open(name)?;
         scene.mesh.validate().with_context(|| name.to_owned())?;
         if scene.mesh.indices.is_empty() {
             bail!("{name:?} has no triangles; there is nothing to measure");
         }
         scene.complete(scene.mesh.bounds(), size);
+        if let (Some(camera), Some(own)) = (camera, scene.cameras.first_mut()) {
+            camera.apply(own).map_err(anyhow::Error::msg)?;
+            own.to_core(size, 1)
+                .with_context(|| format!("--camera in {name}"))?;
+        }
         Ok(Self {
             name: name.to_owned(),
             scene,
@@ -93,11 +99,14 @@ mod tests {
     #[test]
     fn every_name_has_a_scene() {
         for (name, _) in GENERATED {
-            let subject = Subject::new(name, [32, 18]).unwrap();
+            let subject = Subject::new(name, [32, 18], None).unwrap();
             let count = subject.scene.mesh.indices.len();
             assert!((100..400_000).contains(&count), "{name}: {count}");
         }
-        let error = Subject::new("sphe", [32, 18]).err().unwrap().to_string();
+        let error = Subject::new("sphe", [32, 18], None)
+            .err()
+            .unwrap()
+            .to_string();
         assert!(
             error.contains("\"sphe\"") && error.contains("sphere"),
             "{error}"

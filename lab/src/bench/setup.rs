@@ -46,9 +46,10 @@ pub enum Update {
 }
 
 /// The setting that a setup varies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Knob {
+    #[value(skip)]
     Default,
     Reduce,
     Lights,

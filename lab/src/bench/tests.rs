@@ -1,6 +1,8 @@
+use super::equal::Work;
 use super::facts::Facts;
-use super::findings::Verdict;
-use super::measure::measure;
+use super::findings::{Finding, Verdict, findings};
+use super::measure::{Conditions, SceneRecord, mark_front, measure};
+use super::only::Only;
 use super::page::{escaped, page};
 use super::prepared::Prepared;
 use super::protocol::Protocol;
@@ -8,7 +10,10 @@ use super::report::{Measured, Report};
 use super::row::csv;
 use super::scaling;
 use super::scenes::Subject;
-use super::setup::{Setup, Triangles};
+use super::setup::{Knob, Setup, Triangles};
+use super::times::{Round, Times};
+use crate::measure::rounds::Rounds;
+use slimbvh::reduce::Reduce;
 use slimbvh::{CodeBits, Mesh, NodeCodec, RenderSettings, Scene};
 use slimbvh_cli::backend::Chosen;
 
@@ -23,9 +28,24 @@ const TINY: Protocol = Protocol {
     lights: 4,
 };
 
+/// All setups, measured.
+fn measured(
+    subject: &Subject,
+    chosen: &Chosen,
+    protocol: &Protocol,
+    threads: usize,
+) -> SceneRecord {
+    let conditions = Conditions {
+        protocol,
+        threads,
+        only: &Only::default(),
+    };
+    measure(subject, chosen, &conditions).unwrap()
+}
+
 fn report() -> Report {
-    let subject = Subject::new("shiny", TINY.size).unwrap();
-    let record = measure(&subject, &Chosen::Cpu, &TINY, 2).unwrap();
+    let subject = Subject::new("shiny", TINY.size, None).unwrap();
+    let record = measured(&subject, &Chosen::Cpu, &TINY, 2);
     let machines = vec![("cpu", "a <machine> & \"its\" cores".to_owned())];
     let measured = Measured {
         records: vec![record],
@@ -84,6 +104,154 @@ fn the_page_is_whole_and_alone() {
     // Text from outside is escaped.
     assert!(html.contains("a &lt;machine&gt; &amp; &quot;its&quot; cores"));
     assert_eq!(escaped("<a&\"\n>"), "&lt;a&amp;&quot; &gt;");
+}
+
+/// The bars of the page have the numbers of its table, and every row names machine and commit.
+#[test]
+fn bars_have_the_numbers_of_the_table() {
+    let report = report();
+    let html = page(&report).unwrap();
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..Default::default()
+    };
+    let document = roxmltree::Document::parse_with_options(&html, options).unwrap();
+    let of = |name: &'static str| -> Vec<String> {
+        let nodes = document
+            .descendants()
+            .filter(|node| node.has_tag_name(name));
+        let texts = nodes.filter_map(|node| node.text().map(|text| text.trim().to_owned()));
+        texts.collect()
+    };
+    let (labels, cells) = (of("text"), of("td"));
+    for row in &report.rows {
+        let number = super::report::ms(row.frame_ms);
+        assert!(cells.contains(&number), "{}: {number}", row.setup);
+        let has_bar = row.knob != Knob::Crossed;
+        assert!(
+            !has_bar || labels.contains(&number),
+            "{}: {number}",
+            row.setup
+        );
+        assert_eq!(row.machine, "a <machine> & \"its\" cores");
+        assert_eq!(row.commit, report.commit.clone().unwrap_or_default());
+        let parts = [
+            row.plan_ms,
+            row.build_ms,
+            row.encode_ms,
+            row.primary_ms,
+            row.shadow_ms,
+            row.reflection_ms,
+            row.rest_ms,
+        ];
+        let sum: f64 = parts.iter().sum();
+        assert!((sum / row.frame_ms - 1.0).abs() < 1e-9, "{}", row.setup);
+    }
+}
+
+/// Setups with the same work are measured once and named; others are not taken for equal.
+#[test]
+fn no_work_is_measured_twice() {
+    let report = report();
+    let [scene] = &report.records[..] else {
+        unreachable!("there is one scene");
+    };
+    let names: Vec<&str> = scene.setups.iter().map(|it| it.name.as_str()).collect();
+    for equal in &scene.equal {
+        assert!(!names.contains(&equal.setup.as_str()), "{equal:?}");
+        assert!(names.contains(&equal.measured_as.as_str()), "{equal:?}");
+    }
+    let texts = [report.text(), page(&report).unwrap()];
+    for text in texts.map(|text| text.replace("&quot;", "\"").replace('\n', " ")) {
+        assert!(text.contains("\"reduce off\" (default)"), "{text}");
+    }
+
+    let subject = Subject::new("shiny", TINY.size, None).unwrap();
+    let settings = RenderSettings {
+        size: TINY.size,
+        ..RenderSettings::default()
+    };
+    let work = |setup: Setup| Work::new(&Prepared::new(setup, &subject.scene, settings)).unwrap();
+    let usual = Setup::usual(2);
+    assert!(work(usual).is_same(&work(Setup::plain(2))));
+    for (knob, setup) in Setup::one_at_a_time(2, 2) {
+        if matches!(knob, Knob::Default | Knob::Reduce) {
+            continue;
+        }
+        assert!(!work(setup).is_same(&work(usual)), "{knob:?}");
+    }
+    let reduced = Setup {
+        reduce: Reduce::On,
+        ..usual
+    };
+    assert!(!work(reduced).is_same(&work(usual)));
+}
+
+/// Nothing is concluded from times that spread too much, or of which there are too few; from steady ones it is.
+#[test]
+fn conclusions_need_more_than_the_spread() {
+    let report = report();
+    // One round.
+    assert!(report.rows.iter().all(|row| !row.is_clear));
+    let about_times = |finding: &&Finding| finding.text.contains("default's time");
+    let mut found = report.findings.iter().filter(about_times).peekable();
+    assert!(found.peek().is_some());
+    for finding in found {
+        assert_eq!(finding.verdict, Verdict::Open, "{}", finding.text);
+        assert!(
+            finding.text.contains("within the spread"),
+            "{}",
+            finding.text
+        );
+    }
+
+    let subject = Subject::new("shiny", TINY.size, None).unwrap();
+    let only = Only::new(&["nodes q10".into()], 2, 2).unwrap();
+    let conditions = Conditions {
+        protocol: &TINY,
+        threads: 2,
+        only: &only,
+    };
+    let mut scene = measure(&subject, &Chosen::Cpu, &conditions).unwrap();
+    let with = |ratios: [f64; 3]| {
+        let usual = Times {
+            primary: 8.0,
+            ..Times::default()
+        };
+        let own = |ratio| Times {
+            primary: 8.0 * ratio,
+            ..Times::default()
+        };
+        Rounds(Vec::from(ratios.map(|ratio| Round {
+            usual,
+            own: own(ratio),
+        })))
+    };
+    for (ratios, verdict) in [
+        ([0.5, 0.51, 0.52], Verdict::Wins),
+        ([0.5, 0.9, 1.9], Verdict::Open),
+        ([0.93, 0.94, 1.02], Verdict::Open),
+        ([1.5, 1.51, 1.52], Verdict::Loses),
+    ] {
+        for record in &mut scene.setups {
+            let is_it = record.name.starts_with("nodes q10");
+            record.rounds = with(if is_it { ratios } else { [1.0; 3] });
+            record.usual_ms = 8.0;
+        }
+        mark_front(&mut scene.setups);
+        let tracing = findings(&scene).into_iter();
+        let tracing: Vec<Finding> = tracing
+            .filter(|it| it.text.starts_with("Tracing nodes of 10 bits"))
+            .collect();
+        assert_eq!(tracing.len(), 1);
+        assert_eq!(tracing[0].verdict, verdict, "{}", tracing[0].text);
+        let says_so = tracing[0].text.contains("within the spread");
+        assert_eq!(says_so, verdict == Verdict::Open, "{}", tracing[0].text);
+        // It is smaller than the default, whose place on the front is sure only if it is clearly slower.
+        let usual = &scene.setups[0];
+        let is_sure = usual.on_front && usual.front_is_clear;
+        assert_eq!(is_sure, verdict == Verdict::Loses, "{ratios:?}");
+    }
 }
 
 /// Both tables have the same rows, with equal numbers.
@@ -180,7 +348,7 @@ fn one_triangle_that_nobody_sees() {
     let name = "one triangle".into();
     let subject = Subject { name, scene };
     let measured = Measured {
-        records: vec![measure(&subject, &Chosen::Cpu, &TINY, 1).unwrap()],
+        records: vec![measured(&subject, &Chosen::Cpu, &TINY, 1)],
         scaling: Vec::new(),
     };
     let report = Report::new("slimbvh-lab bench".into(), Vec::new(), TINY, 1, measured);
@@ -197,7 +365,7 @@ fn one_triangle_that_nobody_sees() {
 /// Moves of 10-bit corners are measured with codes of either length, which put triangles in different orders.
 #[test]
 fn corners_of_ten_bits_are_compared_in_any_order() {
-    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let subject = Subject::new("shiny", TINY.size, None).unwrap();
     let mut moves = Vec::new();
     for codes in [CodeBits::Bits30, CodeBits::Bits63] {
         let setup = Setup {
@@ -238,16 +406,14 @@ fn any_gpu() -> Option<slimbvh::gpu::Gpu> {
 #[test]
 fn setups_on_a_gpu() {
     let Some(gpu) = any_gpu() else { return };
-    let subject = Subject::new("shiny", TINY.size).unwrap();
+    let subject = Subject::new("shiny", TINY.size, None).unwrap();
     let protocol = Protocol { crossed: 0, ..TINY };
-    let record = measure(&subject, &Chosen::Gpu(gpu), &protocol, 2).unwrap();
+    let record = measured(&subject, &Chosen::Gpu(gpu), &protocol, 2);
     assert_eq!(record.backend, "gpu");
     let names: Vec<&str> = record.setups.iter().map(|it| it.name.as_str()).collect();
     let expected = [
         "default",
-        "reduce off",
         "reduce on",
-        "reduce on, lights apart",
         "nodes paper10",
         "nodes w4",
         "nodes w4-64",
@@ -263,6 +429,16 @@ fn setups_on_a_gpu() {
         "63-bit codes",
     ];
     assert_eq!(names, expected);
+    let equal: Vec<_> = record
+        .equal
+        .iter()
+        .map(|it| (&*it.setup, &*it.measured_as))
+        .collect();
+    let expected = [
+        ("reduce off", "default"),
+        ("reduce on, lights apart", "reduce on"),
+    ];
+    assert_eq!(equal, expected);
     for it in &record.setups {
         assert!(
             it.frame() > 0.0 && it.peak_bytes > it.facts.resident_bytes(),

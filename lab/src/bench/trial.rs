@@ -6,7 +6,7 @@ use super::times::Times;
 use anyhow::{Context, Result};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use slimbvh::animate;
-use slimbvh::reduce::{Planner, Savings, Views};
+use slimbvh::reduce::Savings;
 use slimbvh::{Backend, Change, FrameConfig, FrameRequest, Frames, Output, Picture};
 use slimbvh_cli::backend::Chosen;
 use slimbvh_cli::storage::mesh_bytes;
@@ -69,10 +69,7 @@ fn frame<B: Backend>(
 ) -> Result<Times> {
     let (scene, settings) = (&*prepared.scene, &prepared.settings);
     let begin = Instant::now();
-    let mut planner = Planner::new(prepared.config, prepared.plan_config(Savings::ALL));
-    let views = Views::of_picture(scene, settings)?;
-    planner.survey(&scene.mesh, &views)?;
-    let plan = planner.plan(&scene.mesh, &views);
+    let plan = prepared.plan(Savings::ALL)?;
     let plan_ms = begin.elapsed().as_secs_f64() * 1e3;
     let mut change = Change::Scene;
     if let Some(twisted) = &prepared.twisted {

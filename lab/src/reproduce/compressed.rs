@@ -15,6 +15,7 @@ mod targets;
 mod tests;
 
 use super::options::{Options, shown};
+use crate::own::Own;
 use anyhow::Result;
 use clap::{Args, ValueEnum};
 use measure::{SceneRecord, measure};
@@ -28,6 +29,7 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh-lab reproduce compressed --quick
   slimbvh-lab reproduce compressed --only shiny bunny --json -
+  slimbvh-lab reproduce compressed --mesh model.glb scan.ply
   slimbvh-lab reproduce compressed --scenes models --threads 2 --out compressed-cpu.md
   slimbvh-lab reproduce compressed --quick --backend gpu";
 
@@ -48,16 +50,16 @@ enum SceneName {
 }
 
 pub fn run(CompressedArguments { options }: &CompressedArguments) -> Result<()> {
-    options.run(|chosen| make(options, chosen), Report::sheet)
+    options.run(|chosen, own| make(options, chosen, own), Report::sheet)
 }
 
 /// Measures on the chosen backend.
-fn make(options: &Options<SceneName>, chosen: &Chosen) -> Result<Report> {
+fn make(options: &Options<SceneName>, chosen: &Chosen, own: &[Own]) -> Result<Report> {
     let protocol = match options.quick {
         true => Protocol::QUICK,
         false => Protocol::FULL,
     };
-    let scenes = measure_all(options, chosen, &protocol)?;
+    let scenes = measure_all(options, chosen, &protocol, own)?;
     Ok(Report::new(options, chosen, protocol, scenes))
 }
 
@@ -66,13 +68,18 @@ fn measure_all(
     options: &Options<SceneName>,
     chosen: &Chosen,
     protocol: &Protocol,
+    own: &[Own],
 ) -> Result<(Vec<SceneRecord>, Vec<LeftOut>)> {
     let folder = options.folder();
     let (mut records, mut left_out) = (Vec::new(), Vec::new());
+    for own in own {
+        let _progress = output::spinner(format!("measuring {}", own.name));
+        records.push(measure(Subject::own(own, protocol.size), chosen, protocol)?);
+    }
     for name in options.names(&SceneName::AsianDragon) {
         let _progress = output::spinner(format!("measuring {}", shown(&name)));
         let subject = Subject::new(name, folder.as_deref(), protocol.size)?;
-        let scene = subject.name.to_owned();
+        let scene = subject.name.clone();
         match measure(subject, chosen, protocol) {
             Ok(record) => records.push(record),
             Err(error) if options.only.is_empty() && is_too_large(&error) => {

@@ -26,12 +26,14 @@ const MOST_SAMPLES_OF_BOTH: u32 = 16;
 /// The measurements of one scene.
 #[derive(Serialize)]
 pub struct SceneRecord {
-    pub name: &'static str,
+    pub name: String,
     #[serde(skip)]
     pub printed: Option<printed::Printed>,
     #[serde(skip)]
     pub is_uniform: bool,
     pub stand_in: Option<String>,
+    /// Whether it is a mesh of the user's own.
+    pub is_own: bool,
     pub triangles: usize,
     /// The number of components, and of those that are closed with an inside and an outside.
     pub components: [usize; 2],
@@ -106,7 +108,8 @@ pub struct LightsRow {
     pub rounds: Rounds<Picture>,
 }
 
-/// Measures one scene. Groups of lights and, on the CPU, savings are measured on the scene for which the paper prints them.
+/// Measures one scene. Groups of lights and, on the CPU, savings are measured on the scene for which the paper prints them, and on
+/// meshes of the user's own.
 pub fn measure(
     subject: Subject,
     chosen: &Chosen,
@@ -175,6 +178,7 @@ fn measure_on<B: Backend>(
         printed: subject.printed,
         is_uniform: subject.is_uniform,
         stand_in: subject.stand_in,
+        is_own: subject.is_own,
         triangles: scene.mesh.indices.len(),
         components: [facts.len(), reducible],
         seams: topology.seam_count(),

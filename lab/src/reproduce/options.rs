@@ -1,6 +1,7 @@
 //! The options of both papers.
 
 use super::sheet::Sheet;
+use crate::own::{self, Own};
 use anyhow::{Result, bail};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
@@ -18,9 +19,17 @@ pub struct Options<S: ValueEnum + Send + Sync + 'static> {
     #[arg(long)]
     pub quick: bool,
 
-    /// Only these scenes; the papers have no figures of the dragon
+    /// Only these scenes, with --mesh beside its meshes; the papers have no figures of the dragon
     #[arg(long, value_enum, value_name = "NAME", num_args = 1..)]
     pub only: Vec<S>,
+
+    /// Meshes of one's own, in any format that slimbvh reads, in place of the built-in scenes; the papers have no figures of them
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    mesh: Vec<PathBuf>,
+
+    /// The built-in scenes beside the meshes of --mesh
+    #[arg(long)]
+    built_in: bool,
 
     /// Folder with armadillo.off, bunny00.off and dragon.ply; default: the folder in SLIMBVH_SCENES. A generated mesh stands
     /// in for a missing file
@@ -42,6 +51,9 @@ pub struct Options<S: ValueEnum + Send + Sync + 'static> {
     json: Option<PathBuf>,
 }
 
+/// What reports say of a mesh of one's own.
+pub const OWN: &str = "given by --mesh: the paper has no figures of it";
+
 /// The name of a scene on the command line.
 pub fn shown(scene: &impl ValueEnum) -> String {
     let value = scene.to_possible_value();
@@ -52,12 +64,15 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
     /// Makes a report on the chosen backend, prints it and writes it. If a GPU that `auto` found fails, the CPU takes over.
     pub fn run<R: Serialize + Send>(
         &self,
-        make: impl Fn(&Chosen) -> Result<R> + Send,
+        make: impl Fn(&Chosen, &[Own]) -> Result<R> + Sync,
         sheet: impl Fn(&R) -> Sheet<'_>,
     ) -> Result<()> {
         self.check_places()?;
+        // Read all meshes before an adapter is opened, so that a bad one is reported at once.
+        let own = Own::load_all(&self.mesh)?;
         let chosen = choose(&self.backend)?;
-        let report = self.threads.run(|| or_on_cpu(&chosen, make))??;
+        let work = || or_on_cpu(&chosen, |chosen| make(chosen, &own));
+        let report = self.threads.run(work)??;
         let json = self.json.as_deref();
         if !output::is_stdout(json) {
             output::print(&sheet(&report).text())?;
@@ -106,17 +121,19 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
             .or_else(variable)
     }
 
-    /// The requested scenes, in the order of their declaration. Without `--only`, `--quick` leaves out the largest.
+    /// The requested built-in scenes, in the order of their declaration: without `--only` none beside `--mesh`, unless `--built-in`
+    /// asks for them, and `--quick` leaves out the largest.
     pub fn names(&self, largest: &S) -> Vec<S> {
         let all = S::value_variants().iter().cloned();
+        let is_asked = self.mesh.is_empty() || self.built_in;
         let is_wanted = |name: &S| match self.only.is_empty() {
-            true => !(self.quick && name == largest),
+            true => is_asked && !(self.quick && name == largest),
             false => self.only.contains(name),
         };
         all.filter(is_wanted).collect()
     }
 
-    /// The command that reproduces the report, without the names of folders and files.
+    /// The command that reproduces the report, without folders and the names of files other than meshes.
     pub fn command(&self, paper: &str) -> String {
         let mut words = vec![format!("slimbvh-lab reproduce {paper}")];
         if self.quick {
@@ -126,6 +143,13 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
             words.push("--only".into());
             let all = S::value_variants().iter();
             words.extend(all.filter(|name| self.only.contains(name)).map(shown));
+        }
+        if !self.mesh.is_empty() {
+            words.push("--mesh".into());
+            words.extend(self.mesh.iter().map(|path| own::name(path)));
+        }
+        if self.built_in {
+            words.push("--built-in".into());
         }
         words.extend(self.threads.words());
         words.extend(self.backend.words());

@@ -2,7 +2,7 @@
 
 use super::SceneName;
 use super::measure::SceneRecord;
-use super::options::Options;
+use super::options::{OWN, Options};
 use super::protocol::Protocol;
 use super::sheet::Sheet;
 use super::tables::tables;
@@ -63,7 +63,7 @@ impl Report {
     }
 
     /// The facts needed to read the tables.
-    fn head(&self) -> Vec<(&'static str, String)> {
+    fn head(&self) -> Vec<(&str, String)> {
         let Protocol {
             size: [width, height],
             pictures,
@@ -118,15 +118,19 @@ impl Report {
                 .stand_in
                 .as_ref()
                 .map_or(String::new(), |text| format!("; {text}"));
+            let own = match scene.is_own {
+                true => format!("; {OWN}"),
+                false => String::new(),
+            };
             let closed = format!(
                 "{} of {} closed",
                 count(reducible),
                 things(components, "part")
             );
             head.push((
-                scene.name,
+                &scene.name,
                 format!(
-                    "{}, {closed}{seams}{stand_in}",
+                    "{}, {closed}{seams}{stand_in}{own}",
                     things(scene.triangles, "triangle")
                 ),
             ));

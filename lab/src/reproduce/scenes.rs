@@ -2,6 +2,7 @@
 
 use super::SceneName;
 use super::printed::{self, Printed};
+use crate::own::Own;
 use anyhow::Result;
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::topology::Topology;
@@ -11,12 +12,14 @@ use std::sync::Arc;
 
 /// A scene that is ready for measurement.
 pub struct Subject {
-    pub name: &'static str,
+    pub name: String,
     pub printed: Option<Printed>,
     pub scene: Scene,
     pub topology: Arc<Topology>,
     /// The stand-in for a missing file, and why it is used.
     pub stand_in: Option<String>,
+    /// Whether it is a mesh of the user's own.
+    pub is_own: bool,
     /// Whether triangles are spread evenly over closed surfaces, so that half of them face any eye.
     pub is_uniform: bool,
 }
@@ -71,16 +74,39 @@ impl Subject {
         let mut scene = scene;
         scene.mesh = generate::split_longest(&scene.mesh, triangles);
         scene.complete(scene.mesh.bounds(), size);
-        let survey = reduce::survey(&scene.mesh, BuildConfig::default(), reduce::Seams::Find)?;
+        let topology = surveyed(&scene)?;
         Ok(Self {
-            name: shown,
+            name: shown.into(),
             printed,
             scene,
-            topology: survey.topology,
+            topology,
             stand_in,
+            is_own: false,
             is_uniform: name != SceneName::Toasters,
         })
     }
+
+    /// A mesh of the user's own.
+    pub fn own(own: &Own, size: [u32; 2]) -> Result<Self> {
+        let Own { name, mut scene } = own.clone();
+        scene.complete(scene.mesh.bounds(), size);
+        let topology = surveyed(&scene)?;
+        Ok(Self {
+            name,
+            printed: None,
+            scene,
+            topology,
+            stand_in: None,
+            is_own: true,
+            is_uniform: false,
+        })
+    }
+}
+
+/// The surfaces of a scene.
+fn surveyed(scene: &Scene) -> Result<Arc<Topology>> {
+    let survey = reduce::survey(&scene.mesh, BuildConfig::default(), reduce::Seams::Find)?;
+    Ok(survey.topology)
 }
 
 impl Source {

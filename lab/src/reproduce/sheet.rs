@@ -9,7 +9,7 @@ pub struct Sheet<'a> {
     pub title: &'static str,
     pub paper: &'static str,
     /// The facts needed to read the tables, by name.
-    pub head: Vec<(&'static str, String)>,
+    pub head: Vec<(&'a str, String)>,
     /// The scope of the targets.
     pub scope: &'static str,
     pub verdicts: &'a [Verdict],

@@ -18,7 +18,7 @@ pub struct Verdict {
 /// One scene's figure.
 #[derive(Debug, Serialize)]
 pub struct Measured {
-    pub scene: &'static str,
+    pub scene: String,
     pub value: f64,
 }
 
@@ -39,7 +39,7 @@ pub fn verdicts(records: &[SceneRecord], is_gpu: bool) -> Vec<Verdict> {
     };
     let each = |of: &dyn Fn(&SceneRecord) -> f64| {
         let values = uniform().map(|record| Measured {
-            scene: record.name,
+            scene: record.name.clone(),
             value: of(record),
         });
         values
@@ -76,7 +76,7 @@ pub fn verdicts(records: &[SceneRecord], is_gpu: bool) -> Vec<Verdict> {
             let gains =
                 grouped.map(|row| default.ratio(Picture::total, &row.rounds, Picture::total));
             Some(Measured {
-                scene: record.name,
+                scene: record.name.clone(),
                 value: gains.fold(f64::NAN, f64::max),
             })
         });
@@ -179,7 +179,10 @@ mod tests {
         let measured = scenes
             .into_iter()
             .zip(values)
-            .map(|(scene, &value)| Measured { scene, value });
+            .map(|(scene, &value)| Measured {
+                scene: scene.into(),
+                value,
+            });
         Verdict {
             what: "x".into(),
             bound,

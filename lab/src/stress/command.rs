@@ -6,7 +6,8 @@ mod tables;
 mod tests;
 mod tracers;
 
-use super::{Effort, Row, cases, run as ask};
+use super::{Case, Effort, Row, cases, run as ask};
+use crate::own::{self, Own};
 use anyhow::{Context, Result, anyhow, bail};
 use clap::{Args, ValueEnum};
 use report::{Others, Report};
@@ -20,6 +21,8 @@ Examples:
   slimbvh-lab stress --quick
   slimbvh-lab stress --backend cpu,gpu --adapter llvmpipe
   slimbvh-lab stress --only slivers flat --json -
+  slimbvh-lab stress model.glb scan.ply
+  slimbvh-lab stress model.glb --built-in --quick
   slimbvh-lab stress --with peers.json
 
 Exit codes: 0 slimbvh passed, 1 slimbvh missed a hit, reported a false or wrong one, or moved a vertex too far, 2 bad
@@ -28,6 +31,14 @@ input.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct StressArguments {
+    /// Meshes of one's own, in any format that slimbvh reads, in place of the built-in families
+    #[arg(value_name = "FILE")]
+    files: Vec<PathBuf>,
+
+    /// The built-in families beside the files
+    #[arg(long)]
+    built_in: bool,
+
     /// Smaller scenes, fewer rays and fewer codecs: half a minute on two cores
     #[arg(long)]
     quick: bool,
@@ -40,7 +51,7 @@ pub struct StressArguments {
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 
-    /// Only families whose name contains FAMILY
+    /// Only families whose name contains FAMILY; with files, these beside them
     #[arg(long, value_name = "FAMILY", num_args = 1..)]
     only: Vec<String>,
 
@@ -89,8 +100,15 @@ pub fn run(arguments: &StressArguments) -> Result<ExitCode> {
 
 /// Traces every case with every tracer.
 fn measure(arguments: &StressArguments) -> Result<Vec<Row>> {
-    let mut cases = cases(arguments.effort());
-    cases.retain(|case| arguments.wants(case.family));
+    // Read all files before the first measurement and before any adapter is opened, so that a bad one is reported at once.
+    let own = arguments.files.iter().map(|path| {
+        let Own { name, scene } = Own::load(path)?;
+        Ok(Case::own(name, scene.mesh, arguments.effort())?)
+    });
+    let mut all = own.collect::<Result<Vec<Case>>>()?;
+    let built_in = cases(arguments.effort()).into_iter();
+    all.extend(built_in.filter(|case| arguments.wants(&case.family)));
+    let cases = all;
     if cases.is_empty() {
         bail!(
             "there is no family whose name contains {:?}",
@@ -120,12 +138,36 @@ impl StressArguments {
 
     fn wants(&self, family: &str) -> bool {
         let is_in = |part: &String| family.contains(part.as_str());
-        self.only.is_empty() || self.only.iter().any(is_in)
+        match self.only.is_empty() {
+            true => self.files.is_empty() || self.built_in,
+            false => self.only.iter().any(is_in),
+        }
     }
 
-    /// The command that reproduces the report, without the names of files.
+    /// What is traced, for the head of the report.
+    fn scenes(&self) -> String {
+        let names: Vec<String> = self.files.iter().map(|path| own::name(path)).collect();
+        let families = match (self.only.is_empty(), self.files.is_empty() || self.built_in) {
+            (false, _) => format!(
+                "built-in families with {} in their names",
+                quoted(&self.only)
+            ),
+            (true, true) => "all built-in families".to_owned(),
+            (true, false) => return format!("meshes of one's own only: {}", names.join(", ")),
+        };
+        match names.is_empty() {
+            true => families,
+            false => format!("meshes of one's own ({}), and {families}", names.join(", ")),
+        }
+    }
+
+    /// The command that reproduces the report, without the folders of meshes and the names of other files.
     fn command(&self) -> String {
         let mut words = vec!["slimbvh-lab stress".to_owned()];
+        words.extend(self.files.iter().map(|path| own::name(path)));
+        if self.built_in {
+            words.push("--built-in".into());
+        }
         if self.quick {
             words.push("--quick".into());
         }
@@ -144,4 +186,10 @@ impl StressArguments {
         words.extend(self.threads.words());
         words.join(" ")
     }
+}
+
+/// Words in quotes, separated by commas.
+fn quoted(words: &[String]) -> String {
+    let words: Vec<String> = words.iter().map(|word| format!("{word:?}")).collect();
+    words.join(", ")
 }

@@ -5,12 +5,13 @@ use super::shapes::{coplanar, equal_centres, extremes, flattened, spindle, stadi
 use glam::Vec3;
 use slimbvh::generate::{icosphere, slivers, soup, sphere_flake};
 use slimbvh::{CodeBits, Mesh};
+use std::borrow::Cow;
 
 /// A scene of one family at one magnitude.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// The kind of scene.
-    pub family: &'static str,
+    /// The kind of scene, or the name of a file.
+    pub family: Cow<'static, str>,
     /// How large or how extreme the scene is.
     pub magnitude: String,
     /// The scene.
@@ -31,7 +32,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |family, mut each: Vec<Case>| {
         for case in &mut each {
-            case.family = family;
+            case.family = Cow::Borrowed(family);
         }
         cases.append(&mut each);
     };
@@ -74,7 +75,7 @@ pub fn cases(effort: Effort) -> Vec<Case> {
 /// A scene without an inside.
 fn open(magnitude: impl Into<String>, mesh: Mesh, effort: Effort) -> Case {
     Case {
-        family: "",
+        family: Cow::Borrowed(""),
         magnitude: magnitude.into(),
         mesh,
         code_bits: CodeBits::Bits30,

@@ -8,6 +8,7 @@
 mod bound;
 mod command;
 mod families;
+mod files;
 mod judge;
 mod moves;
 mod rays;

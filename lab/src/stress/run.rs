@@ -94,7 +94,7 @@ impl Known {
 fn new_row(tracer: &dyn Tracer, case: &Case, tree: &Tree, outcome: &Outcome) -> Row {
     Row {
         tracer: tracer.name().into(),
-        family: case.family.into(),
+        family: case.family.clone().into_owned(),
         magnitude: case.magnitude.clone(),
         backend: tracer.backend().into(),
         codec: tree.codec.clone(),

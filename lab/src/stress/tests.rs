@@ -18,7 +18,7 @@ struct Known {
 
 fn case(mesh: Mesh, inside: Option<[f32; 3]>) -> Case {
     Case {
-        family: "test",
+        family: "test".into(),
         magnitude: "1".into(),
         mesh,
         code_bits: CodeBits::Bits30,

@@ -1,7 +1,7 @@
-//! For any bytes behind the header of a saved hierarchy, with a corrected checksum, a file that is read is sound, is written
-//! again byte for byte, and can be traced and refitted.
+//! For any bytes behind the header of a saved hierarchy, with its scene or alone, with a corrected checksum, a file that is read is
+//! sound, is written again byte for byte, and can be traced and refitted.
 
-use slimbvh::scene::slim::{Saved, read, write};
+use slimbvh::scene::slim::{Saved, read, read_hierarchy, write, write_hierarchy};
 use slimbvh::{BuildConfig, Builder, LatticeBits, MeshCodec, NodeCodec, WideStore};
 use slimbvh_core::Ray;
 
@@ -18,6 +18,7 @@ pub fn saved_file(data: &[u8]) {
         assert_writes(&saved, data);
     }
     let bytes = repaired(data);
+    hierarchy_alone(&bytes);
     let Ok(saved) = read(&bytes) else { return };
     assert_writes(&saved, &bytes);
     let mesh = &saved.scene.mesh;
@@ -43,6 +44,26 @@ pub fn saved_file(data: &[u8]) {
             let refitted = Builder::new(config).refit(mesh, &mut bvh);
             assert!(refitted.is_ok(), "it was built over this mesh");
             assert_eq!(bvh.validate_over(mesh), Ok(()));
+        }
+    }
+}
+
+/// The same without a mesh, if the file holds a hierarchy alone.
+fn hierarchy_alone(bytes: &[u8]) {
+    let Ok(bvh) = read_hierarchy(bytes) else {
+        return;
+    };
+    let mut written = Vec::new();
+    let outcome = write_hierarchy(&bvh, &mut written);
+    assert!(outcome.is_ok() && written == bytes);
+    assert_eq!(bvh.decoded().validate(), Ok(()));
+    let count = bvh.mesh_triangle_count();
+    for direction in [[1.0, 0.5, 0.25], [-1.0, 2.0, 0.0], [0.0, 0.0, -1.0]] {
+        for eye in [[0.0; 3], [3.0, -2.0, 1.0]] {
+            let ray = Ray::new(eye, direction);
+            let hit = bvh.closest_hit(ray);
+            assert_eq!(bvh.any_hit(ray), hit.is_hit());
+            assert!(!hit.is_hit() || (hit.primitive as usize) < count);
         }
     }
 }

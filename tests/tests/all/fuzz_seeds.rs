@@ -47,6 +47,21 @@ fn every_fuzz_target_is_replayed() {
     }
 }
 
+/// No seed of a hierarchy alone is refused.
+#[test]
+fn the_seeds_of_hierarchies_alone_are_read() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus/saved_file");
+    for codec in ["alone", "alone-w4-48"] {
+        let seed = std::fs::read(folder.join(codec)).expect("a seed");
+        let read = slimbvh::scene::slim::read_hierarchy(&seed);
+        let count = read.map(|bvh| bvh.node_count());
+        assert!(
+            count.as_ref().is_ok_and(|&count| count > 1),
+            "{codec}: {count:?}"
+        );
+    }
+}
+
 /// No seed of a saved file is refused, as such a seed would test nothing.
 #[test]
 fn the_seeds_of_saved_hierarchies_are_read() {

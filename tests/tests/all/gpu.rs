@@ -24,6 +24,7 @@ mod scans;
 mod shading;
 mod slow_shapes;
 mod sorts;
+mod source_hash;
 mod textures;
 mod trace;
 mod uploads;

@@ -2,7 +2,7 @@
 
 use crate::wide::wide_codecs;
 use proptest::prelude::*;
-use slimbvh::scene::slim::{read, write};
+use slimbvh::scene::slim::{FileError, read, read_hierarchy, write, write_hierarchy};
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, Mesh, MeshCodec, NodeCodec, Scene, Subset};
 use slimbvh_core::classify::{Sides, VisibleSet};
 use slimbvh_core::frustum::Frustum;
@@ -29,6 +29,15 @@ fn codecs(step_exponent: i32) -> Vec<(NodeCodec, MeshCodec)> {
 fn saved(scene: &Scene, bvh: &Bvh) -> Vec<u8> {
     let mut bytes = Vec::new();
     match write(scene, bvh, None, &mut bytes) {
+        Ok(length) => assert_eq!(length, bytes.len() as u64),
+        Err(error) => panic!("{error}"),
+    }
+    bytes
+}
+
+fn saved_alone(bvh: &Bvh) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    match write_hierarchy(bvh, &mut bytes) {
         Ok(length) => assert_eq!(length, bytes.len() as u64),
         Err(error) => panic!("{error}"),
     }
@@ -74,6 +83,47 @@ proptest! {
                 prop_assert!(Builder::new(config).refit(&snapped, &mut back.bvh).is_ok());
                 prop_assert_eq!(back.bvh.validate_over(&snapped), Ok(()));
                 prop_assert!(saved(&scene, &back.bvh) == saved(&scene, &bvh));
+            }
+        }
+    }
+
+    /// A hierarchy alone comes back byte for byte, whole or reduced, and answers as the one that was written.
+    #[test]
+    fn a_hierarchy_alone_comes_back_in_every_codec(
+        mesh in any_mesh(),
+        recipes in some_rays(6),
+        eye in proptest::array::uniform3(-9f32..9.0),
+    ) {
+        let step_exponent = mesh.finest_step();
+        let mut snapped = mesh.clone();
+        snapped.snap(step_exponent);
+        let components = vec![0; mesh.indices.len()];
+        let visible = VisibleSet {
+            sides: Sides { components: &components, sides: &[1] },
+            target: Target::position(eye),
+            frustum: Frustum::EVERYWHERE,
+        };
+        for (nodes, mesh) in codecs(step_exponent) {
+            let config = BuildConfig { nodes, mesh, ..BuildConfig::default() };
+            let mut reduced = Bvh::default();
+            prop_assert!(Builder::new(config).build_subset(&snapped, Subset::Of(visible), &mut reduced).is_ok());
+            for bvh in [build_as(&snapped, config), reduced] {
+                let bytes = saved_alone(&bvh);
+                let back = match read_hierarchy(&bytes) {
+                    Ok(back) => back,
+                    Err(error) => return Err(TestCaseError::fail(format!("{config:?} {error}"))),
+                };
+                prop_assert!(saved_alone(&back) == bytes);
+                prop_assert_eq!(back.validate_over(&snapped), Ok(()));
+                for recipe in &recipes {
+                    let ray = recipe.cook(&snapped);
+                    prop_assert_eq!(back.closest_hit(ray), bvh.closest_hit(ray));
+                }
+                if !snapped.indices.is_empty() {
+                    prop_assert_eq!(read(&bytes).err(), Some(FileError::NoScene));
+                    let whole = saved(&scene(&snapped), &bvh);
+                    prop_assert_eq!(read_hierarchy(&whole).err(), Some(FileError::HasScene));
+                }
             }
         }
     }

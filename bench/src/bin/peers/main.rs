@@ -67,7 +67,7 @@ fn measure(options: &Options) -> Result<Vec<Row>> {
     let mut peers = Peers::new(options)?;
     let mut rows = Vec::new();
     for (number, case) in cases(options.effort).iter().enumerate() {
-        if !options.wants_family(case.family) {
+        if !options.wants_family(&case.family) {
             continue;
         }
         eprintln!("{}, {}", case.family, case.magnitude);

@@ -81,7 +81,7 @@ impl Options {
         }
         let cases = cases(Effort::Quick);
         ensure!(
-            cases.iter().any(|case| options.wants_family(case.family)),
+            cases.iter().any(|case| options.wants_family(&case.family)),
             "there is no family with {:?} in its name",
             options.family
         );

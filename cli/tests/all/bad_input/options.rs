@@ -35,6 +35,22 @@ fn pictures_of_impossible_size() {
     }
 }
 
+/// A file in place of a command: the message names the command that renders it. Another word has no such tip.
+#[test]
+fn files_in_place_of_commands() {
+    let folder = folder();
+    folder.write("bare", "");
+    for name in ["sound.obj", "gone.glb", "bare"] {
+        let tip = format!("tip: to render this file: slimbvh render {name}");
+        refuses_usage(&folder, &[name], &["unrecognized subcommand", &tip]);
+    }
+    let other = refusal(&folder, &["rende"]);
+    assert!(
+        other.contains("'render'") && !other.contains("this file"),
+        "{other}"
+    );
+}
+
 /// Sizes that parse as numbers but exceed any memory.
 #[test]
 fn pictures_of_absurd_size() {

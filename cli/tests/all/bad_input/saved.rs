@@ -40,6 +40,27 @@ fn damaged_files() {
     refuses_scene(&folder, &["bad.slim"], &["is not a slim file"]);
 }
 
+/// A hierarchy alone has no scene to describe or render.
+#[test]
+fn hierarchies_without_their_scene() {
+    let folder = folder();
+    let mesh = slimbvh::generate::terrain(1.0, 4, 1);
+    let bvh = slimbvh::Builder::default().build(&mesh).unwrap();
+    let mut bytes = Vec::new();
+    slimbvh::scene::slim::write_hierarchy(&bvh, &mut bytes).unwrap();
+    folder.write("alone.slim", bytes);
+    refuses_scene(
+        &folder,
+        &["alone.slim"],
+        &[
+            "\"alone.slim\"",
+            "holds a hierarchy without its scene",
+            "slim::read_hierarchy",
+            "slimbvh build",
+        ],
+    );
+}
+
 #[test]
 fn foreign_files() {
     let (folder, sound) = saved();

@@ -1,7 +1,8 @@
 //! Scene files that are missing, truncated, inconsistent or random.
 
-use super::{folder, refuses_scene};
+use super::{folder, refuses, refuses_scene};
 use crate::files::{TwoTriangles, gltf_json, noise, ply_header};
+use crate::refusal::refusal;
 
 const EXTENSIONS: [&str; 7] = ["gltf", "glb", "obj", "ply", "stl", "off", "slim"];
 
@@ -17,6 +18,31 @@ fn no_such_file() {
         &["sound.obj/inner.obj"],
         &["\"sound.obj/inner.obj\""],
     );
+}
+
+/// The file is looked for before a GPU is: the sentence is about what is missing first.
+#[test]
+fn a_missing_file_is_told_before_a_missing_gpu() {
+    let folder = folder();
+    let gpu = ["--backend", "gpu", "--adapter", "no such adapter"];
+    for command in [
+        &["render", "-o", "new.png"][..],
+        &["animate", "--frames", "2"],
+    ] {
+        for name in ["gone.obj", "gone.slim"] {
+            if command[0] == "animate" && name == "gone.slim" {
+                continue;
+            }
+            refuses(
+                &folder,
+                &[command, &[name], &gpu].concat(),
+                &[&format!("\"{name}\"")],
+            );
+        }
+        // With the file it is about the GPU.
+        let sentence = refusal(&folder, &[command, &["sound.obj"], &gpu].concat());
+        assert!(!sentence.contains("sound.obj"), "{sentence}");
+    }
 }
 
 #[test]

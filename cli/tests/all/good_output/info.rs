@@ -75,6 +75,30 @@ fn info_tells_solids_from_shells() {
     );
 }
 
+/// Numbers of extents have as many digits as floats, and the sizes no more than the corners.
+#[test]
+fn extents_have_the_digits_of_floats() {
+    let folder = Folder::new();
+    folder.write(
+        "small.obj",
+        "v 0 0 0\nv 0.06539202 0 0\nv 0 0.1 0.3\nf 1 2 3\n",
+    );
+    let text = folder.succeed(["info", "small.obj"]);
+    let extent = text.lines().find(|line| line.starts_with("extent"));
+    assert_eq!(
+        extent,
+        Some("extent      0.06539202 x 0.1 x 0.3 from (0, 0, 0) to (0.06539202, 0.1, 0.3)")
+    );
+    // Sizes that no float holds are told as well.
+    folder.write("large.obj", "v -3e38 0 0\nv 3e38 0 0\nv 0 1 0\nf 1 2 3\n");
+    let text = folder.succeed(["info", "large.obj"]);
+    let extent = text.lines().find(|line| line.starts_with("extent"));
+    assert!(
+        extent.is_some_and(|line| line.contains(" 6") && !line.contains("inf")),
+        "{text}"
+    );
+}
+
 /// Reverses the winding of a face in an OBJ line.
 fn flip(line: &str) -> String {
     match line.split_whitespace().collect::<Vec<_>>()[..] {

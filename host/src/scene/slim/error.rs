@@ -143,6 +143,14 @@ pub enum FileError {
         /// Bits of a plane.
         bits: u32,
     },
+    /// The file holds a hierarchy alone, and the call wants its scene, too.
+    #[error(
+        "it holds a hierarchy without its scene: read it with `slim::read_hierarchy`, or save both by `slimbvh build` or `slim::write`"
+    )]
+    NoScene,
+    /// The file holds a scene, and the call wants a hierarchy alone.
+    #[error("it holds a hierarchy with its scene: read both with `slim::read`")]
+    HasScene,
     /// Names do not fill their section, or are not UTF-8.
     #[error("the name of part {part} is not UTF-8, or its length is wrong")]
     Name {

@@ -25,10 +25,12 @@ use bytemuck::Pod;
 /// # Errors
 /// The first fault found. Every change of a single byte, or of a run of up to four, is found.
 pub fn read(bytes: &[u8]) -> Result<Saved, FileError> {
-    let header = header(bytes)?;
-    let file = Sections::of(bytes, &header)?;
+    let file = Sections::read(bytes)?;
     let (scene, framing) = scene(&file)?;
     let bvh = hierarchy(&file)?;
+    if file.are_without_scene() && bvh.mesh_triangle_count() > 0 {
+        return Err(FileError::NoScene);
+    }
     check(&scene, &bvh, framing)?;
     Ok(Saved {
         scene,
@@ -80,12 +82,23 @@ fn header(bytes: &[u8]) -> Result<Header, FileError> {
 }
 
 /// The positions of the sections.
-struct Sections<'a> {
+pub(super) struct Sections<'a> {
     bytes: [&'a [u8]; SECTION_COUNT],
     records: Vec<SectionRecord>,
 }
 
 impl<'a> Sections<'a> {
+    /// The sections of a file whose header and checksum are right.
+    pub fn read(bytes: &'a [u8]) -> Result<Self, FileError> {
+        Self::of(bytes, &header(bytes)?)
+    }
+
+    /// Whether the file is that of a hierarchy alone: no geometry, materials, cameras or lights, and no facts of a scene.
+    pub fn are_without_scene(&self) -> bool {
+        let (lists, rest) = self.bytes.split_at(Section::Scene as usize - 1);
+        lists.iter().all(|list| list.is_empty()) && rest[0].iter().all(|&byte| byte == 0)
+    }
+
     /// Checks that all sections are in order, each directly after the one before, with zeros in between.
     fn of(bytes: &'a [u8], header: &Header) -> Result<Self, FileError> {
         if header.section_count as usize != SECTION_COUNT {
@@ -208,7 +221,8 @@ fn zeros(bytes: &[u8], from: usize, to: usize) -> Result<(), FileError> {
     }
 }
 
-fn scene(file: &Sections) -> Result<(Scene, Option<Aabb>), FileError> {
+/// The scene, and the box for the default camera.
+pub(super) fn scene(file: &Sections) -> Result<(Scene, Option<Aabb>), FileError> {
     let record: SceneRecord = file.item(Section::Scene)?;
     let framing = (&record.framing).into();
     let scene = Scene {
@@ -266,7 +280,7 @@ fn parts(file: &Sections) -> Result<Vec<Part>, FileError> {
 }
 
 /// The hierarchy, unchecked except that its lists are whole.
-fn hierarchy(file: &Sections) -> Result<Bvh, FileError> {
+pub(super) fn hierarchy(file: &Sections) -> Result<Bvh, FileError> {
     let section = Section::Hierarchy;
     let record: HierarchyRecord = file.item(section)?;
     let fault = FileError::Record { section, item: 0 };

@@ -1,5 +1,7 @@
 //! Every changed file is rejected, or its content is sound.
 
+mod hierarchy;
+
 use super::layout::{CHECKSUM, Header, Section, checksum};
 use super::*;
 use crate::generate::icosphere;

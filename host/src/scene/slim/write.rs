@@ -25,9 +25,19 @@ pub fn write(
     scene: &Scene,
     bvh: &Bvh,
     framing: Option<Aabb>,
-    mut to: impl Write,
+    to: impl Write,
 ) -> Result<u64, WriteError> {
     check(scene, bvh, framing)?;
+    write_checked(scene, bvh, framing, to)
+}
+
+/// [`write()`], of content that was checked.
+pub fn write_checked(
+    scene: &Scene,
+    bvh: &Bvh,
+    framing: Option<Aabb>,
+    mut to: impl Write,
+) -> Result<u64, WriteError> {
     let parts: Vec<PartRecord> = (scene.mesh.parts.iter())
         .map(|part| PartRecord {
             name_bytes: part.name.len() as u32,

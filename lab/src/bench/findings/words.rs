@@ -1,27 +1,39 @@
 //! Phrases of the findings.
 
 use super::super::measure::SetupRecord;
-use super::super::times::{Round, Times};
+use super::super::spread::{Ratios, WITHIN};
+use super::super::times::Times;
 use super::Verdict;
 
 /// A sentence with its verdict.
 pub type Sentence = (Verdict, String);
 
-/// Times that differ by less than this share count as equal, whatever the spread.
-pub const MIN_DIFFERENCE: f64 = 0.03;
-
 /// A sentence that compares a part of the time with the default's.
 pub fn time(own: &SetupRecord, of: fn(&Times) -> f64, what: &str, place: &str) -> Sentence {
-    let ratio = own.ratio(of);
-    let clear = match is_clear(own, of) {
-        true => "",
-        false => ", which is within the spread of these runs",
-    };
+    let ratios = own.ratios(of);
     let text = format!(
-        "{what} takes {ratio:.2} times the default's time on this {}{clear}.",
-        place.to_uppercase()
+        "{what} takes {:.2} times the default's time on this {}{}.",
+        ratios.median,
+        place.to_uppercase(),
+        within(&ratios)
     );
-    (win_if(ratio < 1.0 && clear.is_empty()), text)
+    (verdict(&ratios), text)
+}
+
+/// The verdict on a ratio of times: a win if it is clearly below 1.
+pub fn verdict(ratios: &Ratios) -> Verdict {
+    match ratios.is_clear() {
+        true => win_if(ratios.median < 1.0),
+        false => Verdict::Open,
+    }
+}
+
+/// What follows a ratio of times that is not clear.
+pub fn within(ratios: &Ratios) -> String {
+    match ratios.is_clear() {
+        true => String::new(),
+        false => format!(", {WITHIN}"),
+    }
 }
 
 /// `own / usual`, or 1 if `usual` is 0.
@@ -32,22 +44,6 @@ pub fn quotient(own: f64, usual: f64) -> f64 {
     }
 }
 
-/// Whether all rounds agree that a time is shorter than the default's, or that it is longer.
-pub fn is_clear(own: &SetupRecord, of: fn(&Times) -> f64) -> bool {
-    let ratio = |round: &Round| of(&round.own) / of(&round.usual);
-    let faster = own
-        .rounds
-        .0
-        .iter()
-        .all(|round| ratio(round) < 1.0 - MIN_DIFFERENCE);
-    let slower = own
-        .rounds
-        .0
-        .iter()
-        .all(|round| ratio(round) > 1.0 + MIN_DIFFERENCE);
-    faster || slower
-}
-
 pub fn win_if(wins: bool) -> Verdict {
     match wins {
         true => Verdict::Wins,
@@ -55,21 +51,13 @@ pub fn win_if(wins: bool) -> Verdict {
     }
 }
 
-/// A part of the time compared with the default's, in words.
-pub fn compared(own: &SetupRecord, of: fn(&Times) -> f64) -> String {
-    match is_clear(own, of) {
-        true => in_words(own.ratio(of)),
-        false => "in about the same time".into(),
-    }
-}
-
-/// A ratio of times in words.
-pub fn in_words(ratio: f64) -> String {
-    match ratio {
-        ratio if ratio < 1.0 - MIN_DIFFERENCE => format!("in {} of the time", percent(ratio)),
-        ratio if ratio > 1.0 + MIN_DIFFERENCE => format!("in {ratio:.2} times the time"),
-        _ => "in the same time".into(),
-    }
+/// A time compared with the default's, in words.
+pub fn compared(ratios: &Ratios) -> String {
+    let ratio = match ratios.median {
+        ratio if ratio < 1.0 => format!("in {} of the time", percent(ratio)),
+        ratio => format!("in {ratio:.2} times the time"),
+    };
+    ratio + &within(ratios)
 }
 
 /// A share in whole percent.
@@ -92,9 +80,19 @@ mod tests {
 
     #[test]
     fn ratios_and_shares_in_words() {
-        assert_eq!(in_words(0.5), "in 50 % of the time");
-        assert_eq!(in_words(1.01), "in the same time");
-        assert_eq!(in_words(2.0), "in 2.00 times the time");
+        let words = |ratio: f64| compared(&Ratios::new([ratio; 3].into_iter()));
+        assert_eq!(words(0.5), "in 50 % of the time");
+        assert_eq!(words(2.0), "in 2.00 times the time");
+        assert_eq!(
+            words(1.01),
+            "in 1.01 times the time, which is within the spread of these runs"
+        );
+        let noisy = Ratios::new([0.5, 0.9, 1.5].into_iter());
+        assert_eq!(verdict(&noisy), Verdict::Open);
+        assert_eq!(
+            compared(&noisy),
+            "in 90 % of the time, which is within the spread of these runs"
+        );
         assert_eq!((percent(0.27), share(0.0)), ("27 %".into(), "0 %".into()));
         assert_eq!(
             (share(0.0123), share(1e-6)),

@@ -2,12 +2,13 @@
 
 mod bars;
 mod growth;
+mod labels;
 
 pub use bars::bars;
 pub use growth::{GROWING, growth};
 
 use super::super::measure::SetupRecord;
-use super::super::pareto::front;
+use super::super::pareto::{front, stays};
 use super::super::times::Times;
 use anyhow::Result;
 use plotters::prelude::*;
@@ -32,6 +33,8 @@ const fn part_color(part: usize) -> RGBColor {
 pub struct Axis {
     pub name: &'static str,
     pub of: fn(&SetupRecord) -> f64,
+    /// Where the value may lie within the spread of the runs; `None` if it is exact.
+    pub range: Option<fn(&SetupRecord) -> [f64; 2]>,
     pub scale: Scale,
 }
 
@@ -43,15 +46,27 @@ pub enum Scale {
     PowersAndZero,
 }
 
-/// The setups on the Pareto front of two axes, in the order of their numbers in the plot: along the first axis, from 1.
-pub fn numbered<'a>(records: &[&'a SetupRecord], axes: [Axis; 2]) -> Vec<&'a SetupRecord> {
+/// The setups on the Pareto front of two axes, in the order of their numbers in the plot: along the first axis, from 1. Each with
+/// whether it is there wherever within their spreads the values lie.
+pub fn numbered<'a>(records: &[&'a SetupRecord], axes: [Axis; 2]) -> Vec<(&'a SetupRecord, bool)> {
     let points: Vec<[f64; 2]> = records
         .iter()
         .map(|record| axes.map(|axis| (axis.of)(record)))
         .collect();
-    let on_front = records.iter().zip(front(&points)).filter(|(_, on)| *on);
-    let mut on_front: Vec<&SetupRecord> = on_front.map(|(record, _)| *record).collect();
-    on_front.sort_by(|a, b| {
+    let range = |axis: Axis, record: &SetupRecord| match axis.range {
+        Some(range) => range(record),
+        None => [(axis.of)(record); 2],
+    };
+    let ranges = records.iter();
+    let ranges: Vec<[[f64; 2]; 2]> = ranges
+        .map(|record| axes.map(|axis| range(axis, record)))
+        .collect();
+    let marks = front(&points).into_iter().zip(stays(&ranges));
+    let on_front = records.iter().zip(marks).filter(|(_, (on, _))| *on);
+    let mut on_front: Vec<(&SetupRecord, bool)> = on_front
+        .map(|(record, (_, stays))| (*record, stays))
+        .collect();
+    on_front.sort_by(|(a, _), (b, _)| {
         let keys = |record: &SetupRecord| axes.map(|axis| (axis.of)(record));
         let ([ax, ay], [bx, by]) = (keys(a), keys(b));
         ax.total_cmp(&bx).then(ay.total_cmp(&by))
@@ -96,7 +111,7 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
         chart.draw_series(dots)?;
         // The line is a staircase: the second value improves only at the next setup of the front.
         let mut steps: Vec<(f64, f64)> = Vec::new();
-        for record in &on_front {
+        for (record, _) in &on_front {
             let (x, y) = place(record);
             if let Some(&(_, before)) = steps.last() {
                 steps.push((x, before));
@@ -104,17 +119,24 @@ pub fn scatter(records: &[&SetupRecord], axes: [Axis; 2]) -> Result<String> {
             steps.push((x, y));
         }
         chart.draw_series([PathElement::new(steps, FRONT.stroke_width(2))])?;
-        let dots = on_front
-            .iter()
-            .map(|record| Circle::new(place(record), 5, FRONT.filled()));
+        // A ring where the place on the front is within the spread.
+        let dots = on_front.iter().map(|(record, is_clear)| {
+            let style = match is_clear {
+                true => FRONT.filled(),
+                false => FRONT.stroke_width(2),
+            };
+            Circle::new(place(record), 5, style)
+        });
         chart.draw_series(dots)?;
         let style = ("sans-serif", 16).into_font().color(&INK);
-        let style = style.pos(Pos::new(HPos::Left, VPos::Bottom));
-        let numbers = (1..).zip(&on_front).map(|(number, record)| {
-            let label = Text::new(number.to_string(), (5, -4), style.clone());
-            EmptyElement::at(place(record)) + label
-        });
-        chart.draw_series(numbers)?;
+        let style = style.pos(Pos::new(HPos::Left, VPos::Top));
+        let dots: Vec<[i32; 2]> = on_front
+            .iter()
+            .map(|(record, _)| <[i32; 2]>::from(chart.backend_coord(&place(record))))
+            .collect();
+        for (number, [x, y]) in (1..).zip(labels::places(&dots)) {
+            root.draw(&Text::new(number.to_string(), (x, y), style.clone()))?;
+        }
         root.present()?;
     }
     Ok(themed(&svg))

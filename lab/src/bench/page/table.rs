@@ -1,6 +1,7 @@
 //! The table of all measurements of a scene, one setup per row.
 
 use super::super::findings::share;
+use super::super::report::ms;
 use super::super::row::Row;
 use super::super::scaling::{COSTS, Exponent, Series};
 use super::escaped;
@@ -10,12 +11,12 @@ use std::fmt::Write;
 type Column = (&'static str, &'static str, fn(&Row) -> String);
 
 const COLUMNS: [Column; 26] = [
-    ("picture ms", "from the mesh to the picture, median", |r| {
-        format!("{:.2}", r.frame_ms)
+    ("picture ms", "from the mesh to the picture", |r| {
+        ms(r.frame_ms)
     }),
     (
         "±",
-        "from the fastest to the slowest, as a share of the median",
+        "spread of the ratio to the default, as a share of it; of the default, spread of its times",
         |r| share(r.frame_spread),
     ),
     (
@@ -24,31 +25,31 @@ const COLUMNS: [Column; 26] = [
         |r| format!("{:.2}", r.frame_ratio),
     ),
     ("plan", "milliseconds to plan the reduction", |r| {
-        ms(r.plan_ms)
+        part_ms(r.plan_ms)
     }),
     (
         "build",
         "milliseconds of all other stages of the build",
-        |r| ms(r.build_ms),
+        |r| part_ms(r.build_ms),
     ),
     (
         "encode",
         "milliseconds to encode nodes and triangles",
-        |r| ms(r.encode_ms),
+        |r| part_ms(r.encode_ms),
     ),
     ("primary", "milliseconds for rays from the eye", |r| {
-        ms(r.primary_ms)
+        part_ms(r.primary_ms)
     }),
     ("shadow", "milliseconds for rays to lights", |r| {
-        ms(r.shadow_ms)
+        part_ms(r.shadow_ms)
     }),
     (
         "reflection",
         "milliseconds for rays from mirrors and through glass",
-        |r| ms(r.reflection_ms),
+        |r| part_ms(r.reflection_ms),
     ),
     ("rest", "milliseconds for shading and pixels", |r| {
-        ms(r.rest_ms)
+        part_ms(r.rest_ms)
     }),
     ("trees", "number of trees", |r| r.trees.to_string()),
     ("node KiB", "of all trees", |r| kib(r.node_bytes)),
@@ -98,7 +99,7 @@ const COLUMNS: [Column; 26] = [
     ("SSIM", "1 for equal pictures", |r| format!("{:.5}", r.ssim)),
 ];
 
-/// The table in a scrolling box. A dot marks the Pareto front of time, bytes and error.
+/// The table in a scrolling box. A dot marks the Pareto front of time, bytes and error, a ring what may be there.
 pub fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     let mut html = String::from("<div class=\"table\"><table><thead><tr><th>setup</th>");
     // Writing to a string cannot fail.
@@ -112,7 +113,11 @@ pub fn table<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     }
     html += "</tr></thead><tbody>\n";
     for row in rows {
-        let class = if row.on_front { " class=\"front\"" } else { "" };
+        let class = match (row.on_front, row.front_is_clear) {
+            (true, true) => " class=\"front\"",
+            (true, false) => " class=\"maybe\"",
+            (false, _) => "",
+        };
         let _ = write!(html, "<tr{class}><th>{}</th>", escaped(&row.setup));
         for (_, _, of) in COLUMNS {
             let _ = write!(html, "<td>{}</td>", of(row));
@@ -144,10 +149,11 @@ pub fn exponents(all: &[Series]) -> String {
     html
 }
 
-fn ms(ms: f64) -> String {
-    match ms {
+/// A part of a time; 0 if there is none of it.
+fn part_ms(time: f64) -> String {
+    match time {
         0.0 => "0".into(),
-        ms => format!("{ms:.2}"),
+        time => ms(time),
     }
 }
 

@@ -23,10 +23,12 @@ use slimbvh_cli::backend::Chosen;
 /// The measurements of one scene.
 #[derive(Serialize)]
 pub struct SceneRecord {
-    pub name: &'static str,
+    pub name: String,
     #[serde(skip)]
     pub printed: Option<Printed>,
     pub stand_in: Option<String>,
+    /// Whether it is a mesh of the user's own.
+    pub is_own: bool,
     /// Whether this is the smallest scene, where a codec has little to gain.
     #[serde(skip)]
     pub is_smallest: bool,
@@ -139,6 +141,7 @@ pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result
         triangles: scene.mesh.indices.len(),
         diagonal: bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).length()),
         stand_in: subject.stand_in,
+        is_own: subject.is_own,
         is_smallest: subject.is_smallest,
         methods,
     })

@@ -7,7 +7,7 @@ use super::protocol::Protocol;
 use super::tables::tables;
 use super::targets::verdicts;
 use crate::measure::machine::describe;
-use crate::reproduce::options::Options;
+use crate::reproduce::options::{OWN, Options};
 use crate::reproduce::sheet::Sheet;
 use crate::reproduce::verdicts::Verdict;
 use serde::Serialize;
@@ -84,7 +84,7 @@ impl Report {
     }
 
     /// The facts needed to read the tables.
-    fn head(&self) -> Vec<(&'static str, String)> {
+    fn head(&self) -> Vec<(&str, String)> {
         let Protocol {
             size: [width, height],
             rounds,
@@ -149,14 +149,18 @@ impl Report {
                 .stand_in
                 .as_ref()
                 .map_or(String::new(), |text| format!("; {text}"));
-            let printed = scene.printed.map_or("not in the paper".into(), |printed| {
+            let unknown = match scene.is_own {
+                true => OWN,
+                false => "not in the paper",
+            };
+            let printed = scene.printed.map_or(unknown.into(), |printed| {
                 format!("printed: {}", printed.triangles)
             });
             let text = format!(
                 "{} ({printed}){stand_in}",
                 things(scene.triangles, "triangle")
             );
-            (scene.name, text)
+            (scene.name.as_str(), text)
         }));
         head.extend(self.left_out.iter().map(|left_out| {
             let LeftOut { scene, why } = left_out;

@@ -3,18 +3,22 @@
 use super::super::scenes::{DRAGON, DRAGON_TRIANGLES, Source, dented_ball};
 use super::SceneName;
 use super::printed::{self, Printed};
+use crate::own::Own;
 use anyhow::Result;
 use slimbvh::generate::{TorusKnot, smooth_normals, split_longest, torus_knot};
+use slimbvh::topology::Topology;
 use slimbvh::{Mesh, Scene};
 use std::path::Path;
 
 /// A scene that is ready for measurement.
 pub struct Subject {
-    pub name: &'static str,
+    pub name: String,
     pub printed: Option<Printed>,
     pub scene: Scene,
     /// The stand-in for a missing file, and why it is used.
     pub stand_in: Option<String>,
+    /// Whether it is a mesh of the user's own.
+    pub is_own: bool,
     /// Whether the surfaces are closed and seen from outside.
     pub is_closed: bool,
     /// Whether this is the smallest scene, whose rays open few nodes, so that a codec has little to gain.
@@ -55,13 +59,31 @@ impl Subject {
         };
         scene.complete(scene.mesh.bounds(), size);
         Ok(Self {
-            name: shown,
+            name: shown.into(),
             printed,
             scene,
             stand_in,
+            is_own: false,
             is_closed: name != SceneName::Shiny,
             is_smallest: name == SceneName::Shiny,
         })
+    }
+
+    /// A mesh of the user's own.
+    pub fn own(own: &Own, size: [u32; 2]) -> Self {
+        let Own { name, mut scene } = own.clone();
+        scene.complete(scene.mesh.bounds(), size);
+        let topology = Topology::new(&scene.mesh);
+        let facts = topology.facts();
+        Self {
+            name,
+            printed: None,
+            is_closed: !facts.is_empty() && facts.iter().all(|facts| facts.reducible),
+            scene,
+            stand_in: None,
+            is_own: true,
+            is_smallest: false,
+        }
     }
 }
 
@@ -86,7 +108,6 @@ fn dented_knot(segments: u32, sides: u32) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use slimbvh::topology::Topology;
 
     #[test]
     fn scenes_have_about_the_paper10_number_of_triangles() {

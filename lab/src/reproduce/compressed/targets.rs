@@ -160,10 +160,12 @@ pub fn verdicts(records: &[SceneRecord], place: TimedOn) -> Vec<Verdict> {
     let pairs = of_two.into_iter().chain(of_four);
     let pairs = pairs.flat_map(|(method, targets)| targets.into_iter().map(move |it| (method, it)));
     let verdicts = pairs.map(|(method, target)| {
-        let asked = |record: &&SceneRecord| target.is_for_smallest || !record.is_smallest;
+        let asked = |record: &&SceneRecord| {
+            !record.is_own && (target.is_for_smallest || !record.is_smallest)
+        };
         let measured = records.iter().filter(asked).filter_map(|record| {
             Some(Measured {
-                scene: record.name,
+                scene: record.name.clone(),
                 value: (target.of)(record.of(method)?, record.of(target.beside)?),
             })
         });

@@ -174,12 +174,12 @@ fn what_the_gpu_does_not_take_is_left_out_and_all_else_measured() {
     };
     let parse = |words: &[&str]| Line::parse_from(words).arguments.options;
     let named = parse(&["compressed", "--only", "bunny"]);
-    let refused = measure_all(&named, &chosen, &protocol);
+    let refused = measure_all(&named, &chosen, &protocol, &[]);
     let error = refused.map(|_| ()).unwrap_err();
     assert!(is_too_large(&error), "{error:#}");
 
     let all = parse(&["compressed", "--quick"]);
-    let (records, left_out) = measure_all(&all, &chosen, &protocol).unwrap();
+    let (records, left_out) = measure_all(&all, &chosen, &protocol, &[]).unwrap();
     let scenes: Vec<&str> = left_out.iter().map(|it| it.scene.as_str()).collect();
     assert_eq!((records.len(), scenes), (1, vec!["bunny", "dragon"]));
     assert!(left_out[0].why.contains("1048576"), "{}", left_out[0].why);

@@ -15,11 +15,12 @@ fn subject() -> Subject {
     };
     scene.complete(scene.mesh.bounds(), [64; 2]);
     Subject {
-        name: "knot",
+        name: "knot".into(),
         printed: None,
         topology: Topology::new(&scene.mesh).into(),
         scene,
         stand_in: None,
+        is_own: false,
         is_uniform: true,
     }
 }

@@ -16,6 +16,8 @@ pub struct Report {
     /// The command that reproduces the report.
     command: String,
     quick: bool,
+    /// Which scenes: the built-in families, or meshes of one's own.
+    scenes: String,
     machine: String,
     threads: usize,
     /// The bound that slimbvh is judged by, in ulps of the largest coordinate of origin and triangle.
@@ -46,6 +48,7 @@ impl Report {
         Self {
             command: arguments.command(),
             quick: arguments.quick,
+            scenes: arguments.scenes(),
             machine: format!("{}, {}", processor(), things(threads, "thread")),
             threads,
             bound_ulps: BOUND_ULPS,
@@ -97,6 +100,7 @@ impl Report {
         );
         let head = [
             ("command", format!("`{}`", self.command)),
+            ("scenes", self.scenes.clone()),
             ("machine", self.machine.clone()),
             ("judged by", bound),
             ("verdict", self.verdict()),

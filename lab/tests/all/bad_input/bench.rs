@@ -45,6 +45,37 @@ fn backends_and_threads() {
 }
 
 #[test]
+fn setups_cameras_sizes_and_rounds() {
+    let folder = folder();
+    let with = |more: &[&'static str]| [&QUICK[..], &["sound.obj"], more].concat();
+    refuses(
+        &folder,
+        &with(&["--only", "nodes,fast"]),
+        &["--only \"fast\" names no setup", "reduce, lights, nodes"],
+    );
+    refuses_usage(&folder, &with(&["--camera", "eye=1,2"]), &["--camera"]);
+    refuses(
+        &folder,
+        &with(&["--camera", "eye=0,0,0 target=0,0,0"]),
+        &["--camera in sound.obj"],
+    );
+    refuses_usage(&folder, &with(&["--size", "0x9"]), &["--size"]);
+    refuses_usage(&folder, &with(&["--rounds", "0"]), &["--rounds"]);
+}
+
+/// Files are looked for before an adapter is.
+#[test]
+fn a_missing_scene_is_told_before_a_missing_gpu() {
+    let folder = folder();
+    let gpu = ["--backend", "gpu", "--adapter", "no such adapter"];
+    refuses(
+        &folder,
+        &[&QUICK[..], &["gone.obj"], &gpu].concat(),
+        &["\"gone.obj\""],
+    );
+}
+
+#[test]
 fn reports_without_a_place() {
     let folder = folder();
     for (place, expected) in [

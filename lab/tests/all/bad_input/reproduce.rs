@@ -102,3 +102,21 @@ fn compressed_trees_without_a_place_or_scenes() {
     let broken = with(&["--scenes", "models", "--only", "bunny"]);
     refuses(&folder, &broken, &["bunny00.off"]);
 }
+
+/// Meshes are read before any work, and before an adapter is opened.
+#[test]
+fn meshes_that_cannot_be_read() {
+    let folder = folder();
+    for paper in ["reduced", "compressed"] {
+        let arguments = [
+            "reproduce",
+            paper,
+            "--backend",
+            "gpu",
+            "--adapter",
+            "no such",
+        ];
+        let arguments = [&arguments[..], &["--mesh", "gone.glb"]].concat();
+        refuses(&folder, &arguments, &["\"gone.glb\""]);
+    }
+}

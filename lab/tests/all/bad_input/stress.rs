@@ -39,3 +39,15 @@ fn reports_without_a_place() {
     let taken = ["stress", "--with", "kept.png", "--json", "kept.png"];
     refuses(&folder, &taken, &["kept.png", "another use"]);
 }
+
+/// Meshes are read before any work, and before an adapter is opened.
+#[test]
+fn meshes_that_cannot_be_read() {
+    let folder = folder();
+    folder.write("empty.obj", "");
+    let gpu = ["--backend", "gpu", "--adapter", "no such adapter"];
+    for (name, expected) in [("gone.glb", "\"gone.glb\""), ("empty.obj", "no triangles")] {
+        let arguments = [&["stress", "sound.obj", name][..], &gpu].concat();
+        refuses(&folder, &arguments, &[expected]);
+    }
+}

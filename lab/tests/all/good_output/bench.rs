@@ -47,7 +47,8 @@ fn a_page_a_table_and_json_of_a_tiny_scene() {
     let mut found = keys(&report);
     found.sort_unstable();
     let expected = [
-        "command", "commit", "findings", "machines", "protocol", "rows", "threads", "version",
+        "command", "commit", "equal", "findings", "machines", "protocol", "rows", "threads",
+        "version",
     ];
     assert_eq!(found, expected);
     let rows = report["rows"].as_array().unwrap();
@@ -69,6 +70,65 @@ fn a_page_a_table_and_json_of_a_tiny_scene() {
     let (size, pixels) = decode(&BASE64_STANDARD.decode(picture).unwrap());
     assert_eq!(size, [320, 180]);
     assert!(pixels.iter().any(|byte| *byte != pixels[0]));
+}
+
+/// The camera, the size, the rounds and the choice of setups of the command line count, and the report's command names them.
+#[test]
+fn one_s_own_camera_size_rounds_and_setups() {
+    let folder = Folder::new();
+    folder.write("two.obj", TwoTriangles::SOUND.obj());
+    let run = |camera: &str, out: &str| {
+        folder.succeed([
+            "bench",
+            "two.obj",
+            "--only",
+            "update,nodes q10",
+            "--camera",
+            camera,
+            "--size",
+            "64x36",
+            "--rounds",
+            "4",
+            "--threads",
+            "1",
+            "--out",
+            out,
+        ])
+    };
+    let text = run("eye=0,0,9 height=4", "near");
+    for part in [
+        "--only \"update,nodes q10\" --camera \"eye=0,0,9 height=4\" --size 64x36 --rounds 4",
+        "64×36 pixels",
+        "median over 4 pictures",
+    ] {
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
+    let report = |out: &str| {
+        let bytes = folder.read(format!("{out}/bench.json"));
+        parse(&String::from_utf8(bytes).unwrap())
+    };
+    let near = report("near");
+    let rows = near["rows"].as_array().unwrap();
+    for row in rows {
+        assert_eq!(number(row, "primary_rays"), f64::from(64 * 36));
+        assert_eq!(
+            row["commit"].as_str().map(str::is_empty),
+            Some(near["commit"].is_null())
+        );
+        assert!(!row["machine"].as_str().unwrap().is_empty());
+    }
+    let names: Vec<&str> = rows
+        .iter()
+        .filter_map(|row| row["setup"].as_str())
+        .collect();
+    assert_eq!(names[..2], ["default", "nodes q10"]);
+    assert_eq!(names.last(), Some(&"refit"));
+    assert!(!names.contains(&"63-bit codes"), "{names:?}");
+    // From farther away fewer rays hit, so that fewer are traced to lights.
+    run("eye=0,0,9 height=400", "far");
+    let shadow = |report: &serde_json::Value| number(&report["rows"][0], "shadow_rays");
+    assert!(shadow(&report("far")) < shadow(&near));
 }
 
 /// If `--scaling` is given and no scene is named, only growth is measured.

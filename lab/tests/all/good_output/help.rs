@@ -10,8 +10,10 @@ fn help_for_reduced_trees() {
     let expected = [
         "--adapter",
         "--backend",
+        "--built-in",
         "--help",
         "--json",
+        "--mesh",
         "--only",
         "--out",
         "--quick",
@@ -48,8 +50,10 @@ fn help_for_compressed_trees() {
     let expected = [
         "--adapter",
         "--backend",
+        "--built-in",
         "--help",
         "--json",
+        "--mesh",
         "--only",
         "--out",
         "--quick",
@@ -71,10 +75,14 @@ fn help_for_bench() {
     let expected = [
         "--adapter",
         "--backend",
+        "--camera",
         "--help",
+        "--only",
         "--out",
         "--quick",
+        "--rounds",
         "--scaling",
+        "--size",
         "--threads",
     ];
     assert_eq!(options_in(&bench), expected, "{bench}");

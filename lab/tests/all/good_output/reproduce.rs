@@ -1,6 +1,7 @@
 //! The tables of a paper, measured again.
 
 use super::{keys, number, parse};
+use crate::files::box_obj;
 use crate::process::Folder;
 use serde_json::Value;
 
@@ -327,4 +328,45 @@ fn check_scene(scene: &Value, name: &str) {
     }
     let rounds = methods[1]["rounds"].as_array();
     assert_eq!(rounds.map(Vec::len), Some(2));
+}
+
+/// Meshes of one's own take the place of the built-in scenes, or stand beside those that are named.
+#[test]
+fn meshes_of_one_s_own() {
+    let folder = Folder::new();
+    folder.write("box.obj", box_obj());
+    let with = |paper: &'static str, more: &[&'static str]| {
+        let begin = ["reproduce", paper, "--quick", "--backend", "cpu"];
+        let json = ["--json", "report.json", "--mesh", "box.obj"];
+        let text = folder.succeed([&begin[..], &json, more].concat());
+        assert!(!text.contains("NaN"), "{text}");
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            text.contains("given by --mesh: the paper has no figures of it"),
+            "{text}"
+        );
+        let report = parse(&String::from_utf8(folder.read("report.json")).unwrap());
+        let scenes = report["scenes"].as_array().unwrap().clone();
+        let names = scenes
+            .iter()
+            .map(|scene| scene["name"].as_str().unwrap().to_owned());
+        let names: Vec<String> = names.collect();
+        let own = &scenes[0];
+        assert_eq!(
+            (number(own, "triangles"), &own["is_own"]),
+            (12.0, &true.into())
+        );
+        // No target is for such a mesh.
+        for verdict in report["verdicts"].as_array().unwrap() {
+            let mut measured = verdict["measured"].as_array().unwrap().iter();
+            assert!(measured.all(|it| it["scene"] != "box.obj"), "{verdict}");
+        }
+        (names, report["command"].as_str().unwrap().to_owned())
+    };
+    let (names, command) = with("reduced", &[]);
+    assert_eq!(names, ["box.obj"]);
+    let expected = "slimbvh-lab reproduce reduced --quick --mesh box.obj --backend cpu";
+    assert_eq!(command, expected);
+    let (names, _) = with("compressed", &["--only", "shiny"]);
+    assert_eq!(names, ["box.obj", "shiny"]);
 }

@@ -1,6 +1,7 @@
 //! The report of `stress`.
 
 use super::{keys, parse};
+use crate::files::{TwoTriangles, box_obj};
 use crate::process::Folder;
 
 #[test]
@@ -75,4 +76,37 @@ fn rows_of_others_are_shown_beside_ours() {
     let outcome = folder.run(["stress", "--quick", "--only", "flat", "--with", "ours.json"]);
     assert_eq!(outcome.code, Some(1), "{outcome:?}");
     assert!(outcome.stdout.contains("56 at fault"), "{}", outcome.stdout);
+}
+
+/// Meshes of one's own take the place of the built-in families, or stand beside them, and the report says which.
+#[test]
+fn meshes_of_one_s_own() {
+    let folder = Folder::new();
+    folder.write("box.obj", box_obj());
+    folder.write("two.ply", TwoTriangles::SOUND.ply_text());
+    let stress = |more: &[&str]| {
+        let json = [&["stress", "--quick", "--json", "-"], more].concat();
+        let report = parse(&folder.succeed(json));
+        let rows = report["rows"].as_array().expect("there are rows");
+        let families = rows.iter().filter_map(|row| row["family"].as_str());
+        let mut families: Vec<String> = families.map(str::to_owned).collect();
+        families.dedup();
+        let scenes = report["scenes"].as_str().expect("it is a text");
+        (families, scenes.to_owned(), report["command"].clone())
+    };
+    let (families, scenes, command) = stress(&["box.obj", "two.ply"]);
+    assert_eq!(families, ["box.obj", "two.ply"]);
+    assert_eq!(scenes, "meshes of one's own only: box.obj, two.ply");
+    let expected = "slimbvh-lab stress box.obj two.ply --quick --backend cpu";
+    assert_eq!(command, expected);
+    let (families, scenes, _) = stress(&["box.obj", "--only", "soup"]);
+    assert_eq!(families, ["box.obj", "soup"]);
+    let expected =
+        "meshes of one's own (box.obj), and built-in families with \"soup\" in their names";
+    assert_eq!(scenes, expected);
+    let (families, scenes, _) = stress(&["--only", "soup"]);
+    assert_eq!(families, ["soup"]);
+    assert_eq!(scenes, "built-in families with \"soup\" in their names");
+    let text = folder.succeed(["stress", "box.obj", "--quick"]);
+    assert!(text.contains("meshes of one's own only: box.obj"), "{text}");
 }

@@ -11,7 +11,7 @@ use std::path::Path;
 
 /// The builder's source file, included here as the builder is not a library.
 #[path = "../../../../gpu-shaders/builder/src/source_hash.rs"]
-mod source_hash;
+pub mod source_hash;
 
 /// Kernels with one result for all items.
 const SINGLE_THREADS: [Kernel; 2] = [Kernel::view_depth_range, Kernel::view_heat_range];

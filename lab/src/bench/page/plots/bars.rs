@@ -1,24 +1,28 @@
 //! The parts of times as bars.
 
 use super::super::super::measure::SetupRecord;
-use super::{INK, WIDTH, part_color, themed};
+use super::super::super::report::ms;
+use super::{INK, part_color, themed};
 use anyhow::Result;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// One bar per setup, made of the parts of its time.
 pub fn bars(records: &[&SetupRecord]) -> Result<String> {
-    const NAMES: i32 = 178;
+    // Room for the longest name of a setup, and for a number behind the longest bar.
+    const NAMES: i32 = 216;
+    const NUMBER: i32 = 58;
     const ROW: i32 = 22;
+    const WIDTH: u32 = 440;
     let longest = records.iter().map(|record| record.frame());
     let longest = longest.fold(f64::MIN_POSITIVE, f64::max);
-    let room = f64::from(WIDTH as i32 - NAMES - 40);
+    let room = f64::from(WIDTH as i32 - NAMES - NUMBER);
     let length = |ms: f64| (ms / longest * room).round() as i32;
     let mut svg = String::new();
     {
         let height = (ROW * records.len() as i32 + 8) as u32;
         let root = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
-        let font = ("sans-serif", 14).into_font().color(&INK);
+        let font = ("sans-serif", 13).into_font().color(&INK);
         let right = font.pos(Pos::new(HPos::Right, VPos::Center));
         let left = font.pos(Pos::new(HPos::Left, VPos::Center));
         for (row, record) in (0..).zip(records) {
@@ -39,7 +43,8 @@ pub fn bars(records: &[&SetupRecord]) -> Result<String> {
                 }
             }
             let end = NAMES + length(sum) + 5;
-            root.draw(&Text::new(format!("{sum:.1}"), (end, middle), left.clone()))?;
+            // The number of the table.
+            root.draw(&Text::new(ms(record.frame()), (end, middle), left.clone()))?;
         }
         root.present()?;
     }

@@ -15,7 +15,7 @@ pub fn frames(records: &[SceneRecord], place: TimedOn) -> Table {
     let mut rows = Vec::new();
     for record in records {
         if let Some(printed) = &record.printed {
-            rows.extend(printed_times(record.name, printed));
+            rows.extend(printed_times(&record.name, printed));
         }
         for own in main_methods(record) {
             let rounds = &own.rounds;
@@ -68,7 +68,7 @@ pub fn frames(records: &[SceneRecord], place: TimedOn) -> Table {
     }
 }
 
-fn printed_times(name: &'static str, printed: &Printed) -> [Vec<String>; 3] {
+fn printed_times(name: &str, printed: &Printed) -> [Vec<String>; 3] {
     let [nodes, triangles] = printed.compression;
     let compression = [0.0, nodes, nodes + triangles];
     let frames = printed.frames();
