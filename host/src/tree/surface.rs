@@ -1,6 +1,5 @@
 //! The point that a ray hits.
 
-use super::codec::MeshCodec;
 use super::query::Query;
 use super::sources::{StoredNodes, StoredTriangles};
 use super::visitor::TreeVisitor;
