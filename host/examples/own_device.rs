@@ -65,8 +65,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         queue.write_buffer(&vertex_buffer, 0, cast_slice(&hills(phase)));
 
         // The application's encoder: its own passes may stand before and behind.
-        let mut encoder = device.create_command_encoder(&Default::default());
-        let mut frame = gpu.frame_in(&mut encoder);
+        let encoder = device.create_command_encoder(&Default::default());
+        let mut frame = gpu.frame_in(encoder);
         if step == 0 {
             builder.build(&mut frame, &mesh, &mut bvh)?;
         } else {
@@ -79,7 +79,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             hit_buffer.slice(..),
         )?;
         let hits = frame.read_later(hit_buffer.slice(..))?;
-        let recorded = frame.end()?;
+        let (encoder, recorded) = frame.end()?;
         let index = queue.submit([encoder.finish()]);
         let stages = recorded.submitted(&gpu, index).wait()?;
 

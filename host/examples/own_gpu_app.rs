@@ -4,7 +4,6 @@
 
 use slimbvh::generate::{TorusKnot, torus_knot};
 use slimbvh::gpu::{Frame, Gpu, IndexLayout, Mesh, VertexLayout, wgpu, wgsl_compute};
-use slimbvh::reduce::{Reduce, Seams};
 use slimbvh::{Change, FrameConfig, ViewSets, ViewTarget};
 use std::error::Error;
 use wgpu::util::DeviceExt;
@@ -95,27 +94,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mesh = Mesh::from_layout(&gpu, positions, indices)?;
     let targets = [
         ViewTarget::rays_from(EYE, 0.0)?,
-        ViewTarget::rays_to(LAMP, 0.0)?.from_hits(),
+        ViewTarget::rays_to(LAMP, 0.0)?,
     ];
-    let mut config = FrameConfig::for_frames(1000);
-    config.plan.switches.reduce = Reduce::On;
-    config.plan.switches.seams = Seams::None; // The knot never comes to cut itself.
+    // The knot never comes to cut itself.
+    let config = FrameConfig::for_frames(1000).promising_solids().reducing();
     let mut views = ViewSets::new(&gpu, config);
 
     let app = App::new(&gpu, own);
+    let [moving, looking, shading] = [
+        app.pass("move_vertices", &[0]),
+        app.pass("look", &[2]),
+        app.pass("shade", &[0, 1, 2, 3]),
+    ];
     for change in [Change::Scene, Change::Vertices, Change::Vertices] {
         let mut frame = gpu.frame();
-        app.run(&mut frame, "move_vertices", &[], &[0], vertices.len());
+        app.run(&mut frame, &moving, &[], vertices.len());
         views.update(&mut frame, &mesh, &targets, change)?;
         let trees = views.trees();
-        app.run(&mut frame, "look", &trees[0].bindings()?, &[2], pixels);
-        app.run(
-            &mut frame,
-            "shade",
-            &trees[1].bindings()?,
-            &[0, 1, 2, 3],
-            pixels,
-        );
+        app.run(&mut frame, &looking, &trees[0].bindings()?, pixels);
+        app.run(&mut frame, &shading, &trees[1].bindings()?, pixels);
         let shades = frame.read_later(app.buffers[3].slice(..))?;
         frame.submit()?;
         show(&shades.read(&gpu)?);
@@ -129,6 +126,12 @@ struct App {
     device: wgpu::Device,
     module: wgpu::ShaderModule,
     buffers: [wgpu::Buffer; 4],
+}
+
+/// A pipeline, with its bindings of some buffers.
+struct Pass {
+    pipeline: wgpu::ComputePipeline,
+    own: wgpu::BindGroup,
 }
 
 impl App {
@@ -146,15 +149,7 @@ impl App {
         }
     }
 
-    /// Records a thread for each item, with a tree's bindings and those of some buffers.
-    fn run(
-        &self,
-        frame: &mut Frame,
-        entry_point: &str,
-        tree: &[wgpu::BindGroupEntry],
-        own: &[u32],
-        count: usize,
-    ) {
+    fn pass(&self, entry_point: &str, buffers: &[u32]) -> Pass {
         let pipeline = self
             .device
             .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
@@ -165,26 +160,37 @@ impl App {
                 compilation_options: wgpu::PipelineCompilationOptions::default(),
                 cache: None,
             });
-        let own: Vec<wgpu::BindGroupEntry> = own
-            .iter()
-            .map(|&binding| wgpu::BindGroupEntry {
-                binding,
-                resource: self.buffers[binding as usize].as_entire_binding(),
-            })
-            .collect();
-        let groups = [(0, tree), (1, own.as_slice())].map(|(group, entries)| {
-            self.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(entry_point),
-                layout: &pipeline.get_bind_group_layout(group),
-                entries,
-            })
-        });
-        let mut pass = frame.encoder().begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        for (i, group) in (0..).zip(&groups) {
-            pass.set_bind_group(i, group, &[]);
-        }
-        pass.dispatch_workgroups(count.div_ceil(64) as u32, 1, 1);
+        let entry = |&binding: &u32| wgpu::BindGroupEntry {
+            binding,
+            resource: self.buffers[binding as usize].as_entire_binding(),
+        };
+        let entries: Vec<wgpu::BindGroupEntry> = buffers.iter().map(entry).collect();
+        let own = self.bind(&pipeline, 1, &entries);
+        Pass { pipeline, own }
+    }
+
+    fn bind(
+        &self,
+        pipeline: &wgpu::ComputePipeline,
+        group: u32,
+        entries: &[wgpu::BindGroupEntry],
+    ) -> wgpu::BindGroup {
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.get_bind_group_layout(group),
+            entries,
+        })
+    }
+
+    /// Records a thread for each item, with a tree's bindings.
+    fn run(&self, frame: &mut Frame, pass: &Pass, tree: &[wgpu::BindGroupEntry], count: usize) {
+        // A tree's buffers may be others in the next frame.
+        let tree = self.bind(&pass.pipeline, 0, tree);
+        let mut recorded = frame.encoder().begin_compute_pass(&Default::default());
+        recorded.set_pipeline(&pass.pipeline);
+        recorded.set_bind_group(0, &tree, &[]);
+        recorded.set_bind_group(1, &pass.own, &[]);
+        recorded.dispatch_workgroups(count.div_ceil(64) as u32, 1, 1);
     }
 }
 

@@ -2,7 +2,6 @@
 //! `cargo run --release --example render -- PICTURE.png [FILE]`
 
 use slimbvh::gpu::{AdapterChoice, Gpu};
-use slimbvh::reduce::Reduce;
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{
     Backend, Change, Cpu, FrameConfig, Frames, Output, Picture, Processor, RenderSettings, Scene,
@@ -47,9 +46,10 @@ fn render<B: Backend>(
         ..RenderSettings::default()
     };
     scene.complete(scene.mesh.bounds(), settings.size);
-    let mut config = FrameConfig::default();
-    config.build = scene.compress(Tolerance::Pixels(0.5), &settings, processor);
-    config.plan.switches.reduce = Reduce::On;
+    let config = FrameConfig {
+        build: scene.compress(Tolerance::Pixels(0.5), &settings, processor),
+        ..FrameConfig::default().reducing()
+    };
     let (mut frames, mut picture) = (Frames::new(backend, config), Picture::default());
     let report = frames.render(scene, &settings, Change::Scene, Output::new(&mut picture))?;
     println!("{}\nbuild: {}", frames.views().explain(), report.build);

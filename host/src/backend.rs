@@ -296,10 +296,10 @@ pub trait Backend: Copy + Debug {
     /// If the device was lost or refuses a command.
     fn submit(self, recording: Self::Recording) -> Result<Stages, Self::Error>;
 
-    /// The number of triangles.
-    fn triangle_count(geometry: Self::Geometry<'_>) -> usize;
+    /// The numbers of triangles and of vertices.
+    fn counts(geometry: Self::Geometry<'_>) -> [usize; 2];
 
-    /// Whether this geometry, or one like it, was loaded last.
+    /// Whether this geometry was loaded last, as far as the backend can tell beside its counts.
     fn is_held(held: &Self::Held, geometry: Self::Geometry<'_>) -> bool;
 
     /// The mesh on the host, for a survey of its surfaces. Waits for a GPU if it is there alone.
@@ -374,6 +374,9 @@ pub trait Backend: Copy + Debug {
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
 
+    /// Whether the builder can refit this whole tree: it may need what it keeps of its latest build alone.
+    fn can_refit(builder: &Self::Builder, bvh: &Self::Bvh) -> bool;
+
     /// Builds a tree over sorted triangles: those of a set, or all.
     ///
     /// # Errors
@@ -436,6 +439,9 @@ pub trait Backend: Copy + Debug {
 
     /// Whether the backend finds the sides itself, because only it holds the present vertices.
     fn decides(held: &Self::Held) -> bool;
+
+    /// Whether the backend [decides](Self::decides) but has not measured yet.
+    fn must_measure(held: &Self::Held) -> bool;
 
     /// Measures the components at the present vertices, if the backend [decides](Self::decides). The mesh must be sorted.
     ///

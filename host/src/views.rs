@@ -26,7 +26,7 @@ use std::time::Duration;
 /// let (camera, size, lamp) = (Camera::facing(&bounds, 16.0 / 9.0), [1280, 720], [3.0, 9.0, 6.0]);
 /// let targets = [
 ///     ViewTarget::camera(&camera, size)?,
-///     ViewTarget::rays_to(lamp, 0.0)?.from_hits().named("lamp"),
+///     ViewTarget::rays_to(lamp, 0.0)?.named("lamp"),
 /// ];
 ///
 /// let mut views = ViewSets::new(Cpu, FrameConfig::for_frames(1000));
@@ -53,6 +53,8 @@ pub struct ViewSets<B: Backend> {
     plan: Option<Plan>,
     /// The mesh as it was surveyed, if the caller has it on a GPU alone.
     surveyed: Option<Mesh>,
+    /// The numbers of triangles and vertices of the geometry; `None` if the next one counts as another.
+    counts: Option<[usize; 2]>,
     /// The time of the latest plan.
     planning: Duration,
     sah_cost: Option<f64>,
@@ -72,6 +74,7 @@ impl<B: Backend> ViewSets<B> {
             hierarchies: Hierarchies::default(),
             plan: None,
             surveyed: None,
+            counts: None,
             planning: Duration::ZERO,
             sah_cost: None,
         }
@@ -96,8 +99,7 @@ impl<B: Backend> ViewSets<B> {
     /// The change that the trees must follow: the first geometry, and one with other counts, is another one whatever the
     /// caller says.
     pub(crate) fn seen(&self, geometry: B::Geometry<'_>, change: Change) -> Change {
-        if B::is_held(&self.held, geometry) && self.hierarchies.is_over(B::triangle_count(geometry))
-        {
+        if B::is_held(&self.held, geometry) && self.counts == Some(B::counts(geometry)) {
             change
         } else {
             Change::Scene
@@ -114,7 +116,20 @@ impl<B: Backend> ViewSets<B> {
     ) -> Result<Plan, B::Error> {
         // The survey is the planner's alone, so that it can follow in place.
         self.plan = None;
-        let count = B::triangle_count(geometry);
+        let planned = self.try_plan(geometry, views, change);
+        if planned.is_err() {
+            self.forget();
+        }
+        planned
+    }
+
+    fn try_plan(
+        &mut self,
+        geometry: B::Geometry<'_>,
+        views: &Views,
+        change: Change,
+    ) -> Result<Plan, B::Error> {
+        let [count, _] = B::counts(geometry);
         match change {
             Change::Scene => {
                 self.planner.forget();
@@ -136,10 +151,14 @@ impl<B: Backend> ViewSets<B> {
         let plan = match (&self.surveyed, self.planner.surveyed()) {
             (_, None) => self.planner.plain(count, views),
             (Some(mesh), Some(_)) => self.planner.plan(mesh, views),
-            (None, Some(_)) => {
-                let mesh = self.backend.on_host(geometry)?;
-                self.planner.plan(&mesh, views)
-            }
+            (None, Some(_)) => match self.backend.on_host(geometry)? {
+                Cow::Borrowed(mesh) => self.planner.plan(mesh, views),
+                Cow::Owned(mesh) => {
+                    let plan = self.planner.plan(&mesh, views);
+                    self.surveyed = Some(mesh);
+                    plan
+                }
+            },
         };
         self.planning = if plan.is_plain() {
             Duration::ZERO
@@ -157,10 +176,12 @@ impl<B: Backend> ViewSets<B> {
         plan: &Plan,
         change: Change,
     ) -> Result<Action, B::Error> {
-        let action = self.next_action(change);
+        let action = self.next_action(self.seen(geometry, change));
+        self.counts = None;
         let updated = self.try_record(recording, geometry, plan, (change, action));
-        if updated.is_err() {
-            self.forget();
+        match updated {
+            Ok(()) => self.counts = Some(B::counts(geometry)),
+            Err(_) => self.forget(),
         }
         updated.map(|()| action)
     }
@@ -207,13 +228,15 @@ impl<B: Backend> ViewSets<B> {
     /// How the trees are to be updated now.
     fn next_action(&mut self, change: Change) -> Action {
         if change == Change::Scene {
-            self.forget();
+            self.upkeep = Upkeep::new(self.config.update);
         }
         self.upkeep.next(change != Change::View)
     }
 
-    /// Makes the next update build all trees: recorded passes did not run.
+    /// Makes the next update take the geometry for another one and build all trees: for a frame that was recorded but is not
+    /// submitted.
     pub fn forget(&mut self) {
+        self.counts = None;
         self.upkeep = Upkeep::new(self.config.update);
     }
 
@@ -356,8 +379,9 @@ impl<'g> ViewSets<&'g Gpu> {
         self.record(frame, geometry.into(), &targets.into(), change)
     }
 
-    /// Copies the decisions that the GPU made in this frame, to be read when the frame is done: which components face
-    /// outward, and which sets are L−. `None` while the host knows them: until vertices move.
+    /// Copies the decisions that the GPU made for the latest update, to be read when the frame is done: which components are
+    /// closed, and which of their sides face outward for each target. `None` where the host made them: for a mesh on the host
+    /// whose vertices did not move.
     ///
     /// # Errors
     /// If memory is exhausted.

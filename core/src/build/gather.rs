@@ -49,7 +49,7 @@ mod tests {
         let words = [9, 10, 11, 12, 13, 20, 21, 22, 23];
         assert_eq!(position(0, 1, 5, &words), [10, 11, 12]);
         assert_eq!(position(1, 1, 5, &words), [21, 22, 23]);
-        assert_eq!(position(2, 1, 4, &words), [23, 0, 0]);
+        assert_eq!(position(2, 0, 4, &words), [23, 0, 0]);
         assert_eq!(position(u32::MAX, u32::MAX, u32::MAX, &words), [9, 10, 11]);
         assert_eq!(corners(1, 2, 32, &words), [20, 21, 22]);
         assert_eq!(corners(2, 1, 32, &words), [22, 23, u32::MAX]);

@@ -82,8 +82,8 @@ impl Backend for Cpu {
         Ok(stages)
     }
 
-    fn triangle_count(mesh: &Mesh) -> usize {
-        mesh.indices.len()
+    fn counts(mesh: &Mesh) -> [usize; 2] {
+        [mesh.indices.len(), mesh.vertices.len()]
     }
 
     fn is_held((): &(), _: &Mesh) -> bool {
@@ -136,6 +136,10 @@ impl Backend for Cpu {
     ) -> Result<(), CpuError> {
         stages.merge(&builder.refit(source.geometry, bvh)?);
         Ok(())
+    }
+
+    fn can_refit(_: &Builder, _: &Bvh) -> bool {
+        true
     }
 
     fn build_sorted(
@@ -193,6 +197,10 @@ impl Backend for Cpu {
     }
 
     fn decides((): &()) -> bool {
+        false
+    }
+
+    fn must_measure((): &()) -> bool {
         false
     }
 

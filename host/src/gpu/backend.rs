@@ -61,6 +61,8 @@ impl<'a> From<(&'a Mesh, &'a crate::Mesh)> for Geometry<'a> {
 #[derive(Debug, Default)]
 pub struct Held {
     mesh: Option<Mesh>,
+    /// Whether the mesh is a copy of one on the host.
+    is_copy: bool,
     scene: Option<Scene>,
     components: Option<Components>,
     /// Decides sides once vertices have moved.
@@ -69,6 +71,16 @@ pub struct Held {
 }
 
 impl Held {
+    /// Whether it is a copy of a mesh with these counts.
+    fn is_copy_of(&self, mesh: &crate::Mesh) -> bool {
+        let counts = [mesh.indices.len(), mesh.vertices.len()].map(|count| count as u64);
+        self.is_copy
+            && self
+                .mesh
+                .as_ref()
+                .is_some_and(|held| held.counts() == counts)
+    }
+
     /// The mesh.
     ///
     /// # Errors
@@ -133,18 +145,17 @@ impl<'g> Backend for &'g Gpu {
         frame.submit()?.wait()
     }
 
-    fn triangle_count(geometry: Geometry) -> usize {
+    fn counts(geometry: Geometry) -> [usize; 2] {
         match geometry {
-            Geometry::Host(mesh) => mesh.indices.len(),
-            Geometry::Buffers { mesh, .. } => mesh.triangle_count() as usize,
+            Geometry::Host(mesh) => [mesh.indices.len(), mesh.vertices.len()],
+            Geometry::Buffers { mesh, .. } => mesh.counts().map(|count| count as usize),
         }
     }
 
     fn is_held(held: &Held, geometry: Geometry) -> bool {
-        match (geometry, &held.mesh) {
-            (_, None) => false,
-            (Geometry::Host(_), Some(_)) => true,
-            (Geometry::Buffers { mesh, .. }, Some(held)) => mesh == held,
+        match geometry {
+            Geometry::Host(mesh) => held.is_copy_of(mesh),
+            Geometry::Buffers { mesh, .. } => !held.is_copy && held.mesh.as_ref() == Some(mesh),
         }
     }
 
@@ -156,7 +167,7 @@ impl<'g> Backend for &'g Gpu {
                 mesh,
                 rest: Some(rest),
             } => {
-                mesh.check_rest(rest)?;
+                mesh.check_counts(rest)?;
                 Ok(Cow::Borrowed(rest))
             }
         }
@@ -169,22 +180,25 @@ impl<'g> Backend for &'g Gpu {
         geometry: Geometry,
         load: &Load,
     ) -> Result<(), GpuError> {
-        match (geometry, &held.mesh, load.change) {
-            (Geometry::Host(mesh), None, _) | (Geometry::Host(mesh), _, Change::Scene) => {
+        let is_other = load.change == Change::Scene || !Self::is_held(held, geometry);
+        match geometry {
+            Geometry::Host(mesh) if is_other => {
+                *held = Held::default();
                 builder.check_mesh(mesh)?;
                 builder.check(self, mesh.indices.len() as u32)?;
-                *held = Held::default();
                 held.mesh = Some(Mesh::upload(self, mesh)?);
+                held.is_copy = true;
             }
-            (Geometry::Host(mesh), Some(held), Change::Vertices) => held.move_vertices(self, mesh),
-            (Geometry::Host(_), Some(_), Change::View) => {}
-            (Geometry::Buffers { mesh, .. }, kept, change) => {
-                if kept.as_ref() != Some(mesh) || change == Change::Scene {
-                    builder.check(self, mesh.triangle_count())?;
-                    *held = Held::default();
-                    held.mesh = Some(mesh.clone());
-                }
+            Geometry::Host(mesh) if load.change == Change::Vertices => {
+                builder.check_mesh(mesh)?;
+                self.checked(|| held.mesh()?.move_vertices(self, mesh))?;
             }
+            Geometry::Buffers { mesh, .. } if is_other => {
+                *held = Held::default();
+                builder.check(self, mesh.triangle_count())?;
+                held.mesh = Some(mesh.clone());
+            }
+            Geometry::Host(_) | Geometry::Buffers { .. } => {}
         }
         held.lights = if load.may_turn_away {
             LightSets::Smaller
@@ -194,7 +208,9 @@ impl<'g> Backend for &'g Gpu {
         let Some(topology) = load.topology else {
             return Ok(());
         };
-        if load.change == Change::Vertices && held.decisions.is_none() {
+        // Only the GPU knows where the vertices in buffers are.
+        let has_moved = load.change == Change::Vertices || !held.is_copy;
+        if has_moved && held.decisions.is_none() {
             let decisions = Decisions::new(self, topology)?;
             held.components = Some(decisions.components().clone());
             held.decisions = Some(decisions);
@@ -258,6 +274,10 @@ impl<'g> Backend for &'g Gpu {
         builder.refit(frame, source.held.mesh()?, bvh)
     }
 
+    fn can_refit(builder: &Builder, bvh: &Bvh) -> bool {
+        builder.can_refit(bvh)
+    }
+
     fn build_sorted(
         frame: &mut Frame<'g>,
         builder: &mut Builder,
@@ -311,6 +331,11 @@ impl<'g> Backend for &'g Gpu {
 
     fn decides(held: &Held) -> bool {
         held.decisions.is_some()
+    }
+
+    fn must_measure(held: &Held) -> bool {
+        let decisions = held.decisions.as_ref();
+        decisions.is_some_and(|decisions| decisions.mesh.is_none())
     }
 
     fn measure(frame: &mut Frame<'g>, builder: &Builder, held: &mut Held) -> Result<(), GpuError> {

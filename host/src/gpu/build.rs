@@ -262,12 +262,21 @@ impl Builder {
         if built.is_reduced {
             return Err(GpuError::Refit(RefitError::Reduced));
         }
-        if built.coded.is_some() && self.plain_of != Some(bvh.stamp) {
+        if !self.can_refit(bvh) {
             return Err(Misfit::NotBuiltLast.of("the hierarchy"));
         }
         self.check(gpu, mesh.triangle_count)?;
         let recorded = gpu.checked(|| self.encode(frame, Task::Refit(built), mesh));
         recorded.inspect_err(|_| self.forget())
+    }
+
+    /// Whether what a refit of this hierarchy needs is still there: of one in a codec its plain nodes.
+    pub(crate) fn can_refit(&self, bvh: &Bvh) -> bool {
+        let is_coded = bvh
+            .built
+            .as_ref()
+            .is_some_and(|built| built.coded.is_some());
+        !is_coded || self.plain_of == Some(bvh.stamp)
     }
 
     /// Bytes of the buffers between the stages. The next build reuses them.

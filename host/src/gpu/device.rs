@@ -187,16 +187,16 @@ impl Gpu {
         Frame::new(self)
     }
 
-    /// Begins a frame in the caller's encoder, between the caller's own commands. [`Frame::end`] ends it.
+    /// Begins a frame in the caller's encoder, between the caller's own commands. [`Frame::end`] gives the encoder back.
     ///
     /// ```no_run
     /// use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh, wgpu};
     /// # fn run(gpu: &Gpu, builder: &mut Builder, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
-    /// let mut encoder = gpu.device().create_command_encoder(&Default::default());
+    /// let encoder = gpu.device().create_command_encoder(&Default::default());
     /// // Here the caller's compute pass may move the mesh's vertices.
-    /// let mut frame = gpu.frame_in(&mut encoder);
+    /// let mut frame = gpu.frame_in(encoder);
     /// builder.build(&mut frame, mesh, bvh)?;
-    /// let recorded = frame.end()?;
+    /// let (encoder, recorded) = frame.end()?;
     /// // Here the caller's passes may trace the tree.
     /// let index = gpu.queue().submit([encoder.finish()]);
     /// println!("{}", recorded.submitted(gpu, index).wait()?);
@@ -204,7 +204,7 @@ impl Gpu {
     /// # }
     /// ```
     #[must_use]
-    pub fn frame_in<'f>(&'f self, encoder: &'f mut wgpu::CommandEncoder) -> Frame<'f> {
+    pub fn frame_in(&self, encoder: wgpu::CommandEncoder) -> Frame<'_> {
         Frame::within(self, encoder)
     }
 

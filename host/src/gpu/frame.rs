@@ -16,18 +16,11 @@ pub const COMPILE: &str = "compile";
 #[derive(Debug)]
 pub struct Frame<'g> {
     gpu: &'g Gpu,
-    encoder: Encoder<'g>,
+    encoder: wgpu::CommandEncoder,
     timer: Option<Timer>,
     fault: Option<GpuError>,
     /// Stage `compile`, if kernels were compiled for this frame.
     compiling: Stages,
-}
-
-/// Where a frame's commands go.
-#[derive(Debug)]
-enum Encoder<'g> {
-    Own(wgpu::CommandEncoder),
-    Callers(&'g mut wgpu::CommandEncoder),
 }
 
 impl<'g> Frame<'g> {
@@ -36,14 +29,10 @@ impl<'g> Frame<'g> {
             label: Some("slimbvh frame"),
         };
         let encoder = gpu.device().create_command_encoder(&descriptor);
-        Self::over(gpu, Encoder::Own(encoder))
+        Self::within(gpu, encoder)
     }
 
-    pub(super) fn within(gpu: &'g Gpu, encoder: &'g mut wgpu::CommandEncoder) -> Self {
-        Self::over(gpu, Encoder::Callers(encoder))
-    }
-
-    fn over(gpu: &'g Gpu, encoder: Encoder<'g>) -> Self {
+    pub(super) fn within(gpu: &'g Gpu, encoder: wgpu::CommandEncoder) -> Self {
         // Errors from here on are returned when the frame ends.
         let (mut timer, mut fault) = (None, None);
         let made = gpu.checked(|| {
@@ -70,10 +59,7 @@ impl<'g> Frame<'g> {
 
     /// The encoder, for the caller's own commands before, between and after those of slimbvh.
     pub const fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
-        match &mut self.encoder {
-            Encoder::Own(encoder) => encoder,
-            Encoder::Callers(encoder) => encoder,
-        }
+        &mut self.encoder
     }
 
     /// Adds to stage `compile`.
@@ -88,12 +74,8 @@ impl<'g> Frame<'g> {
             label: Some(stage),
             timestamp_writes,
         };
-        // Not by the method: the timer stays borrowed.
-        let encoder = match &mut self.encoder {
-            Encoder::Own(encoder) => encoder,
-            Encoder::Callers(encoder) => encoder,
-        };
-        encoder.begin_compute_pass(&descriptor).forget_lifetime()
+        let pass = self.encoder.begin_compute_pass(&descriptor);
+        pass.forget_lifetime()
     }
 
     /// Copies a range, to be read when the frame is done.
@@ -123,7 +105,7 @@ impl<'g> Frame<'g> {
     /// Submits all recorded commands.
     ///
     /// # Errors
-    /// If the device refuses a command, memory is exhausted, or the device was lost; and for a frame in the caller's encoder.
+    /// If the device refuses a command, memory is exhausted, or the device was lost.
     pub fn submit(self) -> Result<Submission<'g>, GpuError> {
         let gpu = self.gpu;
         let (commands, recorded) = self.finish()?;
@@ -146,48 +128,34 @@ impl<'g> Frame<'g> {
     /// ```
     ///
     /// # Errors
-    /// If the device refuses a command, memory is exhausted, or the device was lost; and for a frame in the caller's encoder,
-    /// which only the caller can finish: [`Self::end`] ends it.
+    /// If the device refuses a command, memory is exhausted, or the device was lost.
     pub fn finish(self) -> Result<(wgpu::CommandBuffer, Recorded), GpuError> {
-        let (gpu, encoder, recorded) = self.ended()?;
-        match encoder {
-            Encoder::Own(encoder) => Ok((gpu.checked(|| Ok(encoder.finish()))?, recorded)),
-            Encoder::Callers(_) => Err(Misfit::CallersEncoder.of("the frame")),
-        }
+        let gpu = self.gpu;
+        let (encoder, recorded) = self.end()?;
+        Ok((gpu.checked(|| Ok(encoder.finish()))?, recorded))
     }
 
-    /// Ends a frame in the caller's encoder. What the device objects to in its commands, wgpu reports where the caller finishes the
-    /// encoder.
+    /// Ends recording, and gives the encoder back for the caller's further commands: see [`Gpu::frame_in`]. What the device objects to
+    /// in the commands, wgpu reports where the caller finishes the encoder.
     ///
     /// # Errors
-    /// If memory is exhausted, or the device was lost; and for a frame with an encoder of its own, which [`Self::submit`] and
-    /// [`Self::finish`] end.
-    pub fn end(self) -> Result<Recorded, GpuError> {
-        let (_, encoder, recorded) = self.ended()?;
-        match encoder {
-            Encoder::Callers(_) => Ok(recorded),
-            Encoder::Own(_) => Err(Misfit::OwnEncoder.of("the frame")),
-        }
-    }
-
-    /// The encoder with all commands.
-    fn ended(mut self) -> Result<(&'g Gpu, Encoder<'g>, Recorded), GpuError> {
+    /// If memory is exhausted, or the device was lost.
+    pub fn end(mut self) -> Result<(wgpu::CommandEncoder, Recorded), GpuError> {
         if let Some(fault) = self.fault {
             return Err(fault);
         }
-        if let Some(timer) = self.timer.take() {
-            timer.resolve(self.encoder());
-            self.timer = Some(timer);
+        if let Some(timer) = &self.timer {
+            timer.resolve(&mut self.encoder);
         }
         let recorded = Recorded {
             timer: self.timer,
             compiling: self.compiling,
         };
-        Ok((self.gpu, self.encoder, recorded))
+        Ok((self.encoder, recorded))
     }
 }
 
-/// What remains of a frame whose commands the caller submits: its times. Dropping it is fine.
+/// What remains of a frame whose commands the caller submits: its times. Who drops it does without them.
 #[derive(Debug)]
 pub struct Recorded {
     timer: Option<Timer>,

@@ -149,25 +149,34 @@ impl Mesh {
         })
     }
 
-    /// Copies vertices that have moved.
-    pub(super) fn move_vertices(&self, gpu: &Gpu, mesh: &crate::Mesh) {
+    /// Copies the vertices of a mesh with the same counts.
+    pub(super) fn move_vertices(&self, gpu: &Gpu, mesh: &crate::Mesh) -> Result<(), GpuError> {
+        self.check_counts(mesh)?;
         let (to, bytes) = (&self.vertices, bytemuck::cast_slice(&mesh.vertices));
         if !mesh.vertices.is_empty() {
             gpu.queue().write_buffer(&to.buffer, to.offset, bytes);
         }
+        Ok(())
+    }
+
+    /// The numbers of triangles and of vertices.
+    pub(super) fn counts(&self) -> [u64; 2] {
+        [
+            u64::from(self.triangle_count),
+            self.vertices.size / ELEMENT_BYTES,
+        ]
     }
 
     /// Refuses a mesh on the host that has other counts.
-    pub(super) fn check_rest(&self, rest: &crate::Mesh) -> Result<(), GpuError> {
-        let vertex_count = self.vertices.size / ELEMENT_BYTES;
-        let own = [u64::from(self.triangle_count), vertex_count];
+    pub(super) fn check_counts(&self, rest: &crate::Mesh) -> Result<(), GpuError> {
+        let own = self.counts();
         let surfaces = [rest.indices.len(), rest.vertices.len()].map(|count| count as u64);
         if own == surfaces {
             return Ok(());
         }
         let fault = Misfit::OtherMesh {
             triangle_count: own[0],
-            vertex_count,
+            vertex_count: own[1],
             surfaces,
         };
         Err(fault.of("the mesh in buffers"))

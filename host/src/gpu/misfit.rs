@@ -151,12 +151,6 @@ pub enum Misfit {
     /// A rule's sides were set or decided for the components of another mesh.
     #[error("has sides of other components; set or decide them for these")]
     OthersSides,
-    /// A frame is in an encoder that only the caller can finish.
-    #[error("is in the caller's encoder; end it, and submit that encoder's commands")]
-    CallersEncoder,
-    /// A frame has an encoder of its own, which would be lost.
-    #[error("has an encoder of its own; submit or finish it")]
-    OwnEncoder,
     /// A scene was not loaded.
     #[error("is not on the GPU; load it first")]
     NotLoaded,

@@ -11,7 +11,7 @@ use super::sort::Sort;
 use super::trace::overflow::{groups_range, groups_slot, list_bytes};
 use super::trees::{DeferralRange, Tree, Trees, TreesRanges};
 use super::work::Work;
-use super::{Bvh, Frame, Gpu, GpuError, Misfit, Scene};
+use super::{Bvh, Frame, Gpu, GpuError, Misfit, Scene, Submission};
 use crate::backend::DeferredTrees;
 use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
@@ -339,30 +339,44 @@ impl Renderer {
     /// If nothing was rendered, the device refuses a command, memory is exhausted, or the device was lost.
     pub fn finish(
         &mut self,
-        mut frame: Frame,
+        frame: Frame,
         mut stages: Stages,
         begin: Stopwatch,
         picture: &mut Picture,
     ) -> Result<(Stages, RenderReport), GpuError> {
         let gpu = frame.gpu();
-        let texels = self.read_later(&mut frame)?;
-        let counters = self.count_later(&mut frame)?;
-        stages.merge(&frame.submit()?.wait()?);
-        texels.read(gpu, picture)?;
-        let mut report = counters.read(gpu)?;
-        if stages.iter().all(|(stage, _)| stage == COMPILE) {
-            stages.add("all", begin.elapsed().saturating_sub(stages.total()));
-        }
-        let mut build = Stages::default();
-        for (stage, time) in stages.iter() {
-            let part = if super::Builder::STAGES.contains(&stage) {
-                &mut build
-            } else {
-                &mut report.stages
-            };
-            part.add(stage, time);
-        }
-        Ok((build, report))
+        let (submission, downloads) = self.submit(frame)?;
+        stages.merge(&submission.wait()?);
+        gpu.block_on(downloads.read(gpu, stages, begin, picture))
+    }
+
+    /// [`Self::finish`], without blocking.
+    ///
+    /// # Errors
+    /// Those of [`Self::finish`]; in a browser, also those of all earlier calls.
+    pub async fn finish_async(
+        &mut self,
+        frame: Frame<'_>,
+        mut stages: Stages,
+        begin: Stopwatch,
+        picture: &mut Picture,
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        let gpu = frame.gpu();
+        let (submission, downloads) = self.submit(frame)?;
+        stages.merge(&submission.wait_async().await?);
+        downloads.read(gpu, stages, begin, picture).await
+    }
+
+    /// Submits a frame that copies the picture and its counts.
+    fn submit<'g>(
+        &mut self,
+        mut frame: Frame<'g>,
+    ) -> Result<(Submission<'g>, PictureDownloads), GpuError> {
+        let downloads = PictureDownloads {
+            texels: self.read_later(&mut frame)?,
+            counters: self.count_later(&mut frame)?,
+        };
+        Ok((frame.submit()?, downloads))
     }
 
     /// Bytes of the buffers that the last picture used. The next picture reuses them.
@@ -551,4 +565,36 @@ fn upload_view(
     frame
         .encoder()
         .copy_buffer_to_buffer(&from, 0, &view.buffer, view.offset, view.size);
+}
+/// A picture and its counts, being copied.
+struct PictureDownloads {
+    texels: PictureDownload,
+    counters: Counters,
+}
+
+impl PictureDownloads {
+    /// Reads both when the frame is done, and divides the times of its stages.
+    async fn read(
+        self,
+        gpu: &Gpu,
+        mut stages: Stages,
+        begin: Stopwatch,
+        picture: &mut Picture,
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        self.texels.read_async(gpu, picture).await?;
+        let mut report = self.counters.read_async(gpu).await?;
+        if stages.iter().all(|(stage, _)| stage == COMPILE) {
+            stages.add("all", begin.elapsed().saturating_sub(stages.total()));
+        }
+        let mut build = Stages::default();
+        for (stage, time) in stages.iter() {
+            let part = if super::Builder::STAGES.contains(&stage) {
+                &mut build
+            } else {
+                &mut report.stages
+            };
+            part.add(stage, time);
+        }
+        Ok((build, report))
+    }
 }

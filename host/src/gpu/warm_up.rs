@@ -3,13 +3,13 @@
 use super::buffer::upload;
 use super::{
     Answer, Builder, Bvh, Components, Decisions, Frame, Gpu, GpuError, IndexLayout, Mesh, Query,
-    Renderer, Scene, Subset, TargetSides, Tree, Trees, VertexLayout,
+    Rays, Renderer, Scene, Subset, TargetSides, Tree, Trees, VertexLayout,
 };
 use crate::topology::Topology;
 use crate::{BuildConfig, Camera, Light, Material, Projection, RenderSettings, Stages};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
-use slimbvh_core::{Hit, Ray};
+use slimbvh_core::{Hit, Ray, RayEnds};
 use wgpu::BufferUsages;
 
 /// What a program will ask of the GPU. [`Gpu::warm_up`] compiles the kernels for that.
@@ -21,6 +21,8 @@ pub struct WarmUp<'a> {
     refits: bool,
     sets: Option<Sets>,
     queries: &'a [Query],
+    has_ends: bool,
+    has_counts: bool,
     picture: Option<RenderSettings>,
 }
 
@@ -42,8 +44,22 @@ impl<'a> WarmUp<'a> {
             refits: false,
             sets: None,
             queries: &[],
+            has_ends: false,
+            has_counts: false,
             picture: None,
         }
+    }
+
+    /// Queries of rays whose ends lie on surfaces ([`super::Rays::with_ends`]), too.
+    pub const fn with_ends(mut self) -> Self {
+        self.has_ends = true;
+        self
+    }
+
+    /// Queries of a number of rays that only the GPU knows ([`super::Rays::counted_by`]), too.
+    pub const fn with_counts(mut self) -> Self {
+        self.has_counts = true;
+        self
     }
 
     /// Meshes in the caller's own layout ([`Mesh::from_layout`]), too.
@@ -149,9 +165,28 @@ impl<'a> WarmUp<'a> {
             let usage = BufferUsages::STORAGE;
             Ok(upload(gpu, "slimbvh no answers", usage, &answers))
         })?;
+        let (ends, count) = gpu.checked(|| {
+            let ends = upload(
+                gpu,
+                "slimbvh no ends",
+                BufferUsages::STORAGE,
+                &[RayEnds::NONE; 64],
+            );
+            let count = upload(gpu, "slimbvh no count", BufferUsages::STORAGE, &[64u32]);
+            Ok((ends, count))
+        })?;
+        let plain = Rays::new(rays.slice(..));
         for tree in trees {
             for &query in self.queries {
-                tree.trace(frame, query, rays.slice(..), answers.slice(..))?;
+                tree.trace(frame, query, plain, answers.slice(..))?;
+                if self.has_ends {
+                    let rays = plain.with_ends(ends.slice(..));
+                    tree.trace(frame, query, rays, answers.slice(..))?;
+                }
+                if self.has_counts {
+                    let rays = plain.counted_by(count.slice(..));
+                    tree.trace(frame, query, rays, answers.slice(..))?;
+                }
             }
         }
         let Some(picture) = self.picture else {

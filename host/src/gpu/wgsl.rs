@@ -35,6 +35,9 @@ use crate::{BuildConfig, MeshCodec, NodeCodec};
 /// let is_lit = !slimbvh_any_hit_from(surface.leave, 0.0, lamp - surface.leave, 1.0, hit.primitive);
 /// ```
 ///
+/// These functions skip one primitive, and know no errors. Where both ends of a ray lie on surfaces, or at edges of them,
+/// [`super::Tree::trace`] with [`super::Rays::with_ends`] gives the answers of the CPU's [`slimbvh_core::SurfaceRay`]s.
+///
 /// The functions read a hierarchy with nodes and triangles in full, and its rule, from bindings 0 to 4 of this group;
 /// [`super::Tree::bindings`] and [`super::Bvh::bindings`] return them. [`wgsl_for`] returns the text of other hierarchies. All names
 /// begin with `slimbvh` or `Slimbvh`.

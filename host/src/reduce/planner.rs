@@ -143,7 +143,7 @@ impl Planner {
     pub fn plain(&self, triangle_count: usize, views: &Views) -> Plan {
         let request = self.request(triangle_count, views);
         if self.must_stay_plain() {
-            let reason = "a deforming mesh may come to intersect itself; the caller can promise that it does not (--solid, Seams::None)";
+            let reason = "a deforming mesh may come to intersect itself, and nothing promises that it does not (Seams::None, --solid)";
             return Plan::plain(&request, reason.to_owned());
         }
         Plan::without_survey(&request)

@@ -14,7 +14,7 @@ pub enum TargetKind {
     From,
     /// They lead to the target: a light. The question is whether anything is in the way.
     To,
-    /// Neither: mirrors, bounces, whatever else.
+    /// Neither: mirrors, bounces, probes anywhere.
     Other,
 }
 
@@ -33,7 +33,7 @@ pub enum TargetKind {
 /// let sun = Light::Directional { direction: [0.3, -1.0, 0.2], color: [1.0; 3] };
 /// let targets = [
 ///     ViewTarget::camera(&camera, [1280, 720])?,
-///     ViewTarget::light(&sun)?.from_hits(),
+///     ViewTarget::light(&sun)?,
 ///     ViewTarget::rays_from([2.0, 1.0, 0.0], 0.5)?.named("a probe").expecting(4096),
 ///     ViewTarget::other_rays(),
 /// ];
@@ -54,12 +54,12 @@ pub struct ViewTarget {
     pub(super) ray_count: f64,
     /// Whether there are such rays.
     pub(super) is_used: bool,
-    /// Whether all of its rays start where rays of the only target of kind [`TargetKind::From`] hit, on the side that they
-    /// came from.
+    /// Whether all of its rays start where rays of the only target of kind [`TargetKind::From`] hit, and leave the surface on
+    /// the side that these came from. Then L− may answer them. A renderer takes care of that; a caller could not be held to it.
     pub(super) starts_at_hits: bool,
 }
 
-/// Rays of a target whose number is not told: a picture's, 1280 by 720.
+/// Rays of a target whose caller gives no number: a picture's, 1280 by 720.
 const USUAL_RAYS: f64 = 1280.0 * 720.0;
 
 impl ViewTarget {
@@ -183,17 +183,6 @@ impl ViewTarget {
     pub fn expecting(self, ray_count: u64) -> Self {
         Self {
             ray_count: ray_count as f64,
-            ..self
-        }
-    }
-
-    /// The same for rays to a light that all start where rays of the list's only camera (or of the only ball that rays come
-    /// from) hit, on the side that these came from. Then the triangles that face away from the light may be the set (L−,
-    /// Wong, Cheng and Lii 2012), which is often faster.
-    #[must_use]
-    pub fn from_hits(self) -> Self {
-        Self {
-            starts_at_hits: self.kind == TargetKind::To,
             ..self
         }
     }

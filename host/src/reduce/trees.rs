@@ -17,8 +17,10 @@ pub struct Hierarchies<B: Backend> {
     sets: Vec<OwnSet<B>>,
     /// The set of the light traced now, if sets are deferred.
     deferred: B::Bvh,
-    /// Triangles of the mesh; `None` before the first update.
-    triangle_count: Option<usize>,
+    /// Whether the latest sort was of the only set's triangles alone, so that no other tree can follow from it.
+    has_sorted_alone: bool,
+    /// Whether vertices have moved since the builder took their positions: a whole tree is refitted without that.
+    is_order_stale: bool,
 }
 
 /// A target's own set.
@@ -47,7 +49,8 @@ impl<B: Backend> Default for Hierarchies<B> {
             has_whole: false,
             sets: Vec::new(),
             deferred: B::Bvh::default(),
-            triangle_count: None,
+            has_sorted_alone: false,
+            is_order_stale: false,
         }
     }
 }
@@ -84,18 +87,26 @@ impl<B: Backend> Hierarchies<B> {
         plan: &Plan,
         action: Action,
     ) -> Result<(), B::Error> {
-        self.triangle_count = Some(plan.triangle_count);
         let decides = B::decides(work.held);
         // Sets need their order kept. A whole tree can be refitted without it.
-        let keeps = |action| plan.is_plain() || B::KEEPS_ORDER || action != Action::Refitted;
-        let action = match action {
-            action if !decides && keeps(action) => action,
-            _ => Action::Rebuilt,
+        let is_kept = match action {
+            _ if self.has_sorted_alone || B::must_measure(work.held) => false,
+            // Where the backend decides, the sets of lights may depend on the eye.
+            Action::Kept => !(decides && plan.may_turn_away && plan.sets.len() > 1),
+            Action::Refitted => {
+                let keeps_order = plan.is_plain() || B::KEEPS_ORDER;
+                let can_refit = !self.has_whole || B::can_refit(work.builder, &self.whole);
+                !decides && keeps_order && can_refit
+            }
+            Action::Rebuilt => true,
         };
+        let action = if is_kept { action } else { Action::Rebuilt };
         match action {
             Action::Rebuilt => {
                 self.forget();
-                if plan.sorts_alone && B::SORTS_SETS_ALONE {
+                self.is_order_stale = false;
+                self.has_sorted_alone = plan.sorts_alone && B::SORTS_SETS_ALONE;
+                if self.has_sorted_alone {
                     return self.build_alone(work, plan);
                 }
                 let (recording, builder, source) = work.split();
@@ -103,19 +114,14 @@ impl<B: Backend> Hierarchies<B> {
                 B::measure(work.recording, work.builder, work.held)?;
             }
             Action::Refitted => self.refit(work, plan)?,
+            Action::Kept if self.is_order_stale && !plan.is_plain() => {
+                let (recording, builder, source) = work.split();
+                B::follow(recording, builder, source)?;
+                self.is_order_stale = false;
+            }
             Action::Kept => {}
         }
-        let built = self.build_missing(work, plan);
-        if decides {
-            // The host does not know which triangles these sets hold.
-            self.forget();
-        }
-        built
-    }
-
-    /// Whether the trees are over a mesh with this many triangles.
-    pub(crate) fn is_over(&self, triangle_count: usize) -> bool {
-        self.triangle_count == Some(triangle_count)
+        self.build_missing(work, plan)
     }
 
     fn forget(&mut self) {
@@ -135,7 +141,8 @@ impl<B: Backend> Hierarchies<B> {
         let had_whole = std::mem::take(&mut self.has_whole);
         self.forget();
         let (recording, builder, source) = work.split();
-        if !had_whole || !plan.is_plain() {
+        self.is_order_stale = had_whole && plan.is_plain();
+        if !self.is_order_stale {
             B::follow(recording, builder, source)?;
         }
         if had_whole && plan.needs_whole {
@@ -182,6 +189,7 @@ impl<B: Backend> Hierarchies<B> {
                 continue;
             }
             let eye = before.first().map(|set| &set.sides);
+            *key = None;
             B::set_sides(recording, source.held, &wanted, eye, sides)?;
             if has_own_place(plan, target) {
                 let set = TargetSet { components, sides };

@@ -1,6 +1,5 @@
 //! The point that a ray hits.
 
-use super::codec::MeshCodec;
 use super::query::Query;
 use super::sources::{StoredNodes, StoredTriangles};
 use super::visitor::TreeVisitor;
@@ -32,7 +31,7 @@ impl Query<'_> {
             return None;
         }
         let scene_exponent = self.bvh.scene_exponent();
-        let triangle = if self.bvh.codecs().1 == MeshCodec::Leaf10 {
+        let triangle = if self.bvh.codecs().1.moves_vertices() {
             self.traced_triangle(ray, hit.primitive)?
         } else {
             let scale = PowerOfTwo::new(scene_exponent);

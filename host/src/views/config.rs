@@ -3,7 +3,7 @@
 use crate::BuildConfig;
 use crate::animate::Update;
 use crate::backend::TreeSize;
-use crate::reduce::{PlanConfig, Still};
+use crate::reduce::{PlanConfig, Reduce, Seams, Still};
 
 /// How frames are planned, built and updated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +21,13 @@ pub struct FrameConfig {
 
 impl FrameConfig {
     /// For about this many frames that share a survey of the surfaces. Trees are kept while nothing moves.
+    ///
+    /// ```
+    /// use slimbvh::{Cpu, FrameConfig, ViewSets};
+    /// let config = FrameConfig::for_frames(1000).promising_solids();
+    /// let views = ViewSets::new(Cpu, config);
+    /// # assert!(views.trees().is_empty());
+    /// ```
     #[must_use]
     pub fn for_frames(frame_count: u32) -> Self {
         let still = Still {
@@ -36,6 +43,43 @@ impl FrameConfig {
             finds_cost: true,
             ..Self::default()
         }
+    }
+
+    /// The same with the caller's promise that no closed part of the mesh intersects itself or is inside out in places, now or
+    /// when vertices move. Then no search for such places is made, and sets are kept up while vertices move; without it, nothing
+    /// is left out once vertices have moved.
+    #[must_use]
+    pub fn promising_solids(mut self) -> Self {
+        self.plan.switches.seams = Seams::None;
+        self
+    }
+
+    /// What view sets with these settings ask of a GPU, for [`crate::gpu::Gpu::warm_up`]: builds and refits of meshes in any layout, sets,
+    /// and the GPU's decisions. Queries are added to it.
+    ///
+    /// ```no_run
+    /// use slimbvh::FrameConfig;
+    /// use slimbvh::gpu::{Gpu, GpuError, Query};
+    /// # fn run(gpu: &Gpu, config: &FrameConfig) -> Result<(), GpuError> {
+    /// gpu.warm_up(&config.warm_up().with_queries(&[Query::Closest, Query::Any]).with_ends())?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[cfg(feature = "gpu")]
+    pub const fn warm_up(&self) -> crate::gpu::WarmUp<'static> {
+        let uses = crate::gpu::WarmUp::new(self.build);
+        let uses = uses.with_layouts().with_refits();
+        match self.plan.switches.reduce {
+            Reduce::Off => uses,
+            Reduce::Auto | Reduce::On => uses.with_decisions(),
+        }
+    }
+
+    /// The same with sets for all targets that allow one, even where none pays.
+    #[must_use]
+    pub fn reducing(mut self) -> Self {
+        self.plan.switches.reduce = Reduce::On;
+        self
     }
 }
 

@@ -30,7 +30,7 @@ pub fn camera() -> Camera {
     }
 }
 
-/// A camera, the sun, a lamp whose rays start at the camera's hits, a ball that rays come from, and all others.
+/// A camera, the sun, a lamp, a ball that rays come from, and all others.
 pub fn targets() -> Vec<ViewTarget> {
     let sun = Light::Directional {
         direction: SUN,
@@ -39,7 +39,7 @@ pub fn targets() -> Vec<ViewTarget> {
     vec![
         done(ViewTarget::camera(&camera(), SIZE)),
         done(ViewTarget::light(&sun)),
-        done(ViewTarget::rays_to(LAMP, 0.0)).from_hits(),
+        done(ViewTarget::rays_to(LAMP, 0.0)),
         done(ViewTarget::rays_from(PROBE, PROBE_RADIUS)).named("a probe"),
         ViewTarget::other_rays(),
     ]

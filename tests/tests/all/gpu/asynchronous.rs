@@ -3,7 +3,7 @@
 use pollster::block_on;
 use slimbvh::generate::default_scene;
 use slimbvh::gpu::{self, AdapterChoice, Download, Gpu, GpuError, Query, wgpu};
-use slimbvh::{BuildConfig, Hit, Ray, Stages};
+use slimbvh::{BuildConfig, Hit, Picture, Ray, RenderSettings, Stages, Stopwatch};
 use slimbvh_core::Node;
 use slimbvh_tests::gpu::{done, gpu, own_gpu, storage};
 use std::future::Future;
@@ -100,8 +100,50 @@ fn the_twins_give_the_same() {
     assert!(answers == expected, "the answers differ");
     assert!(!expected.1.is_empty(), "there is no tree");
     assert!(expected.0.iter().any(Hit::is_hit) && expected.0.iter().any(|hit| !hit.is_hit()));
-    let names = |stages: &Stages| stages.iter().map(|(name, _)| name).collect::<Vec<_>>();
+    // Only the first frame that asks for a kernel compiles it.
+    let names = |stages: &Stages| -> Vec<&str> {
+        let names = stages.iter().map(|(name, _)| name);
+        names.filter(|name| *name != "compile").collect()
+    };
     assert_eq!(names(&stages), names(&stages_async));
+}
+
+/// A picture of the default scene, recorded.
+fn picture<'g>(gpu: &'g Gpu, renderer: &mut gpu::Renderer) -> gpu::Frame<'g> {
+    let scene = default_scene();
+    let settings = RenderSettings {
+        size: [48, 27],
+        ..RenderSettings::default()
+    };
+    let uploaded = done(gpu::Scene::upload(gpu, &scene));
+    let (mut builder, mut bvh) = (gpu::Builder::new(BuildConfig::default()), gpu::Bvh::new());
+    let mut frame = gpu.frame();
+    done(builder.build(&mut frame, &uploaded.mesh, &mut bvh));
+    let (camera, lights) = (&scene.cameras[0], &scene.lights);
+    done(renderer.render(&mut frame, &uploaded, &bvh, camera, lights, &settings));
+    frame
+}
+
+#[test]
+fn a_picture_without_blocking_is_the_same() {
+    let Some(gpu) = gpu() else { return };
+    let mut pictures = [Picture::default(), Picture::default()];
+    let mut renderer = gpu::Renderer::new();
+    let begin = Stopwatch::start();
+    let [first, second] = &mut pictures;
+    let frame = picture(gpu, &mut renderer);
+    let (_, expected) = done(renderer.finish(frame, Stages::default(), begin, first));
+    let frame = picture(gpu, &mut renderer);
+    let work = renderer.finish_async(frame, Stages::default(), begin, second);
+    let (_, report) = done(awaited(gpu, work));
+    assert!(pictures[0] == pictures[1], "the pictures differ");
+    assert_eq!(report.ray_count(), expected.ray_count());
+    assert!(
+        pictures[0]
+            .pixels
+            .iter()
+            .any(|pixel| *pixel != pictures[0].pixels[0])
+    );
 }
 
 #[test]

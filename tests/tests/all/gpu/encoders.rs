@@ -3,7 +3,7 @@
 use super::builds::same_tree;
 use slimbvh::generate::soup;
 use slimbvh::gpu::{self, Frame, Gpu, GpuError, Query, wgpu};
-use slimbvh::{BuildConfig, CodeBits, Hit, Mesh, Ray};
+use slimbvh::{BuildConfig, Change, CodeBits, FrameConfig, Hit, Mesh, Ray, ViewSets, ViewTarget};
 use slimbvh_tests::build;
 use slimbvh_tests::gpu::{contents, done, gpu, storage};
 use slimbvh_tests::parity::same_bits;
@@ -85,10 +85,10 @@ fn a_frame_between_the_callers_commands_sees_what_is_before_it() {
     let mut work = Work::new(gpu);
     let mut encoder = encoder(gpu);
     work.place(&mut encoder);
-    let mut frame = gpu.frame_in(&mut encoder);
+    let mut frame = gpu.frame_in(encoder);
     work.record(&mut frame);
     let kept = done(frame.read_later(work.hits.slice(..)));
-    let recorded = done(frame.end());
+    let (mut encoder, recorded) = done(frame.end());
     // The caller's command behind it: the frame has read the hits before.
     encoder.clear_buffer(&work.hits, 0, None);
     // The negative control: nothing has run before the caller submits.
@@ -135,22 +135,32 @@ fn a_finished_frame_runs_where_the_caller_submits_it() {
     assert!(other.check(gpu).is_err());
 }
 
+/// View sets outlive the encoders of their frames.
 #[test]
-fn a_frame_ends_as_its_encoder_demands() {
+fn view_sets_are_updated_in_an_encoder_a_frame() {
     let Some(gpu) = gpu() else { return };
-    let message = |error: Option<GpuError>| error.map(|error| error.to_string());
-    let callers =
-        "the frame is in the caller's encoder; end it, and submit that encoder's commands";
-    let own = "the frame has an encoder of its own; submit or finish it";
-    let mut encoder = encoder(gpu);
-    let error = message(gpu.frame_in(&mut encoder).submit().err());
-    assert_eq!(error.as_deref(), Some(callers));
-    let error = message(gpu.frame_in(&mut encoder).finish().err());
-    assert_eq!(error.as_deref(), Some(callers));
-    assert_eq!(message(gpu.frame().end().err()).as_deref(), Some(own));
-    // The caller's encoder is as good as before.
-    done(gpu.frame_in(&mut encoder).end());
-    gpu.queue().submit([encoder.finish()]);
+    let work = Work::new(gpu);
+    let mut views = ViewSets::new(gpu, FrameConfig::default());
+    let targets = [ViewTarget::other_rays()];
+    for change in [Change::Scene, Change::Vertices, Change::View] {
+        let mut encoder = encoder(gpu);
+        work.place(&mut encoder);
+        let mut frame = gpu.frame_in(encoder);
+        done(views.update(&mut frame, &work.mesh, &targets, change));
+        let (rays, hits) = (work.ray_buffer.slice(..), work.hits.slice(..));
+        done(views.trees()[0].trace(&mut frame, Query::Closest, rays, hits));
+        let (encoder, _) = done(frame.end());
+        gpu.queue().submit([encoder.finish()]);
+        let expected = build(&work.host, CodeBits::Bits30);
+        let hits: Vec<Hit> = contents(gpu, &work.hits);
+        let primitives = hits.iter().map(|hit| hit.primitive);
+        let cpu = work
+            .rays
+            .iter()
+            .map(|ray| expected.closest_hit(ray).primitive);
+        // The mesh is read where the caller's commands have put it.
+        assert!(primitives.eq(cpu), "{change:?}");
+    }
 }
 
 /// A command that the device refuses is told where the frame is finished.

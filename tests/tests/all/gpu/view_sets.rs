@@ -252,3 +252,72 @@ fn a_mesh_in_buffers_is_read_back() {
     let buffers = gpu::Mesh::from_buffers(gpu, vertices.slice(..), indices.slice(..));
     assert!(same(&done(buffers)));
 }
+
+/// A mesh at rest on the host is another pose than the one in buffers: the GPU decides by the latter.
+#[test]
+fn buffers_may_be_in_another_pose_than_the_mesh_on_the_host() {
+    let Some(gpu) = gpu() else { return };
+    // At rest the probe is inside the sphere, so that all of it stays.
+    let mut rest = meshes().swap_remove(0);
+    let moved = rest.clone();
+    for [x, ..] in &mut rest.vertices {
+        *x -= 2.0;
+    }
+    let (buffers, _) = in_buffers(gpu, &moved);
+    let (rays, expected) = on_cpu(&moved, Reduce::On);
+    let mut views = ViewSets::new(gpu, config(Reduce::On));
+    for change in [Change::Scene, Change::View] {
+        let answers = frame(gpu, &mut views, (&buffers, &rest), change, &rays);
+        assert!(same(&answers, &expected), "{change:?}");
+    }
+}
+
+/// A copy of a mesh on the host is kept apart from the caller's buffers, and is replaced where the counts differ.
+#[test]
+fn copies_and_buffers_do_not_take_each_others_place() {
+    let Some(gpu) = gpu() else { return };
+    let mesh = &meshes()[0];
+    let other = twisted(mesh, 0.5);
+    let (buffers, vertices) = in_buffers(gpu, mesh);
+    let mut views = ViewSets::new(gpu, config(Reduce::On));
+    let (rays, expected) = on_cpu(mesh, Reduce::On);
+    let (other_rays, of_other) = on_cpu(&other, Reduce::On);
+    let answers = frame(gpu, &mut views, &buffers, Change::Scene, &rays);
+    assert!(same(&answers, &expected));
+    let answers = frame(gpu, &mut views, &other, Change::Vertices, &other_rays);
+    assert!(same(&answers, &of_other));
+    let kept: Vec<[f32; 8]> = contents(gpu, &vertices);
+    assert_eq!(kept[5][2..5], mesh.vertices[5]);
+    // More vertices than the copy has room for.
+    let mut more = other;
+    more.vertices.push([0.0; 3]);
+    let answers = frame(gpu, &mut views, &more, Change::Vertices, &other_rays);
+    assert!(same(&answers, &of_other));
+    // A vertex that is not finite is refused, as on the CPU.
+    more.vertices[2][1] = f32::NAN;
+    let mut frame = gpu.frame();
+    let refused = views.update(&mut frame, &more, &targets(), Change::Vertices);
+    assert!(refused.is_err_and(|error| error.to_string().contains("vertex 2")));
+}
+
+/// A compressed whole tree can be refitted only if it was built last; else it is built again.
+#[test]
+fn compressed_trees_follow_vertices() {
+    let Some(gpu) = gpu() else { return };
+    let rest = &meshes()[1];
+    let mut settings = config(Reduce::On);
+    settings.build.nodes = slimbvh::NodeCodec::Wide(slimbvh::WideStore::Exact);
+    settings.plan.switches.seams = slimbvh::reduce::Seams::Find;
+    let mut views = ViewSets::new(gpu, settings);
+    for (step, change) in [
+        (0, Change::Scene),
+        (1, Change::Vertices),
+        (2, Change::Vertices),
+    ] {
+        let mesh = twisted(rest, 0.1 * step as f32);
+        let (rays, expected) = on_cpu(&mesh, Reduce::On);
+        let answers = frame(gpu, &mut views, &mesh, change, &rays);
+        assert!(same(&answers, &expected), "{step}");
+    }
+    assert!(views.plan().is_some_and(Plan::is_plain));
+}

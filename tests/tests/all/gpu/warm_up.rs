@@ -1,10 +1,14 @@
 //! The time of compiling is told in the stages; after a warm-up no frame compiles.
 
 use crate::reduced_scenes::scenes::scenes;
+use crate::views::{config, targets};
 use slimbvh::generate::icosphere;
 use slimbvh::gpu::{self, Answer, Frame, Gpu, IndexLayout, Query, VertexLayout, WarmUp, wgpu};
+use slimbvh::reduce::Reduce;
 use slimbvh::topology::Topology;
-use slimbvh::{BuildConfig, Mesh, RenderSettings, Stages, View, WideStore};
+use slimbvh::{
+    BuildConfig, Change, Mesh, RayEnds, RenderSettings, Stages, View, ViewSets, WideStore,
+};
 use slimbvh::{MeshCodec, NodeCodec};
 use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
@@ -151,5 +155,42 @@ fn a_warm_up_for_sets_and_pictures_covers_them() {
         done(renderer.render_with(&mut frame, &placed, &trees, view, &settings));
         let stages = done(done(frame.submit()).wait());
         assert!(!compiles(&stages), "{stages}");
+    }
+}
+
+/// View sets, rays with ends and counts that only the GPU knows compile nothing either.
+#[test]
+fn after_a_warm_up_view_sets_compile_nothing() {
+    let Some(gpu) = own_gpu() else { return };
+    let config = config(Reduce::On);
+    let queries = [Query::Closest, Query::Any];
+    let uses = config.warm_up().with_queries(&queries);
+    assert!(compiles(&done(
+        gpu.warm_up(&uses.with_ends().with_counts())
+    )));
+    let (host, mesh) = sphere(&gpu, 3);
+    let mut views = ViewSets::new(&gpu, config);
+    let (rays, ends) = (
+        storage(&gpu, &[1.0f32; 80]),
+        storage(&gpu, &[RayEnds::NONE; 10]),
+    );
+    let (answers, count) = (storage(&gpu, &[0u32; 40]), storage(&gpu, &[5u32]));
+    for change in [Change::Scene, Change::Vertices, Change::View] {
+        let mut frame = gpu.frame();
+        done(views.update(&mut frame, (&mesh, &host), &targets(), change));
+        for tree in views.trees() {
+            for query in queries {
+                let rays = gpu::Rays::new(rays.slice(..));
+                for rays in [
+                    rays,
+                    rays.with_ends(ends.slice(..)),
+                    rays.counted_by(count.slice(..)),
+                ] {
+                    done(tree.trace(&mut frame, query, rays, answers.slice(..)));
+                }
+            }
+        }
+        let stages = done(done(frame.submit()).wait());
+        assert!(!compiles(&stages), "{change:?}: {stages}");
     }
 }
