@@ -20,15 +20,15 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // Picking: what does the mouse point at?
     let ray = camera.ray([33, 12], SIZE)?;
-    let hit = bvh.closest_hit(&ray);
-    let point = bvh.surface(&mesh, &ray, &hit).ok_or("nothing is there")?;
+    let hit = bvh.closest_hit(ray);
+    let point = bvh.surface(&mesh, ray, &hit).ok_or("nothing is there")?;
     println!("the {} at {:?}", part(&hit), point.position);
 
     // Line of sight: no offset at either end.
-    let is_lit = !bvh.any_hit(Ray::between(&point, LAMP));
+    let is_lit = !bvh.any_hit(Ray::between(point, LAMP));
     // Layers, masks, holes: hits that a function accepts.
-    let below = bvh.closest_hit_where(&ray, |hit| part(hit) == "floor");
-    let count = bvh.all_hits(&ray).len();
+    let below = bvh.closest_hit_where(ray, |hit| part(hit) == "floor");
+    let count = bvh.all_hits(ray).len();
     println!("lit: {is_lit}; behind it {}; {count} hits", part(&below));
 
     // Ambient occlusion: of 64 directions around the normal, how many meet nothing?

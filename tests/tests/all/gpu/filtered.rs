@@ -59,7 +59,7 @@ fn next_rays(bvh: &Bvh, mesh: &Mesh) -> Vec<SurfaceRay> {
         let (from, to) = (2.0 * random.point(), random.point());
         let ray = Ray::new(from.to_array(), (to - from).to_array());
         rays.push(SurfaceRay::from(ray));
-        points.extend(bvh.surface(mesh, &ray, &bvh.closest_hit(ray)));
+        points.extend(bvh.surface(mesh, ray, &bvh.closest_hit(ray)));
     }
     for pair in points.windows(2) {
         rays.push(Ray::between(pair[0], pair[1]));

@@ -521,7 +521,7 @@ fn surfaces_in_wgsl_are_those_of_the_cpu() {
         let expected: Vec<[f32; 16]> = rays
             .iter()
             .map(|ray| {
-                let point = bvh.surface(&mesh, &SurfaceRay::from(ray), &bvh.closest_hit(ray));
+                let point = bvh.surface(&mesh, SurfaceRay::from(ray), &bvh.closest_hit(ray));
                 let mut numbers = [0.0; 16];
                 if let Some(point) = point {
                     let parts = [
