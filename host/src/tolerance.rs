@@ -70,7 +70,7 @@ impl Scene {
         let mesh = match tolerance.step_exponent(self, settings) {
             Some(step_exponent) => {
                 self.mesh.snap(step_exponent);
-                MeshCodec::Lattice { step_exponent }
+                MeshCodec::on_lattice(step_exponent)
             }
             None => MeshCodec::F32,
         };

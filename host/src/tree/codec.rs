@@ -210,6 +210,12 @@ impl MeshCodec {
         }
     }
 
+    /// Triangles on the lattice whose step is 2 to this power.
+    #[must_use]
+    pub const fn on_lattice(step_exponent: i32) -> Self {
+        Self::Lattice { step_exponent }
+    }
+
     /// Whether encoding moves vertices. Then no exact decision about the mesh's triangles holds for the stored ones.
     #[must_use]
     pub const fn moves_vertices(self) -> bool {

@@ -4,8 +4,8 @@
 use slimbvh_shaders::{
     bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*,
     gather::*, morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*,
-    trace::called::*, trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*, view::*,
-    wide::*,
+    trace::called::*, trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*,
+    view::*, wide::*,
 };
 
 macro_rules! kernels {

@@ -4,8 +4,7 @@ use super::jobs::{Job, MODES, SCENES, VIEWS};
 use anyhow::{Context, Result};
 use slimbvh::reduce::{PlanConfig, Planner, Reduce, Switches, TreeChoice, Views};
 use slimbvh::{
-    BuildConfig, Change, Cpu, FrameConfig, FrameRequest, Frames, Output, Picture,
-    RenderSettings,
+    BuildConfig, Change, Cpu, FrameConfig, FrameRequest, Frames, Output, Picture, RenderSettings,
 };
 
 /// The first argument of a child process.
