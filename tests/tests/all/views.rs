@@ -82,6 +82,16 @@ pub fn config(reduce: Reduce) -> FrameConfig {
     }
 }
 
+/// The mesh turned about the vertical, each height by its own angle.
+pub fn twisted(mesh: &Mesh, angle: f32) -> Mesh {
+    let mut mesh = mesh.clone();
+    for [x, y, z] in &mut mesh.vertices {
+        let (sin, cos) = (angle * *y).sin_cos();
+        (*x, *z) = (cos * *x - sin * *z, sin * *x + cos * *z);
+    }
+    mesh
+}
+
 fn views_of(mesh: &Mesh, targets: &[ViewTarget], reduce: Reduce) -> ViewSets<Cpu> {
     let mut views = ViewSets::new(Cpu, config(reduce));
     done(views.update(mesh, targets, Change::Scene));

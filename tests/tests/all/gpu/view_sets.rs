@@ -1,7 +1,7 @@
 //! View sets on the GPU: the answers of the CPU's, over meshes on the host and over the caller's buffers.
 
 use crate::views::rays::{Answers, Rays, answers, rays_of};
-use crate::views::{config, meshes, targets};
+use crate::views::{config, meshes, targets, twisted};
 use slimbvh::gpu::{self, Frame, Gpu, IndexLayout, Query, VertexLayout, wgpu};
 use slimbvh::reduce::{Plan, Reduce, TreeChoice};
 use slimbvh::{Change, Cpu, Hit, Mesh, Ray, RayEnds, SurfaceRay, ViewSets};
@@ -145,15 +145,6 @@ fn a_targets_rays_have_the_cpus_answers() {
             assert_eq!(known, answers, "{reduce:?}");
         }
     }
-}
-
-fn twisted(mesh: &Mesh, angle: f32) -> Mesh {
-    let mut mesh = mesh.clone();
-    for [x, y, z] in &mut mesh.vertices {
-        let (sin, cos) = (angle * *y).sin_cos();
-        (*x, *z) = (cos * *x - sin * *z, sin * *x + cos * *z);
-    }
-    mesh
 }
 
 /// Only the GPU knows where the vertices are: it decides the sides itself.

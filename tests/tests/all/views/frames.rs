@@ -1,19 +1,10 @@
 //! View sets from frame to frame.
 
 use super::rays::{answers, rays_of};
-use super::{config, meshes, targets};
+use super::{config, meshes, targets, twisted};
 use slimbvh::reduce::Reduce;
 use slimbvh::{Change, Cpu, FrameConfig, Mesh, ViewSets, ViewTarget};
 use slimbvh_tests::gpu::done;
-
-fn twisted(mesh: &Mesh, angle: f32) -> Mesh {
-    let mut mesh = mesh.clone();
-    for [x, y, z] in &mut mesh.vertices {
-        let (sin, cos) = (angle * *y).sin_cos();
-        (*x, *z) = (cos * *x - sin * *z, sin * *x + cos * *z);
-    }
-    mesh
-}
 
 /// Trees that were kept, refitted or built again answer as new ones.
 #[test]
