@@ -173,6 +173,9 @@ fn sets_after_a_refit_are_of_the_present_vertices() {
     done(views.update(&moved, &many, Change::View));
     let fresh = on_cpu(&moved, &many, config(Reduce::On));
     let rays = rays_of(&moved, &fresh);
+    for (tree, fresh) in views.trees().iter().zip(fresh.trees()) {
+        assert_eq!(tree.bvh.bounds(), fresh.bvh.bounds());
+    }
     assert_eq!(answers(&views, &rays), answers(&fresh, &rays));
 }
 
