@@ -566,6 +566,7 @@ fn upload_view(
         .encoder()
         .copy_buffer_to_buffer(&from, 0, &view.buffer, view.offset, view.size);
 }
+
 /// A picture and its counts, being copied.
 struct PictureDownloads {
     texels: PictureDownload,
