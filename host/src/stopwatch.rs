@@ -1,8 +1,6 @@
 //! Times by the platform's clock, where it has one.
 
-use std::time::Duration;
-#[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// The time since a start, by the platform's monotonic clock. `wasm32-unknown-unknown` has none: there every time is zero.
 ///
@@ -12,8 +10,7 @@ use std::time::Instant;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Stopwatch {
-    #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-    start: Instant,
+    start: Option<Instant>,
 }
 
 impl Stopwatch {
@@ -24,17 +21,13 @@ impl Stopwatch {
     #[must_use]
     pub fn start() -> Self {
         Self {
-            #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-            start: Instant::now(),
+            start: Self::HAS_CLOCK.then(Instant::now),
         }
     }
 
     /// The time since the start; zero without a clock.
     #[must_use]
     pub fn elapsed(&self) -> Duration {
-        #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
-        return self.start.elapsed();
-        #[cfg(all(target_family = "wasm", target_os = "unknown"))]
-        Duration::ZERO
+        self.start.map_or(Duration::ZERO, |start| start.elapsed())
     }
 }

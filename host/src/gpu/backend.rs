@@ -73,12 +73,8 @@ pub struct Held {
 impl Held {
     /// Whether it is a copy of a mesh with these counts.
     fn is_copy_of(&self, mesh: &crate::Mesh) -> bool {
-        let counts = [mesh.indices.len(), mesh.vertices.len()].map(|count| count as u64);
-        self.is_copy
-            && self
-                .mesh
-                .as_ref()
-                .is_some_and(|held| held.counts() == counts)
+        let held = self.mesh.as_ref().filter(|_| self.is_copy);
+        held.is_some_and(|held| held.check_counts(mesh).is_ok())
     }
 
     /// The mesh.
