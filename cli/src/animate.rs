@@ -174,6 +174,7 @@ fn animate(
         },
         update: arguments.update,
         finds_cost: true,
+        ..FrameConfig::default()
     };
     if config.plan.is_refused() {
         bail!("--reduce on with --deform needs --solid: a deformed surface may cut itself");

@@ -4,12 +4,12 @@ use super::output::count;
 use anyhow::{Result, bail};
 use clap::Args;
 use serde::Serialize;
-use slimbvh::Stages;
 use slimbvh::reduce::{
     Cull, FacingSet, Plan, PlanConfig, Reduce, Saving, Savings, Seams, Survey, Switches,
     TargetKind, TreeChoice, ViewSet,
 };
 use slimbvh::topology::Topology;
+use slimbvh::{SetSize, Stages};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -94,16 +94,18 @@ struct TargetSummary {
     tree: &'static str,
     /// The number of triangles in its tree.
     triangles: Option<usize>,
+    /// Whether a set fitted into its memory; else its rays went through the whole tree.
+    fits: Option<bool>,
     estimated_share: f64,
     estimated_saving_ms: f64,
 }
 
-pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)]) -> PlanSummary {
+pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[SetSize]) -> PlanSummary {
     let target = |view: &ViewSet| {
         let name = view.name();
-        let set = sets.iter().find(|(set, _)| *set == name);
+        let set = sets.iter().find(|set| set.name == name);
         let (tree, triangles) = match view.choice {
-            TreeChoice::Set => ("set", set.map(|(_, count)| *count)),
+            TreeChoice::Set => ("set", set.map(|set| set.triangle_count)),
             TreeChoice::Whole => ("whole", Some(plan.triangle_count)),
             TreeChoice::Unused => ("none", None),
         };
@@ -120,6 +122,7 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)])
             },
             tree,
             triangles,
+            fits: set.map(|set| set.fits),
             estimated_share: view.share,
             estimated_saving_ms: view.saving_ms,
         }
@@ -149,7 +152,7 @@ pub fn summarize(plan: &Plan, survey: Option<&Survey>, sets: &[(String, usize)])
 pub fn explain(
     plan: &Plan,
     survey: Option<&Survey>,
-    sets: &[(String, usize)],
+    sets: &[SetSize],
     (build, render): (&Stages, &Stages),
 ) -> String {
     let mut text = String::new();
@@ -162,8 +165,15 @@ pub fn explain(
     }
     if !sets.is_empty() {
         let percent = |kept: usize| 100.0 * kept as f64 / plan.triangle_count.max(1) as f64;
-        let set = |(name, kept): &(String, usize)| {
-            format!("{name} {} ({:.1} %)", count(*kept), percent(*kept))
+        let set = |set: &SetSize| {
+            let kept = set.triangle_count;
+            let unfit = if set.fits {
+                ""
+            } else {
+                "; too many for its memory, so its rays went through the whole tree"
+            };
+            let (name, share) = (&set.name, percent(kept));
+            format!("{name} {} ({share:.1} %{unfit})", count(kept))
         };
         let sets: Vec<String> = sets.iter().map(set).collect();
         line("kept", sets.join(", "));

@@ -57,6 +57,10 @@ pub const fn count_in_part(count: u32, first: u32, most: u32) -> u32 {
     }
 }
 
+/// From the dispatch of the rays that go through a set to that of those that go through the whole tree, in dispatches: both can be
+/// bound as uniforms.
+pub const PART_STEP: usize = 16;
+
 /// Values that a lane takes in a `scan` of `value_count`: [`SCAN_RUN`], or more where there would be over [`MOST_SCAN_BLOCKS`].
 #[inline(always)]
 #[must_use]

@@ -2,7 +2,7 @@
 //! return what to store. They run on the CPU and, compiled to SPIR-V, on the GPU.
 //!
 //! Each stage is a module, here at the root. In the order of a frame:
-//! `bounds → (decide → classify → compact) → morton → sort, scan → snap → topology or cluster → refit → encode → camera →
+//! `bounds → (decide → classify → compact → fit) → morton → sort, scan → snap → topology or cluster → refit → encode → camera →
 //! trace → shade → view`; those in brackets only where a tree holds a part of the mesh. They live in rooms, each of which
 //! uses only rooms before it: [`geometry`], [`build`], [`trace`], [`codec`], [`reduce`] and [`shade`].
 //!
@@ -22,7 +22,7 @@ pub mod shade;
 pub mod trace;
 
 pub use build::{
-    bounds, cluster, compact, gather, morton, node, refit, scan, snap, sort, topology, wide,
+    bounds, cluster, compact, fit, gather, morton, node, refit, scan, snap, sort, topology, wide,
 };
 pub use codec as encode;
 pub use geometry::{

@@ -5,6 +5,7 @@ use crate::geometry::planes::PlanePair;
 use crate::geometry::ray::{Hit, PreparedRay, Ray};
 use query::{Query, Single};
 
+mod based;
 mod collect;
 mod filter;
 mod lane_stack;
@@ -20,6 +21,7 @@ mod wide;
 mod wide_rows;
 mod wide_stack;
 
+pub use based::Based;
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits, UpTo};
 #[cfg(not(target_arch = "spirv"))]
 pub use filter::EndsAnd;

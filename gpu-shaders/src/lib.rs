@@ -38,6 +38,8 @@ pub mod decide;
 #[cfg(feature = "plain")]
 pub mod encode;
 #[cfg(feature = "plain")]
+pub mod fit;
+#[cfg(feature = "plain")]
 pub mod gather;
 mod group;
 #[cfg(feature = "plain")]

@@ -112,1092 +112,1095 @@ var<private> slimbvh_hit: SlimbvhTypeA;
 fn slimbvh_trace() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_432_: u32;
-    var phi_438_: u32;
-    var phi_444_: u32;
-    var phi_709_: i32;
-    var phi_720_: i32;
-    var phi_834_: i32;
-    var phi_963_: i32;
-    var phi_985_: u32;
-    var phi_986_: u32;
-    var phi_987_: bool;
-    var phi_1021_: i32;
-    var phi_1043_: u32;
-    var phi_1044_: u32;
-    var phi_1045_: bool;
-    var phi_606_: i32;
-    var phi_612_: u32;
-    var phi_631_: u32;
-    var phi_632_: u32;
-    var phi_633_: bool;
-    var phi_651_: i32;
-    var phi_657_: u32;
-    var phi_676_: u32;
-    var phi_677_: u32;
-    var phi_678_: bool;
-    var phi_1055_: SlimbvhTypeD;
-    var phi_1260_: SlimbvhTypeN;
-    var phi_1275_: SlimbvhTypeN;
-    var phi_1278_: u32;
-    var phi_1280_: u32;
-    var phi_1282_: u32;
-    var phi_1291_: u32;
+    var phi_445_: u32;
+    var phi_451_: u32;
+    var phi_457_: u32;
+    var phi_722_: i32;
+    var phi_733_: i32;
+    var phi_847_: i32;
+    var phi_976_: i32;
+    var phi_998_: u32;
+    var phi_999_: u32;
+    var phi_1000_: bool;
+    var phi_1034_: i32;
+    var phi_1056_: u32;
+    var phi_1057_: u32;
+    var phi_1058_: bool;
+    var phi_619_: i32;
+    var phi_625_: u32;
+    var phi_644_: u32;
+    var phi_645_: u32;
+    var phi_646_: bool;
+    var phi_664_: i32;
+    var phi_670_: u32;
+    var phi_689_: u32;
+    var phi_690_: u32;
+    var phi_691_: bool;
+    var phi_1068_: SlimbvhTypeD;
+    var phi_1273_: SlimbvhTypeN;
+    var phi_1289_: SlimbvhTypeN;
+    var phi_1292_: u32;
     var phi_1294_: u32;
     var phi_1296_: u32;
-    var phi_1593_: u32;
-    var phi_1568_: u32;
-    var phi_1594_: u32;
+    var phi_1305_: u32;
+    var phi_1308_: u32;
+    var phi_1310_: u32;
+    var phi_1620_: u32;
     var phi_1595_: u32;
-    var phi_1292_: u32;
-    var phi_1295_: u32;
-    var phi_1297_: u32;
+    var phi_1621_: u32;
+    var phi_1622_: u32;
+    var phi_1306_: u32;
+    var phi_1309_: u32;
+    var phi_1311_: u32;
     var local_2: bool;
     var local_3: u32;
     var local_4: u32;
-    var phi_1611_: SlimbvhTypeN;
-    var phi_1614_: SlimbvhTypeE;
-    var phi_1615_: SlimbvhTypeE;
-    var phi_1637_: SlimbvhTypeE;
-    var phi_1716_: array<vec4<f32>, 3>;
-    var phi_1717_: array<vec4<f32>, 3>;
-    var phi_1791_: array<vec4<f32>, 3>;
-    var phi_1792_: array<vec4<f32>, 3>;
-    var phi_1815_: array<f32, 3>;
-    var phi_1816_: array<f32, 3>;
-    var phi_1830_: array<f32, 3>;
-    var phi_1831_: array<f32, 3>;
-    var phi_1845_: array<f32, 3>;
-    var phi_1846_: array<f32, 3>;
-    var phi_2179_: f32;
-    var phi_2180_: f32;
-    var phi_2181_: f32;
-    var phi_2182_: f32;
-    var phi_2183_: vec3<f32>;
-    var phi_2184_: vec3<f32>;
-    var phi_2185_: vec3<f32>;
-    var phi_2186_: vec3<f32>;
-    var phi_2365_: f32;
-    var phi_2391_: SlimbvhTypeF;
-    var phi_2392_: SlimbvhTypeF;
-    var phi_2395_: SlimbvhTypeF;
-    var phi_2396_: SlimbvhTypeF;
-    var phi_2397_: bool;
-    var phi_2401_: SlimbvhTypeF;
-    var phi_2410_: SlimbvhTypeG;
-    var phi_2457_: i32;
-    var phi_2597_: SlimbvhTypeI;
-    var phi_2621_: u32;
-    var phi_2649_: vec3<f32>;
-    var phi_2650_: vec3<f32>;
-    var phi_2667_: vec3<f32>;
-    var phi_2668_: vec3<f32>;
-    var phi_2685_: vec3<f32>;
-    var phi_2686_: vec3<f32>;
-    var phi_2722_: vec3<f32>;
-    var phi_2904_: f32;
-    var phi_2922_: bool;
-    var phi_2923_: bool;
-    var phi_2942_: bool;
-    var phi_2943_: bool;
-    var phi_2950_: SlimbvhTypeN;
-    var phi_2956_: SlimbvhTypeN;
-    var phi_2957_: SlimbvhTypeN;
-    var phi_2958_: SlimbvhTypeN;
-    var phi_1612_: SlimbvhTypeN;
+    var phi_1639_: SlimbvhTypeN;
+    var phi_1642_: SlimbvhTypeE;
+    var phi_1643_: SlimbvhTypeE;
+    var phi_1665_: SlimbvhTypeE;
+    var phi_1744_: array<vec4<f32>, 3>;
+    var phi_1745_: array<vec4<f32>, 3>;
+    var phi_1819_: array<vec4<f32>, 3>;
+    var phi_1820_: array<vec4<f32>, 3>;
+    var phi_1843_: array<f32, 3>;
+    var phi_1844_: array<f32, 3>;
+    var phi_1858_: array<f32, 3>;
+    var phi_1859_: array<f32, 3>;
+    var phi_1873_: array<f32, 3>;
+    var phi_1874_: array<f32, 3>;
+    var phi_2207_: f32;
+    var phi_2208_: f32;
+    var phi_2209_: f32;
+    var phi_2210_: f32;
+    var phi_2211_: vec3<f32>;
+    var phi_2212_: vec3<f32>;
+    var phi_2213_: vec3<f32>;
+    var phi_2214_: vec3<f32>;
+    var phi_2393_: f32;
+    var phi_2419_: SlimbvhTypeF;
+    var phi_2420_: SlimbvhTypeF;
+    var phi_2423_: SlimbvhTypeF;
+    var phi_2424_: SlimbvhTypeF;
+    var phi_2425_: bool;
+    var phi_2429_: SlimbvhTypeF;
+    var phi_2438_: SlimbvhTypeG;
+    var phi_2485_: i32;
+    var phi_2625_: SlimbvhTypeI;
+    var phi_2649_: u32;
+    var phi_2677_: vec3<f32>;
+    var phi_2678_: vec3<f32>;
+    var phi_2695_: vec3<f32>;
+    var phi_2696_: vec3<f32>;
+    var phi_2713_: vec3<f32>;
+    var phi_2714_: vec3<f32>;
+    var phi_2750_: vec3<f32>;
+    var phi_2932_: f32;
+    var phi_2950_: bool;
+    var phi_2951_: bool;
+    var phi_2970_: bool;
+    var phi_2971_: bool;
+    var phi_2978_: SlimbvhTypeN;
+    var phi_2984_: SlimbvhTypeN;
+    var phi_2985_: SlimbvhTypeN;
+    var phi_2986_: SlimbvhTypeN;
+    var phi_1640_: SlimbvhTypeN;
     var local_5: u32;
     var local_6: SlimbvhTypeN;
-    var phi_2983_: u32;
-    var phi_2990_: SlimbvhTypeN;
-    var phi_2991_: u32;
-    var phi_2992_: u32;
-    var phi_1276_: SlimbvhTypeN;
-    var phi_1279_: u32;
-    var phi_1281_: u32;
-    var phi_1283_: u32;
+    var phi_3011_: u32;
+    var phi_3018_: SlimbvhTypeN;
+    var phi_3019_: u32;
+    var phi_3020_: u32;
+    var phi_1290_: SlimbvhTypeN;
+    var phi_1293_: u32;
+    var phi_1295_: u32;
+    var phi_1297_: u32;
     var local_7: SlimbvhTypeN;
-    var phi_3026_: f32;
-    var phi_3028_: f32;
-    var phi_3029_: bool;
-    var phi_3030_: f32;
-    var phi_3031_: bool;
-    var phi_3412_: u32;
-    var phi_3430_: bool;
-    var phi_3433_: bool;
-    var phi_3446_: f32;
-    var phi_3447_: f32;
-    var phi_3452_: f32;
-    var phi_3453_: f32;
-    var phi_3454_: bool;
-    var phi_3462_: f32;
-    var phi_3046_: f32;
-    var phi_3047_: f32;
-    var phi_3059_: f32;
-    var phi_3064_: SlimbvhTypeG;
+    var phi_3054_: f32;
+    var phi_3056_: f32;
+    var phi_3057_: bool;
+    var phi_3058_: f32;
+    var phi_3059_: bool;
+    var phi_3440_: u32;
+    var phi_3458_: bool;
+    var phi_3461_: bool;
+    var phi_3474_: f32;
+    var phi_3475_: f32;
+    var phi_3480_: f32;
+    var phi_3481_: f32;
+    var phi_3482_: bool;
+    var phi_3490_: f32;
+    var phi_3074_: f32;
+    var phi_3075_: f32;
+    var phi_3087_: f32;
+    var phi_3092_: SlimbvhTypeG;
     var local_8: SlimbvhTypeN;
     var local_9: u32;
     var local_10: u32;
     var local_11: u32;
 
     let _e85 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e88 = arrayLength((&slimbvh_nodes.member));
+    let _e89 = arrayLength((&slimbvh_nodes.member));
+    let _e100 = slimbvh_exponent.member[1u];
+    let _e103 = slimbvh_exponent.member[2u];
     local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-    let _e97 = slimbvh_origin.member;
-    let _e103 = slimbvh_origin.member[3u];
-    let _e104 = slimbvh_direction.member;
-    let _e110 = slimbvh_direction.member[3u];
-    let _e113 = slimbvh_exponent.member[0u];
-    let _e114 = bitcast<i32>(_e113);
-    let _e116 = (bitcast<u32>(_e97.x) & 2147483647u);
-    let _e118 = (bitcast<u32>(_e97.y) & 2147483647u);
-    let _e120 = (bitcast<u32>(_e97.z) & 2147483647u);
-    let _e121 = bitcast<u32>(_e103);
-    let _e122 = (_e121 & 2147483647u);
-    let _e124 = (bitcast<u32>(_e104.x) & 2147483647u);
-    let _e126 = (bitcast<u32>(_e104.y) & 2147483647u);
-    let _e128 = (bitcast<u32>(_e104.z) & 2147483647u);
-    let _e129 = bitcast<u32>(_e110);
-    let _e130 = (_e129 & 2147483647u);
-    let _e132 = select(_e126, _e124, (_e126 < _e124));
-    let _e134 = select(_e128, _e132, (_e128 < _e132));
-    let _e136 = select(_e116, _e134, (_e116 < _e134));
-    let _e138 = select(_e118, _e136, (_e118 < _e136));
-    let _e140 = select(_e120, _e138, (_e120 < _e138));
-    let _e147 = (((select(_e122, _e140, (_e122 < _e140)) < 2139095040u) && (_e130 <= 2139095040u)) && (_e134 > 0u));
-    if (_e124 == _e134) {
-        phi_432_ = 0u;
+    let _e104 = slimbvh_origin.member;
+    let _e110 = slimbvh_origin.member[3u];
+    let _e111 = slimbvh_direction.member;
+    let _e117 = slimbvh_direction.member[3u];
+    let _e120 = slimbvh_exponent.member[0u];
+    let _e121 = bitcast<i32>(_e120);
+    let _e123 = (bitcast<u32>(_e104.x) & 2147483647u);
+    let _e125 = (bitcast<u32>(_e104.y) & 2147483647u);
+    let _e127 = (bitcast<u32>(_e104.z) & 2147483647u);
+    let _e128 = bitcast<u32>(_e110);
+    let _e129 = (_e128 & 2147483647u);
+    let _e131 = (bitcast<u32>(_e111.x) & 2147483647u);
+    let _e133 = (bitcast<u32>(_e111.y) & 2147483647u);
+    let _e135 = (bitcast<u32>(_e111.z) & 2147483647u);
+    let _e136 = bitcast<u32>(_e117);
+    let _e137 = (_e136 & 2147483647u);
+    let _e139 = select(_e133, _e131, (_e133 < _e131));
+    let _e141 = select(_e135, _e139, (_e135 < _e139));
+    let _e143 = select(_e123, _e141, (_e123 < _e141));
+    let _e145 = select(_e125, _e143, (_e125 < _e143));
+    let _e147 = select(_e127, _e145, (_e127 < _e145));
+    let _e154 = (((select(_e129, _e147, (_e129 < _e147)) < 2139095040u) && (_e137 <= 2139095040u)) && (_e141 > 0u));
+    if (_e131 == _e141) {
+        phi_445_ = 0u;
     } else {
-        phi_432_ = select(2u, 1u, (_e126 == _e134));
+        phi_445_ = select(2u, 1u, (_e133 == _e141));
     }
-    let _e152 = phi_432_;
-    let _e153 = (_e152 == 2u);
-    if _e153 {
-        phi_438_ = 0u;
+    let _e159 = phi_445_;
+    let _e160 = (_e159 == 2u);
+    if _e160 {
+        phi_451_ = 0u;
     } else {
-        phi_438_ = (_e152 + 1u);
+        phi_451_ = (_e159 + 1u);
     }
-    let _e156 = phi_438_;
-    let _e157 = (_e156 == 2u);
-    if _e157 {
-        phi_444_ = 0u;
+    let _e163 = phi_451_;
+    let _e164 = (_e163 == 2u);
+    if _e164 {
+        phi_457_ = 0u;
     } else {
-        phi_444_ = (_e156 + 1u);
+        phi_457_ = (_e163 + 1u);
     }
-    let _e160 = phi_444_;
-    let _e161 = (_e156 == 0u);
-    let _e163 = select(select(_e97.y, _e97.x, _e161), _e97.z, _e157);
-    let _e164 = (_e160 == 0u);
-    let _e166 = (_e160 == 2u);
-    let _e167 = select(select(_e97.y, _e97.x, _e164), _e97.z, _e166);
-    let _e168 = (_e152 == 0u);
-    let _e170 = select(select(_e97.y, _e97.x, _e168), _e97.z, _e153);
-    let _e172 = select(select(_e104.y, _e104.x, _e161), _e104.z, _e157);
-    let _e174 = select(select(_e104.y, _e104.x, _e164), _e104.z, _e166);
-    let _e176 = select(select(_e104.y, _e104.x, _e168), _e104.z, _e153);
-    let _e177 = (_e122 - 1u);
-    let _e178 = (_e130 - 1u);
-    let _e180 = select(_e177, _e178, (_e178 < _e177));
-    let _e181 = (_e116 - 1u);
-    let _e182 = (_e118 - 1u);
-    let _e184 = select(_e181, _e182, (_e182 < _e181));
-    let _e185 = (_e120 - 1u);
+    let _e167 = phi_457_;
+    let _e168 = (_e163 == 0u);
+    let _e170 = select(select(_e104.y, _e104.x, _e168), _e104.z, _e164);
+    let _e171 = (_e167 == 0u);
+    let _e173 = (_e167 == 2u);
+    let _e174 = select(select(_e104.y, _e104.x, _e171), _e104.z, _e173);
+    let _e175 = (_e159 == 0u);
+    let _e177 = select(select(_e104.y, _e104.x, _e175), _e104.z, _e160);
+    let _e179 = select(select(_e111.y, _e111.x, _e168), _e111.z, _e164);
+    let _e181 = select(select(_e111.y, _e111.x, _e171), _e111.z, _e173);
+    let _e183 = select(select(_e111.y, _e111.x, _e175), _e111.z, _e160);
+    let _e184 = (_e129 - 1u);
+    let _e185 = (_e137 - 1u);
     let _e187 = select(_e184, _e185, (_e185 < _e184));
-    let _e188 = (_e124 - 1u);
-    let _e189 = (_e126 - 1u);
+    let _e188 = (_e123 - 1u);
+    let _e189 = (_e125 - 1u);
     let _e191 = select(_e188, _e189, (_e189 < _e188));
-    let _e192 = (_e128 - 1u);
+    let _e192 = (_e127 - 1u);
     let _e194 = select(_e191, _e192, (_e192 < _e191));
-    let _e196 = select(_e187, _e194, (_e194 < _e187));
-    if (((select(_e196, _e180, (_e180 < _e196)) >= 8388607u) && (_e134 < 2130706432u)) && (bitcast<u32>((_e114 + 126i)) <= 253u)) {
-        let _e461 = bitcast<i32>((_e134 >> bitcast<u32>(23i)));
-        let _e462 = (_e461 - 127i);
-        let _e463 = (_e114 + _e462);
-        let _e468 = bitcast<f32>((bitcast<u32>((_e114 + 127i)) << bitcast<u32>(23i)));
-        let _e473 = bitcast<f32>((bitcast<u32>((254i - _e461)) << bitcast<u32>(23i)));
-        if (_e122 >= 2139095040u) {
-            phi_606_ = 255i;
+    let _e195 = (_e131 - 1u);
+    let _e196 = (_e133 - 1u);
+    let _e198 = select(_e195, _e196, (_e196 < _e195));
+    let _e199 = (_e135 - 1u);
+    let _e201 = select(_e198, _e199, (_e199 < _e198));
+    let _e203 = select(_e194, _e201, (_e201 < _e194));
+    if (((select(_e203, _e187, (_e187 < _e203)) >= 8388607u) && (_e141 < 2130706432u)) && (bitcast<u32>((_e121 + 126i)) <= 253u)) {
+        let _e468 = bitcast<i32>((_e141 >> bitcast<u32>(23i)));
+        let _e469 = (_e468 - 127i);
+        let _e470 = (_e121 + _e469);
+        let _e475 = bitcast<f32>((bitcast<u32>((_e121 + 127i)) << bitcast<u32>(23i)));
+        let _e480 = bitcast<f32>((bitcast<u32>((254i - _e468)) << bitcast<u32>(23i)));
+        if (_e129 >= 2139095040u) {
+            phi_619_ = 255i;
         } else {
-            phi_606_ = (bitcast<i32>((_e122 >> bitcast<u32>(23i))) + _e463);
+            phi_619_ = (bitcast<i32>((_e129 >> bitcast<u32>(23i))) + _e470);
         }
-        let _e488 = phi_606_;
-        if (_e122 == 0u) {
-            phi_612_ = 0u;
+        let _e495 = phi_619_;
+        if (_e129 == 0u) {
+            phi_625_ = 0u;
         } else {
-            phi_612_ = (_e122 | 8388608u);
+            phi_625_ = (_e129 | 8388608u);
         }
-        let _e492 = phi_612_;
-        if (_e488 <= 0i) {
-            phi_632_ = u32();
-            phi_633_ = true;
+        let _e499 = phi_625_;
+        if (_e495 <= 0i) {
+            phi_645_ = u32();
+            phi_646_ = true;
         } else {
-            let _e499 = (_e492 == 0u);
-            if _e499 {
-                phi_631_ = u32();
+            let _e506 = (_e499 == 0u);
+            if _e506 {
+                phi_644_ = u32();
             } else {
-                phi_631_ = select(((bitcast<u32>(_e488) << bitcast<u32>(23i)) | (_e492 & 8388607u)), 2139095039u, (_e488 >= 255i));
+                phi_644_ = select(((bitcast<u32>(_e495) << bitcast<u32>(23i)) | (_e499 & 8388607u)), 2139095039u, (_e495 >= 255i));
             }
-            let _e503 = phi_631_;
-            phi_632_ = _e503;
-            phi_633_ = _e499;
+            let _e510 = phi_644_;
+            phi_645_ = _e510;
+            phi_646_ = _e506;
         }
-        let _e505 = phi_632_;
-        let _e507 = phi_633_;
-        if (_e130 >= 2139095040u) {
-            phi_651_ = 255i;
+        let _e512 = phi_645_;
+        let _e514 = phi_646_;
+        if (_e137 >= 2139095040u) {
+            phi_664_ = 255i;
         } else {
-            phi_651_ = (bitcast<i32>((_e130 >> bitcast<u32>(23i))) + _e463);
+            phi_664_ = (bitcast<i32>((_e137 >> bitcast<u32>(23i))) + _e470);
         }
-        let _e518 = phi_651_;
-        if (_e130 == 0u) {
-            phi_657_ = 0u;
+        let _e525 = phi_664_;
+        if (_e137 == 0u) {
+            phi_670_ = 0u;
         } else {
-            phi_657_ = (_e130 | 8388608u);
+            phi_670_ = (_e137 | 8388608u);
         }
-        let _e522 = phi_657_;
-        if (_e518 <= 0i) {
-            phi_677_ = u32();
-            phi_678_ = true;
+        let _e529 = phi_670_;
+        if (_e525 <= 0i) {
+            phi_690_ = u32();
+            phi_691_ = true;
         } else {
-            let _e529 = (_e522 == 0u);
-            if _e529 {
-                phi_676_ = u32();
+            let _e536 = (_e529 == 0u);
+            if _e536 {
+                phi_689_ = u32();
             } else {
-                phi_676_ = select(((bitcast<u32>(_e518) << bitcast<u32>(23i)) | (_e522 & 8388607u)), 2139095039u, (_e518 >= 255i));
+                phi_689_ = select(((bitcast<u32>(_e525) << bitcast<u32>(23i)) | (_e529 & 8388607u)), 2139095039u, (_e525 >= 255i));
             }
-            let _e533 = phi_676_;
-            phi_677_ = _e533;
-            phi_678_ = _e529;
+            let _e540 = phi_689_;
+            phi_690_ = _e540;
+            phi_691_ = _e536;
         }
-        let _e535 = phi_677_;
-        let _e537 = phi_678_;
-        phi_1055_ = SlimbvhTypeD(array<f32, 3>((_e163 * _e468), (_e167 * _e468), (_e170 * _e468)), array<f32, 3>((_e172 * _e473), (_e174 * _e473), (_e176 * _e473)), bitcast<f32>(((_e121 & 2147483648u) | select(_e505, 0u, _e507))), bitcast<f32>(((_e129 & 2147483648u) | select(_e535, 0u, _e537))), _e462);
+        let _e542 = phi_690_;
+        let _e544 = phi_691_;
+        phi_1068_ = SlimbvhTypeD(array<f32, 3>((_e170 * _e475), (_e174 * _e475), (_e177 * _e475)), array<f32, 3>((_e179 * _e480), (_e181 * _e480), (_e183 * _e480)), bitcast<f32>(((_e128 & 2147483648u) | select(_e512, 0u, _e514))), bitcast<f32>(((_e136 & 2147483648u) | select(_e542, 0u, _e544))), _e469);
     } else {
-        let _e209 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e134, _e147))) & 2147483647u);
-        if (_e209 >= 8388608u) {
-            phi_709_ = (bitcast<i32>((_e209 >> bitcast<u32>(23i))) - 127i);
+        let _e216 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e141, _e154))) & 2147483647u);
+        if (_e216 >= 8388608u) {
+            phi_722_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_709_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e209)), 32u, (_e209 == 0u))));
+            phi_722_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
         }
-        let _e223 = phi_709_;
-        let _e224 = (_e114 + _e223);
-        if (_e114 < -126i) {
-            phi_720_ = -126i;
+        let _e230 = phi_722_;
+        let _e231 = (_e121 + _e230);
+        if (_e121 < -126i) {
+            phi_733_ = -126i;
         } else {
-            phi_720_ = select(_e114, 127i, (_e114 > 127i));
+            phi_733_ = select(_e121, 127i, (_e121 > 127i));
         }
-        let _e229 = phi_720_;
-        let _e234 = bitcast<f32>((bitcast<u32>((_e229 + 127i)) << bitcast<u32>(23i)));
-        let _e240 = bitcast<f32>((bitcast<u32>(((_e114 - _e229) + 127i)) << bitcast<u32>(23i)));
-        let _e241 = bitcast<u32>(_e163);
-        let _e243 = ((_e241 & 2139095040u) != 0u);
-        let _e258 = bitcast<u32>(_e167);
-        let _e260 = ((_e258 & 2139095040u) != 0u);
-        let _e275 = bitcast<u32>(_e170);
-        let _e277 = ((_e275 & 2139095040u) != 0u);
-        let _e293 = -(_e223);
-        if (_e293 < -126i) {
-            phi_834_ = -126i;
+        let _e236 = phi_733_;
+        let _e241 = bitcast<f32>((bitcast<u32>((_e236 + 127i)) << bitcast<u32>(23i)));
+        let _e247 = bitcast<f32>((bitcast<u32>(((_e121 - _e236) + 127i)) << bitcast<u32>(23i)));
+        let _e248 = bitcast<u32>(_e170);
+        let _e250 = ((_e248 & 2139095040u) != 0u);
+        let _e265 = bitcast<u32>(_e174);
+        let _e267 = ((_e265 & 2139095040u) != 0u);
+        let _e282 = bitcast<u32>(_e177);
+        let _e284 = ((_e282 & 2139095040u) != 0u);
+        let _e300 = -(_e230);
+        if (_e300 < -126i) {
+            phi_847_ = -126i;
         } else {
-            phi_834_ = select(_e293, 127i, (_e293 > 127i));
+            phi_847_ = select(_e300, 127i, (_e300 > 127i));
         }
-        let _e298 = phi_834_;
-        let _e303 = bitcast<f32>((bitcast<u32>((_e298 + 127i)) << bitcast<u32>(23i)));
-        let _e309 = bitcast<f32>((bitcast<u32>(((_e293 - _e298) + 127i)) << bitcast<u32>(23i)));
-        let _e310 = bitcast<u32>(_e172);
-        let _e312 = ((_e310 & 2139095040u) != 0u);
-        let _e327 = bitcast<u32>(_e174);
-        let _e329 = ((_e327 & 2139095040u) != 0u);
-        let _e344 = bitcast<u32>(_e176);
-        let _e346 = ((_e344 & 2139095040u) != 0u);
-        let _e368 = ((_e122 & 8388607u) | (select(0u, 1u, ((_e122 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e371 = bitcast<i32>((_e122 >> bitcast<u32>(23i)));
-        let _e378 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e368)), 32u, (_e368 == 0u))) - 8i);
-        if (_e371 == 255i) {
-            phi_963_ = 255i;
+        let _e305 = phi_847_;
+        let _e310 = bitcast<f32>((bitcast<u32>((_e305 + 127i)) << bitcast<u32>(23i)));
+        let _e316 = bitcast<f32>((bitcast<u32>(((_e300 - _e305) + 127i)) << bitcast<u32>(23i)));
+        let _e317 = bitcast<u32>(_e179);
+        let _e319 = ((_e317 & 2139095040u) != 0u);
+        let _e334 = bitcast<u32>(_e181);
+        let _e336 = ((_e334 & 2139095040u) != 0u);
+        let _e351 = bitcast<u32>(_e183);
+        let _e353 = ((_e351 & 2139095040u) != 0u);
+        let _e375 = ((_e129 & 8388607u) | (select(0u, 1u, ((_e129 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e378 = bitcast<i32>((_e129 >> bitcast<u32>(23i)));
+        let _e385 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e375)), 32u, (_e375 == 0u))) - 8i);
+        if (_e378 == 255i) {
+            phi_976_ = 255i;
         } else {
-            phi_963_ = (((_e371 + select(0i, 1i, (_e371 == 0i))) - _e378) + _e224);
+            phi_976_ = (((_e378 + select(0i, 1i, (_e378 == 0i))) - _e385) + _e231);
         }
-        let _e386 = phi_963_;
-        let _e390 = (_e368 << bitcast<u32>(((_e378 & 31i) & 31i)));
-        if (_e386 <= 0i) {
-            phi_986_ = u32();
-            phi_987_ = true;
+        let _e393 = phi_976_;
+        let _e397 = (_e375 << bitcast<u32>(((_e385 & 31i) & 31i)));
+        if (_e393 <= 0i) {
+            phi_999_ = u32();
+            phi_1000_ = true;
         } else {
-            let _e397 = (_e390 == 0u);
-            if _e397 {
-                phi_985_ = u32();
+            let _e404 = (_e397 == 0u);
+            if _e404 {
+                phi_998_ = u32();
             } else {
-                phi_985_ = select(((bitcast<u32>(_e386) << bitcast<u32>(23i)) | (_e390 & 8388607u)), 2139095039u, (_e386 >= 255i));
+                phi_998_ = select(((bitcast<u32>(_e393) << bitcast<u32>(23i)) | (_e397 & 8388607u)), 2139095039u, (_e393 >= 255i));
             }
-            let _e401 = phi_985_;
-            phi_986_ = _e401;
-            phi_987_ = _e397;
+            let _e408 = phi_998_;
+            phi_999_ = _e408;
+            phi_1000_ = _e404;
         }
-        let _e403 = phi_986_;
-        let _e405 = phi_987_;
-        let _e416 = ((_e130 & 8388607u) | (select(0u, 1u, ((_e130 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e419 = bitcast<i32>((_e130 >> bitcast<u32>(23i)));
-        let _e426 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e416)), 32u, (_e416 == 0u))) - 8i);
-        if (_e419 == 255i) {
-            phi_1021_ = 255i;
+        let _e410 = phi_999_;
+        let _e412 = phi_1000_;
+        let _e423 = ((_e137 & 8388607u) | (select(0u, 1u, ((_e137 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e426 = bitcast<i32>((_e137 >> bitcast<u32>(23i)));
+        let _e433 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e423)), 32u, (_e423 == 0u))) - 8i);
+        if (_e426 == 255i) {
+            phi_1034_ = 255i;
         } else {
-            phi_1021_ = (((_e419 + select(0i, 1i, (_e419 == 0i))) - _e426) + _e224);
+            phi_1034_ = (((_e426 + select(0i, 1i, (_e426 == 0i))) - _e433) + _e231);
         }
-        let _e434 = phi_1021_;
-        let _e438 = (_e416 << bitcast<u32>(((_e426 & 31i) & 31i)));
-        if (_e434 <= 0i) {
-            phi_1044_ = u32();
-            phi_1045_ = true;
+        let _e441 = phi_1034_;
+        let _e445 = (_e423 << bitcast<u32>(((_e433 & 31i) & 31i)));
+        if (_e441 <= 0i) {
+            phi_1057_ = u32();
+            phi_1058_ = true;
         } else {
-            let _e445 = (_e438 == 0u);
-            if _e445 {
-                phi_1043_ = u32();
+            let _e452 = (_e445 == 0u);
+            if _e452 {
+                phi_1056_ = u32();
             } else {
-                phi_1043_ = select(((bitcast<u32>(_e434) << bitcast<u32>(23i)) | (_e438 & 8388607u)), 2139095039u, (_e434 >= 255i));
+                phi_1056_ = select(((bitcast<u32>(_e441) << bitcast<u32>(23i)) | (_e445 & 8388607u)), 2139095039u, (_e441 >= 255i));
             }
-            let _e449 = phi_1043_;
-            phi_1044_ = _e449;
-            phi_1045_ = _e445;
+            let _e456 = phi_1056_;
+            phi_1057_ = _e456;
+            phi_1058_ = _e452;
         }
-        let _e451 = phi_1044_;
-        let _e453 = phi_1045_;
-        phi_1055_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e241 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e241 & 2147483648u))), _e163, _e243) * _e234) * select(0.00000011920929f, 1f, _e243)) * _e240), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e258 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e258 & 2147483648u))), _e167, _e260) * _e234) * select(0.00000011920929f, 1f, _e260)) * _e240), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e275 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e275 & 2147483648u))), _e170, _e277) * _e234) * select(0.00000011920929f, 1f, _e277)) * _e240)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e310 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e310 & 2147483648u))), _e172, _e312) * _e303) * select(0.00000011920929f, 1f, _e312)) * _e309), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e327 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e327 & 2147483648u))), _e174, _e329) * _e303) * select(0.00000011920929f, 1f, _e329)) * _e309), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e176, _e346) * _e303) * select(0.00000011920929f, 1f, _e346)) * _e309)), bitcast<f32>(((_e121 & 2147483648u) | select(_e403, 0u, _e405))), bitcast<f32>(((_e129 & 2147483648u) | select(_e451, 0u, _e453))), _e223);
+        let _e458 = phi_1057_;
+        let _e460 = phi_1058_;
+        phi_1068_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e170, _e250) * _e241) * select(0.00000011920929f, 1f, _e250)) * _e247), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e265 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e265 & 2147483648u))), _e174, _e267) * _e241) * select(0.00000011920929f, 1f, _e267)) * _e247), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e282 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e282 & 2147483648u))), _e177, _e284) * _e241) * select(0.00000011920929f, 1f, _e284)) * _e247)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e179, _e319) * _e310) * select(0.00000011920929f, 1f, _e319)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e181, _e336) * _e310) * select(0.00000011920929f, 1f, _e336)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e351 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e351 & 2147483648u))), _e183, _e353) * _e310) * select(0.00000011920929f, 1f, _e353)) * _e316)), bitcast<f32>(((_e128 & 2147483648u) | select(_e410, 0u, _e412))), bitcast<f32>(((_e136 & 2147483648u) | select(_e458, 0u, _e460))), _e230);
     }
-    let _e544 = phi_1055_;
-    let _e559 = (bitcast<f32>((bitcast<u32>(_e544.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e562 = bitcast<f32>((bitcast<u32>(_e544.member[0]) & 2147483647u));
-    let _e563 = (_e562 * 0.00000011920929f);
-    let _e566 = select(select(0.00000000000011368684f, _e563, (_e563 > 0.00000000000011368684f)), 0f, _e559);
-    let _e567 = select(0f, _e544.member_1[0], _e559);
-    let _e568 = (_e544.member[0] + _e566);
-    let _e569 = (_e544.member[0] - _e566);
-    let _e571 = select(38685626000000000000000000f, (1f / _e544.member_1[0]), _e559);
-    let _e575 = (bitcast<f32>((bitcast<u32>(_e544.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e578 = bitcast<f32>((bitcast<u32>(_e544.member[1]) & 2147483647u));
-    let _e579 = (_e578 * 0.00000011920929f);
-    let _e582 = select(select(0.00000000000011368684f, _e579, (_e579 > 0.00000000000011368684f)), 0f, _e575);
-    let _e583 = select(0f, _e544.member_1[1], _e575);
-    let _e584 = (_e544.member[1] + _e582);
-    let _e585 = (_e544.member[1] - _e582);
-    let _e587 = select(38685626000000000000000000f, (1f / _e544.member_1[1]), _e575);
-    let _e591 = (bitcast<f32>((bitcast<u32>(_e544.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e594 = bitcast<f32>((bitcast<u32>(_e544.member[2]) & 2147483647u));
-    let _e595 = (_e594 * 0.00000011920929f);
-    let _e598 = select(select(0.00000000000011368684f, _e595, (_e595 > 0.00000000000011368684f)), 0f, _e591);
-    let _e599 = select(0f, _e544.member_1[2], _e591);
-    let _e600 = (_e544.member[2] + _e598);
-    let _e601 = (_e544.member[2] - _e598);
-    let _e603 = select(38685626000000000000000000f, (1f / _e544.member_1[2]), _e591);
-    let _e605 = select(_e578, _e562, (_e562 > _e578));
-    let _e609 = (_e147 && (select(_e594, _e605, (_e605 > _e594)) <= 1099511600000f));
-    let _e610 = select(0f, _e544.member_3, _e609);
-    let _e611 = select(1f, _e544.member_2, _e609);
-    let _e615 = slimbvh_question.member[1u];
-    let _e618 = slimbvh_question.member[0u];
-    if (_e618 == 1u) {
-        phi_1260_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e610), true);
+    let _e551 = phi_1068_;
+    let _e566 = (bitcast<f32>((bitcast<u32>(_e551.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e569 = bitcast<f32>((bitcast<u32>(_e551.member[0]) & 2147483647u));
+    let _e570 = (_e569 * 0.00000011920929f);
+    let _e573 = select(select(0.00000000000011368684f, _e570, (_e570 > 0.00000000000011368684f)), 0f, _e566);
+    let _e574 = select(0f, _e551.member_1[0], _e566);
+    let _e575 = (_e551.member[0] + _e573);
+    let _e576 = (_e551.member[0] - _e573);
+    let _e578 = select(38685626000000000000000000f, (1f / _e551.member_1[0]), _e566);
+    let _e582 = (bitcast<f32>((bitcast<u32>(_e551.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e585 = bitcast<f32>((bitcast<u32>(_e551.member[1]) & 2147483647u));
+    let _e586 = (_e585 * 0.00000011920929f);
+    let _e589 = select(select(0.00000000000011368684f, _e586, (_e586 > 0.00000000000011368684f)), 0f, _e582);
+    let _e590 = select(0f, _e551.member_1[1], _e582);
+    let _e591 = (_e551.member[1] + _e589);
+    let _e592 = (_e551.member[1] - _e589);
+    let _e594 = select(38685626000000000000000000f, (1f / _e551.member_1[1]), _e582);
+    let _e598 = (bitcast<f32>((bitcast<u32>(_e551.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e601 = bitcast<f32>((bitcast<u32>(_e551.member[2]) & 2147483647u));
+    let _e602 = (_e601 * 0.00000011920929f);
+    let _e605 = select(select(0.00000000000011368684f, _e602, (_e602 > 0.00000000000011368684f)), 0f, _e598);
+    let _e606 = select(0f, _e551.member_1[2], _e598);
+    let _e607 = (_e551.member[2] + _e605);
+    let _e608 = (_e551.member[2] - _e605);
+    let _e610 = select(38685626000000000000000000f, (1f / _e551.member_1[2]), _e598);
+    let _e612 = select(_e585, _e569, (_e569 > _e585));
+    let _e616 = (_e154 && (select(_e601, _e612, (_e612 > _e601)) <= 1099511600000f));
+    let _e617 = select(0f, _e551.member_3, _e616);
+    let _e618 = select(1f, _e551.member_2, _e616);
+    let _e622 = slimbvh_question.member[1u];
+    let _e625 = slimbvh_question.member[0u];
+    if (_e625 == 1u) {
+        phi_1273_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e617), true);
     } else {
-        phi_1260_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e610), false);
+        phi_1273_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e617), false);
     }
-    let _e625 = phi_1260_;
-    phi_1275_ = _e625;
-    phi_1278_ = select(4294967295u, 0u, (_e611 <= _e610));
-    phi_1280_ = 0u;
-    phi_1282_ = (_e88 + 1u);
+    let _e632 = phi_1273_;
+    phi_1289_ = _e632;
+    phi_1292_ = select(4294967295u, 0u, (_e618 <= _e617));
+    phi_1294_ = 0u;
+    phi_1296_ = (_e89 + 1u);
     loop {
-        let _e634 = phi_1275_;
-        let _e636 = phi_1278_;
-        let _e638 = phi_1280_;
-        let _e640 = phi_1282_;
-        local_7 = _e634;
-        let _e641 = (_e636 <= 2147483647u);
-        if _e641 {
-            phi_1291_ = _e636;
-            phi_1294_ = _e638;
-            phi_1296_ = _e640;
+        let _e641 = phi_1289_;
+        let _e643 = phi_1292_;
+        let _e645 = phi_1294_;
+        let _e647 = phi_1296_;
+        local_7 = _e641;
+        let _e648 = (_e643 <= 2147483647u);
+        if _e648 {
+            phi_1305_ = _e643;
+            phi_1308_ = _e645;
+            phi_1310_ = _e647;
             loop {
-                let _e643 = phi_1291_;
-                let _e645 = phi_1294_;
-                let _e647 = phi_1296_;
-                local_3 = _e645;
-                local_4 = _e645;
-                local_5 = _e643;
-                local_9 = _e643;
-                local_10 = _e645;
-                local_11 = _e647;
-                let _e648 = (_e643 <= 2147483647u);
-                let _e651 = (_e648 && !((_e645 >= _e88)));
-                local_2 = _e648;
-                if _e651 {
-                    let _e656 = slimbvh_nodes.member[_e645][3u][0u];
-                    let _e661 = slimbvh_nodes.member[_e645][3u][1u];
-                    let _e666 = slimbvh_nodes.member[_e645][((_e156 & 3u) % 4u)];
-                    let _e671 = slimbvh_nodes.member[_e645][((_e160 & 3u) % 4u)];
-                    let _e676 = slimbvh_nodes.member[_e645][((_e152 & 3u) % 4u)];
-                    let _e677 = bitcast<u32>(_e656);
-                    let _e678 = bitcast<u32>(_e661);
-                    let _e689 = ((_e666.x - _e568) * _e571);
-                    let _e690 = ((_e666.y - _e568) * _e571);
-                    let _e691 = ((_e666.z - _e569) * _e571);
-                    let _e692 = ((_e666.w - _e569) * _e571);
-                    let _e693 = vec4<f32>(_e689, _e690, _e691, _e692);
-                    let _e702 = ((_e671.x - _e584) * _e587);
-                    let _e703 = ((_e671.y - _e584) * _e587);
-                    let _e704 = ((_e671.z - _e585) * _e587);
-                    let _e705 = ((_e671.w - _e585) * _e587);
-                    let _e706 = vec4<f32>(_e702, _e703, _e704, _e705);
-                    let _e715 = ((_e676.x - _e600) * _e603);
-                    let _e716 = ((_e676.y - _e600) * _e603);
-                    let _e717 = ((_e676.z - _e601) * _e603);
-                    let _e718 = ((_e676.w - _e601) * _e603);
-                    let _e719 = vec4<f32>(_e715, _e716, _e717, _e718);
-                    let _e720 = vec4<f32>(_e691, _e692, _e689, _e690);
-                    let _e721 = min(_e693, _e720);
-                    let _e722 = vec4<f32>(_e704, _e705, _e702, _e703);
-                    let _e723 = min(_e706, _e722);
-                    let _e724 = vec4<f32>(_e717, _e718, _e715, _e716);
-                    let _e725 = min(_e719, _e724);
-                    let _e726 = max(_e693, _e720);
-                    let _e727 = max(_e706, _e722);
-                    let _e728 = max(_e719, _e724);
-                    let _e757 = max(max(max(_e721.x, _e723.x), _e725.x), _e611);
-                    let _e758 = max(max(max(_e721.y, _e723.y), _e725.y), _e611);
-                    let _e761 = (_e757 <= min((min(min(_e726.x, _e727.x), _e728.x) + (max(_e728.x, -(_e725.x)) * 0.0000019073523f)), _e634.member.member_1));
-                    let _e762 = (_e758 <= min((min(min(_e726.y, _e727.y), _e728.y) + (max(_e728.y, -(_e725.y)) * 0.0000019073523f)), _e634.member.member_1));
-                    if (_e761 || _e762) {
-                        let _e777 = (_e761 && (((_e757 <= _e758) != _e625.member_1) || !(_e762)));
-                        if (_e761 && _e762) {
-                            let _e782 = (_e643 % 128u);
-                            local_1[_e782] = select(_e677, _e678, _e777);
-                            local[_e782] = select(_e757, _e758, _e777);
-                            phi_1568_ = (_e643 + 1u);
+                let _e650 = phi_1305_;
+                let _e652 = phi_1308_;
+                let _e654 = phi_1310_;
+                local_3 = _e652;
+                local_4 = _e652;
+                local_5 = _e650;
+                local_9 = _e650;
+                local_10 = _e652;
+                local_11 = _e654;
+                let _e655 = (_e650 <= 2147483647u);
+                let _e657 = (_e652 + _e100);
+                let _e661 = (_e655 && !(((_e652 >= _e89) || (_e657 >= _e89))));
+                local_2 = _e655;
+                if _e661 {
+                    let _e665 = slimbvh_nodes.member[_e657][3u][0u];
+                    let _e669 = slimbvh_nodes.member[_e657][3u][1u];
+                    let _e673 = slimbvh_nodes.member[_e657][((_e163 & 3u) % 4u)];
+                    let _e677 = slimbvh_nodes.member[_e657][((_e167 & 3u) % 4u)];
+                    let _e681 = slimbvh_nodes.member[_e657][((_e159 & 3u) % 4u)];
+                    let _e682 = bitcast<u32>(_e665);
+                    let _e683 = bitcast<u32>(_e669);
+                    let _e694 = ((_e673.x - _e575) * _e578);
+                    let _e695 = ((_e673.y - _e575) * _e578);
+                    let _e696 = ((_e673.z - _e576) * _e578);
+                    let _e697 = ((_e673.w - _e576) * _e578);
+                    let _e698 = vec4<f32>(_e694, _e695, _e696, _e697);
+                    let _e707 = ((_e677.x - _e591) * _e594);
+                    let _e708 = ((_e677.y - _e591) * _e594);
+                    let _e709 = ((_e677.z - _e592) * _e594);
+                    let _e710 = ((_e677.w - _e592) * _e594);
+                    let _e711 = vec4<f32>(_e707, _e708, _e709, _e710);
+                    let _e720 = ((_e681.x - _e607) * _e610);
+                    let _e721 = ((_e681.y - _e607) * _e610);
+                    let _e722 = ((_e681.z - _e608) * _e610);
+                    let _e723 = ((_e681.w - _e608) * _e610);
+                    let _e724 = vec4<f32>(_e720, _e721, _e722, _e723);
+                    let _e725 = vec4<f32>(_e696, _e697, _e694, _e695);
+                    let _e726 = min(_e698, _e725);
+                    let _e727 = vec4<f32>(_e709, _e710, _e707, _e708);
+                    let _e728 = min(_e711, _e727);
+                    let _e729 = vec4<f32>(_e722, _e723, _e720, _e721);
+                    let _e730 = min(_e724, _e729);
+                    let _e731 = max(_e698, _e725);
+                    let _e732 = max(_e711, _e727);
+                    let _e733 = max(_e724, _e729);
+                    let _e762 = max(max(max(_e726.x, _e728.x), _e730.x), _e618);
+                    let _e763 = max(max(max(_e726.y, _e728.y), _e730.y), _e618);
+                    let _e766 = (_e762 <= min((min(min(_e731.x, _e732.x), _e733.x) + (max(_e733.x, -(_e730.x)) * 0.0000019073523f)), _e641.member.member_1));
+                    let _e767 = (_e763 <= min((min(min(_e731.y, _e732.y), _e733.y) + (max(_e733.y, -(_e730.y)) * 0.0000019073523f)), _e641.member.member_1));
+                    if (_e766 || _e767) {
+                        let _e782 = (_e766 && (((_e762 <= _e763) != _e632.member_1) || !(_e767)));
+                        if (_e766 && _e767) {
+                            let _e787 = (_e650 % 128u);
+                            local_1[_e787] = select(_e682, _e683, _e782);
+                            local[_e787] = select(_e762, _e763, _e782);
+                            phi_1595_ = (_e650 + 1u);
                         } else {
-                            phi_1568_ = _e643;
+                            phi_1595_ = _e650;
                         }
-                        let _e787 = phi_1568_;
-                        phi_1594_ = _e787;
-                        phi_1595_ = select(_e678, _e677, _e777);
+                        let _e792 = phi_1595_;
+                        phi_1621_ = _e792;
+                        phi_1622_ = select(_e683, _e682, _e782);
                     } else {
-                        let _e766 = (_e643 - 1u);
-                        let _e767 = (_e766 % 128u);
-                        let _e769 = local[_e767];
-                        if (_e769 <= _e634.member.member_1) {
-                            let _e772 = local_1[_e767];
-                            phi_1593_ = _e772;
+                        let _e771 = (_e650 - 1u);
+                        let _e772 = (_e771 % 128u);
+                        let _e774 = local[_e772];
+                        if (_e774 <= _e641.member.member_1) {
+                            let _e777 = local_1[_e772];
+                            phi_1620_ = _e777;
                         } else {
-                            phi_1593_ = 2147483648u;
+                            phi_1620_ = 2147483648u;
                         }
-                        let _e774 = phi_1593_;
-                        phi_1594_ = _e766;
-                        phi_1595_ = _e774;
+                        let _e779 = phi_1620_;
+                        phi_1621_ = _e771;
+                        phi_1622_ = _e779;
                     }
-                    let _e789 = phi_1594_;
-                    let _e791 = phi_1595_;
-                    let _e792 = (_e647 - 1u);
-                    phi_1292_ = select(_e789, 4294967295u, (_e792 == 0u));
-                    phi_1295_ = _e791;
-                    phi_1297_ = _e792;
+                    let _e794 = phi_1621_;
+                    let _e796 = phi_1622_;
+                    let _e797 = (_e654 - 1u);
+                    phi_1306_ = select(_e794, 4294967295u, (_e797 == 0u));
+                    phi_1309_ = _e796;
+                    phi_1311_ = _e797;
                 } else {
-                    phi_1292_ = u32();
-                    phi_1295_ = u32();
-                    phi_1297_ = u32();
+                    phi_1306_ = u32();
+                    phi_1309_ = u32();
+                    phi_1311_ = u32();
                 }
-                let _e796 = phi_1292_;
-                let _e798 = phi_1295_;
-                let _e800 = phi_1297_;
+                let _e801 = phi_1306_;
+                let _e803 = phi_1309_;
+                let _e805 = phi_1311_;
                 continue;
                 continuing {
-                    phi_1291_ = _e796;
-                    phi_1294_ = _e798;
-                    phi_1296_ = _e800;
-                    break if !(_e651);
+                    phi_1305_ = _e801;
+                    phi_1308_ = _e803;
+                    phi_1310_ = _e805;
+                    break if !(_e661);
                 }
             }
-            let _e803 = local_2;
-            if _e803 {
-                let _e805 = local_3;
-                let _e808 = local_4;
-                phi_1611_ = _e634;
-                phi_1614_ = SlimbvhTypeE(0u, ((_e808 >> bitcast<u32>(28u)) & 7u));
+            let _e808 = local_2;
+            if _e808 {
+                let _e810 = local_3;
+                let _e813 = local_4;
+                phi_1639_ = _e641;
+                phi_1642_ = SlimbvhTypeE(0u, ((_e813 >> bitcast<u32>(28u)) & 7u));
                 loop {
-                    let _e814 = phi_1611_;
-                    let _e816 = phi_1614_;
-                    local_6 = _e814;
-                    local_8 = _e814;
-                    if (_e816.member < _e816.member_1) {
-                        phi_1615_ = SlimbvhTypeE((_e816.member + 1u), _e816.member_1);
-                        phi_1637_ = SlimbvhTypeE(1u, _e816.member);
+                    let _e820 = phi_1639_;
+                    let _e822 = phi_1642_;
+                    local_6 = _e820;
+                    local_8 = _e820;
+                    if (_e822.member < _e822.member_1) {
+                        phi_1643_ = SlimbvhTypeE((_e822.member + 1u), _e822.member_1);
+                        phi_1665_ = SlimbvhTypeE(1u, _e822.member);
                     } else {
-                        phi_1615_ = _e816;
-                        phi_1637_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                        phi_1643_ = _e822;
+                        phi_1665_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                     }
-                    let _e829 = phi_1615_;
-                    let _e831 = phi_1637_;
-                    let _e835 = (bitcast<i32>(_e831.member) != 0i);
-                    if _e835 {
-                        let _e836 = ((_e805 & 268435455u) + _e831.member_1);
-                        let _e837 = (_e836 / 2u);
-                        let _e838 = (_e836 % 2u);
-                        let _e839 = (_e837 >= arrayLength((&slimbvh_triangles.member)));
-                        if _e839 {
-                            phi_1717_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                    let _e835 = phi_1643_;
+                    let _e837 = phi_1665_;
+                    let _e841 = (bitcast<i32>(_e837.member) != 0i);
+                    if _e841 {
+                        let _e842 = (((_e810 & 268435455u) + _e103) + _e837.member_1);
+                        let _e843 = (_e842 / 2u);
+                        let _e844 = (_e842 % 2u);
+                        let _e845 = (_e843 >= arrayLength((&slimbvh_triangles.member)));
+                        if _e845 {
+                            phi_1745_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e840 = (2u * _e838);
-                            let _e844 = slimbvh_triangles.member[_e837][_e840];
-                            let _e849 = slimbvh_triangles.member[_e837][(_e840 + 1u)];
-                            let _e854 = slimbvh_triangles.member[_e837][(_e840 + 2u)];
-                            if (_e838 == 0u) {
-                                phi_1716_ = array<vec4<f32>, 3>(_e844, _e849, _e854);
+                            let _e846 = (2u * _e844);
+                            let _e850 = slimbvh_triangles.member[_e843][_e846];
+                            let _e855 = slimbvh_triangles.member[_e843][(_e846 + 1u)];
+                            let _e860 = slimbvh_triangles.member[_e843][(_e846 + 2u)];
+                            if (_e844 == 0u) {
+                                phi_1744_ = array<vec4<f32>, 3>(_e850, _e855, _e860);
                             } else {
-                                phi_1716_ = array<vec4<f32>, 3>(vec4<f32>(_e844.z, _e844.w, _e849.x, _e849.y), vec4<f32>(_e849.z, _e849.w, _e854.x, _e854.y), vec4<f32>(_e854.z, _e854.w, 0f, 0f));
+                                phi_1744_ = array<vec4<f32>, 3>(vec4<f32>(_e850.z, _e850.w, _e855.x, _e855.y), vec4<f32>(_e855.z, _e855.w, _e860.x, _e860.y), vec4<f32>(_e860.z, _e860.w, 0f, 0f));
                             }
-                            let _e872 = phi_1716_;
-                            phi_1717_ = _e872;
+                            let _e878 = phi_1744_;
+                            phi_1745_ = _e878;
                         }
-                        let _e874 = phi_1717_;
-                        let _e877 = bitcast<u32>(_e874[2].y);
-                        if _e839 {
-                            phi_1792_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e880 = phi_1745_;
+                        let _e883 = bitcast<u32>(_e880[2].y);
+                        if _e845 {
+                            phi_1820_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e878 = (2u * _e838);
-                            let _e882 = slimbvh_triangles.member[_e837][_e878];
-                            let _e887 = slimbvh_triangles.member[_e837][(_e878 + 1u)];
-                            let _e892 = slimbvh_triangles.member[_e837][(_e878 + 2u)];
-                            if (_e838 == 0u) {
-                                phi_1791_ = array<vec4<f32>, 3>(_e882, _e887, _e892);
+                            let _e884 = (2u * _e844);
+                            let _e888 = slimbvh_triangles.member[_e843][_e884];
+                            let _e893 = slimbvh_triangles.member[_e843][(_e884 + 1u)];
+                            let _e898 = slimbvh_triangles.member[_e843][(_e884 + 2u)];
+                            if (_e844 == 0u) {
+                                phi_1819_ = array<vec4<f32>, 3>(_e888, _e893, _e898);
                             } else {
-                                phi_1791_ = array<vec4<f32>, 3>(vec4<f32>(_e882.z, _e882.w, _e887.x, _e887.y), vec4<f32>(_e887.z, _e887.w, _e892.x, _e892.y), vec4<f32>(_e892.z, _e892.w, 0f, 0f));
+                                phi_1819_ = array<vec4<f32>, 3>(vec4<f32>(_e888.z, _e888.w, _e893.x, _e893.y), vec4<f32>(_e893.z, _e893.w, _e898.x, _e898.y), vec4<f32>(_e898.z, _e898.w, 0f, 0f));
                             }
-                            let _e910 = phi_1791_;
-                            phi_1792_ = _e910;
+                            let _e916 = phi_1819_;
+                            phi_1820_ = _e916;
                         }
-                        let _e912 = phi_1792_;
-                        if _e161 {
-                            phi_1816_ = array<f32, 3>(_e912[0].x, _e912[0].y, _e912[0].z);
+                        let _e918 = phi_1820_;
+                        if _e168 {
+                            phi_1844_ = array<f32, 3>(_e918[0].x, _e918[0].y, _e918[0].z);
                         } else {
-                            if (_e156 == 1u) {
-                                phi_1815_ = array<f32, 3>(_e912[0].y, _e912[0].z, _e912[0].x);
+                            if (_e163 == 1u) {
+                                phi_1843_ = array<f32, 3>(_e918[0].y, _e918[0].z, _e918[0].x);
                             } else {
-                                phi_1815_ = array<f32, 3>(_e912[0].z, _e912[0].x, _e912[0].y);
+                                phi_1843_ = array<f32, 3>(_e918[0].z, _e918[0].x, _e918[0].y);
                             }
-                            let _e935 = phi_1815_;
-                            phi_1816_ = _e935;
+                            let _e941 = phi_1843_;
+                            phi_1844_ = _e941;
                         }
-                        let _e938 = phi_1816_;
-                        if _e161 {
-                            phi_1831_ = array<f32, 3>(_e912[0].w, _e912[1].x, _e912[1].y);
+                        let _e944 = phi_1844_;
+                        if _e168 {
+                            phi_1859_ = array<f32, 3>(_e918[0].w, _e918[1].x, _e918[1].y);
                         } else {
-                            if (_e156 == 1u) {
-                                phi_1830_ = array<f32, 3>(_e912[1].x, _e912[1].y, _e912[0].w);
+                            if (_e163 == 1u) {
+                                phi_1858_ = array<f32, 3>(_e918[1].x, _e918[1].y, _e918[0].w);
                             } else {
-                                phi_1830_ = array<f32, 3>(_e912[1].y, _e912[0].w, _e912[1].x);
+                                phi_1858_ = array<f32, 3>(_e918[1].y, _e918[0].w, _e918[1].x);
                             }
-                            let _e943 = phi_1830_;
-                            phi_1831_ = _e943;
+                            let _e949 = phi_1858_;
+                            phi_1859_ = _e949;
                         }
-                        let _e946 = phi_1831_;
-                        if _e161 {
-                            phi_1846_ = array<f32, 3>(_e912[1].z, _e912[1].w, _e912[2].x);
+                        let _e952 = phi_1859_;
+                        if _e168 {
+                            phi_1874_ = array<f32, 3>(_e918[1].z, _e918[1].w, _e918[2].x);
                         } else {
-                            if (_e156 == 1u) {
-                                phi_1845_ = array<f32, 3>(_e912[1].w, _e912[2].x, _e912[1].z);
+                            if (_e163 == 1u) {
+                                phi_1873_ = array<f32, 3>(_e918[1].w, _e918[2].x, _e918[1].z);
                             } else {
-                                phi_1845_ = array<f32, 3>(_e912[2].x, _e912[1].z, _e912[1].w);
+                                phi_1873_ = array<f32, 3>(_e918[2].x, _e918[1].z, _e918[1].w);
                             }
-                            let _e951 = phi_1845_;
-                            phi_1846_ = _e951;
+                            let _e957 = phi_1873_;
+                            phi_1874_ = _e957;
                         }
-                        let _e954 = phi_1846_;
-                        let _e968 = (_e938[2] - _e544.member[2]);
-                        let _e971 = (((_e938[0] - _e544.member[0]) * _e599) - (_e968 * _e567));
-                        let _e974 = (((_e938[1] - _e544.member[1]) * _e599) - (_e968 * _e583));
-                        let _e977 = (_e946[2] - _e544.member[2]);
-                        let _e980 = (((_e946[0] - _e544.member[0]) * _e599) - (_e977 * _e567));
-                        let _e983 = (((_e946[1] - _e544.member[1]) * _e599) - (_e977 * _e583));
-                        let _e986 = (_e954[2] - _e544.member[2]);
-                        let _e989 = (((_e954[0] - _e544.member[0]) * _e599) - (_e986 * _e567));
-                        let _e992 = (((_e954[1] - _e544.member[1]) * _e599) - (_e986 * _e583));
-                        let _e993 = (_e989 * _e983);
-                        let _e994 = (_e992 * _e980);
-                        let _e995 = (_e971 * _e992);
-                        let _e996 = (_e974 * _e989);
-                        let _e997 = (_e980 * _e974);
-                        let _e998 = (_e983 * _e971);
-                        let _e1003 = (((_e993 >= _e994) && (_e995 >= _e996)) && (_e997 >= _e998));
-                        let _e1009 = (_e1003 || (((_e993 <= _e994) && (_e995 <= _e996)) && (_e997 <= _e998)));
-                        if _e1009 {
-                            let _e1011 = select(-1f, 1f, _e1003);
-                            let _e1013 = ((_e993 - _e994) * _e1011);
-                            let _e1015 = select(0f, _e1013, (_e1013 > 0f));
-                            let _e1017 = ((_e995 - _e996) * _e1011);
-                            let _e1019 = select(0f, _e1017, (_e1017 > 0f));
-                            let _e1021 = ((_e997 - _e998) * _e1011);
-                            let _e1023 = select(0f, _e1021, (_e1021 > 0f));
-                            let _e1025 = ((_e1015 + _e1019) + _e1023);
-                            let _e1040 = ((min(min(_e938[0], _e946[0]), _e954[0]) - _e568) * _e571);
-                            let _e1041 = ((max(max(_e938[0], _e946[0]), _e954[0]) - _e569) * _e571);
-                            let _e1042 = vec4<f32>(_e1040, f32(), _e1041, f32());
-                            let _e1045 = ((min(min(_e938[1], _e946[1]), _e954[1]) - _e584) * _e587);
-                            let _e1046 = ((max(max(_e938[1], _e946[1]), _e954[1]) - _e585) * _e587);
-                            let _e1047 = vec4<f32>(_e1045, f32(), _e1046, f32());
-                            let _e1050 = ((min(min(_e938[2], _e946[2]), _e954[2]) - _e600) * _e603);
-                            let _e1051 = ((max(max(_e938[2], _e946[2]), _e954[2]) - _e601) * _e603);
-                            let _e1052 = vec4<f32>(_e1050, f32(), _e1051, f32());
-                            let _e1053 = vec4<f32>(_e1041, f32(), _e1040, f32());
-                            let _e1055 = vec4<f32>(_e1046, f32(), _e1045, f32());
-                            let _e1057 = vec4<f32>(_e1051, f32(), _e1050, f32());
-                            let _e1066 = max(max(min(_e1042, _e1053).x, min(_e1047, _e1055).x), min(_e1052, _e1057).x);
-                            let _e1071 = min(min(max(_e1042, _e1053).x, max(_e1047, _e1055).x), max(_e1052, _e1057).x);
-                            let _e1076 = max(_e1066, _e611);
-                            let _e1098 = (((((_e1009 && (_e1025 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e971, _e980), _e989) <= 0f) && (max(max(_e971, _e980), _e989) >= 0f))) && ((min(min(_e974, _e983), _e992) <= 0f) && (max(max(_e974, _e983), _e992) >= 0f))) && (_e1076 <= (_e1071 + (max(max(_e1052, _e1057).x, -(min(_e1052, _e1057).x)) * 0.0000019073523f)))) && (_e1076 <= _e814.member.member_1));
-                            if _e1098 {
-                                let _e1103 = (_e946[0] - _e938[0]);
-                                let _e1104 = (_e946[1] - _e938[1]);
-                                let _e1105 = (_e946[2] - _e938[2]);
-                                let _e1106 = vec3<f32>(_e1103, _e1104, _e1105);
-                                let _e1107 = (_e954[0] - _e946[0]);
-                                let _e1108 = (_e954[1] - _e946[1]);
-                                let _e1109 = (_e954[2] - _e946[2]);
-                                let _e1110 = vec3<f32>(_e1107, _e1108, _e1109);
-                                let _e1111 = (_e938[0] - _e954[0]);
-                                let _e1112 = (_e938[1] - _e954[1]);
-                                let _e1113 = (_e938[2] - _e954[2]);
-                                let _e1114 = vec3<f32>(_e1111, _e1112, _e1113);
-                                let _e1125 = max(max(bitcast<f32>((bitcast<u32>(_e1103) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1104) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1105) & 2147483647u)));
-                                let _e1136 = max(max(bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)));
-                                let _e1149 = max(max(_e1125, _e1136), max(max(bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u))));
-                                if (_e1125 == _e1149) {
-                                    phi_2179_ = _e983;
-                                    phi_2180_ = _e980;
-                                    phi_2181_ = _e974;
-                                    phi_2182_ = _e971;
-                                    phi_2183_ = vec3<f32>(_e938[0], _e938[1], _e938[2]);
-                                    phi_2184_ = _e1114;
-                                    phi_2185_ = _e1110;
-                                    phi_2186_ = _e1106;
+                        let _e960 = phi_1874_;
+                        let _e974 = (_e944[2] - _e551.member[2]);
+                        let _e977 = (((_e944[0] - _e551.member[0]) * _e606) - (_e974 * _e574));
+                        let _e980 = (((_e944[1] - _e551.member[1]) * _e606) - (_e974 * _e590));
+                        let _e983 = (_e952[2] - _e551.member[2]);
+                        let _e986 = (((_e952[0] - _e551.member[0]) * _e606) - (_e983 * _e574));
+                        let _e989 = (((_e952[1] - _e551.member[1]) * _e606) - (_e983 * _e590));
+                        let _e992 = (_e960[2] - _e551.member[2]);
+                        let _e995 = (((_e960[0] - _e551.member[0]) * _e606) - (_e992 * _e574));
+                        let _e998 = (((_e960[1] - _e551.member[1]) * _e606) - (_e992 * _e590));
+                        let _e999 = (_e995 * _e989);
+                        let _e1000 = (_e998 * _e986);
+                        let _e1001 = (_e977 * _e998);
+                        let _e1002 = (_e980 * _e995);
+                        let _e1003 = (_e986 * _e980);
+                        let _e1004 = (_e989 * _e977);
+                        let _e1009 = (((_e999 >= _e1000) && (_e1001 >= _e1002)) && (_e1003 >= _e1004));
+                        let _e1015 = (_e1009 || (((_e999 <= _e1000) && (_e1001 <= _e1002)) && (_e1003 <= _e1004)));
+                        if _e1015 {
+                            let _e1017 = select(-1f, 1f, _e1009);
+                            let _e1019 = ((_e999 - _e1000) * _e1017);
+                            let _e1021 = select(0f, _e1019, (_e1019 > 0f));
+                            let _e1023 = ((_e1001 - _e1002) * _e1017);
+                            let _e1025 = select(0f, _e1023, (_e1023 > 0f));
+                            let _e1027 = ((_e1003 - _e1004) * _e1017);
+                            let _e1029 = select(0f, _e1027, (_e1027 > 0f));
+                            let _e1031 = ((_e1021 + _e1025) + _e1029);
+                            let _e1046 = ((min(min(_e944[0], _e952[0]), _e960[0]) - _e575) * _e578);
+                            let _e1047 = ((max(max(_e944[0], _e952[0]), _e960[0]) - _e576) * _e578);
+                            let _e1048 = vec4<f32>(_e1046, f32(), _e1047, f32());
+                            let _e1051 = ((min(min(_e944[1], _e952[1]), _e960[1]) - _e591) * _e594);
+                            let _e1052 = ((max(max(_e944[1], _e952[1]), _e960[1]) - _e592) * _e594);
+                            let _e1053 = vec4<f32>(_e1051, f32(), _e1052, f32());
+                            let _e1056 = ((min(min(_e944[2], _e952[2]), _e960[2]) - _e607) * _e610);
+                            let _e1057 = ((max(max(_e944[2], _e952[2]), _e960[2]) - _e608) * _e610);
+                            let _e1058 = vec4<f32>(_e1056, f32(), _e1057, f32());
+                            let _e1059 = vec4<f32>(_e1047, f32(), _e1046, f32());
+                            let _e1061 = vec4<f32>(_e1052, f32(), _e1051, f32());
+                            let _e1063 = vec4<f32>(_e1057, f32(), _e1056, f32());
+                            let _e1072 = max(max(min(_e1048, _e1059).x, min(_e1053, _e1061).x), min(_e1058, _e1063).x);
+                            let _e1077 = min(min(max(_e1048, _e1059).x, max(_e1053, _e1061).x), max(_e1058, _e1063).x);
+                            let _e1082 = max(_e1072, _e618);
+                            let _e1104 = (((((_e1015 && (_e1031 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e977, _e986), _e995) <= 0f) && (max(max(_e977, _e986), _e995) >= 0f))) && ((min(min(_e980, _e989), _e998) <= 0f) && (max(max(_e980, _e989), _e998) >= 0f))) && (_e1082 <= (_e1077 + (max(max(_e1058, _e1063).x, -(min(_e1058, _e1063).x)) * 0.0000019073523f)))) && (_e1082 <= _e820.member.member_1));
+                            if _e1104 {
+                                let _e1109 = (_e952[0] - _e944[0]);
+                                let _e1110 = (_e952[1] - _e944[1]);
+                                let _e1111 = (_e952[2] - _e944[2]);
+                                let _e1112 = vec3<f32>(_e1109, _e1110, _e1111);
+                                let _e1113 = (_e960[0] - _e952[0]);
+                                let _e1114 = (_e960[1] - _e952[1]);
+                                let _e1115 = (_e960[2] - _e952[2]);
+                                let _e1116 = vec3<f32>(_e1113, _e1114, _e1115);
+                                let _e1117 = (_e944[0] - _e960[0]);
+                                let _e1118 = (_e944[1] - _e960[1]);
+                                let _e1119 = (_e944[2] - _e960[2]);
+                                let _e1120 = vec3<f32>(_e1117, _e1118, _e1119);
+                                let _e1131 = max(max(bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u)));
+                                let _e1142 = max(max(bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u)));
+                                let _e1155 = max(max(_e1131, _e1142), max(max(bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1118) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u))));
+                                if (_e1131 == _e1155) {
+                                    phi_2207_ = _e989;
+                                    phi_2208_ = _e986;
+                                    phi_2209_ = _e980;
+                                    phi_2210_ = _e977;
+                                    phi_2211_ = vec3<f32>(_e944[0], _e944[1], _e944[2]);
+                                    phi_2212_ = _e1120;
+                                    phi_2213_ = _e1116;
+                                    phi_2214_ = _e1112;
                                 } else {
-                                    let _e1151 = (_e1136 == _e1149);
-                                    let _e1156 = vec3(_e1151);
-                                    phi_2179_ = select(_e974, _e992, _e1151);
-                                    phi_2180_ = select(_e971, _e989, _e1151);
-                                    phi_2181_ = select(_e992, _e983, _e1151);
-                                    phi_2182_ = select(_e989, _e980, _e1151);
-                                    phi_2183_ = select(vec3<f32>(_e954[0], _e954[1], _e954[2]), vec3<f32>(_e946[0], _e946[1], _e946[2]), _e1156);
-                                    phi_2184_ = select(_e1110, _e1106, _e1156);
-                                    phi_2185_ = select(_e1106, _e1114, _e1156);
-                                    phi_2186_ = select(_e1114, _e1110, _e1156);
+                                    let _e1157 = (_e1142 == _e1155);
+                                    let _e1162 = vec3(_e1157);
+                                    phi_2207_ = select(_e980, _e998, _e1157);
+                                    phi_2208_ = select(_e977, _e995, _e1157);
+                                    phi_2209_ = select(_e998, _e989, _e1157);
+                                    phi_2210_ = select(_e995, _e986, _e1157);
+                                    phi_2211_ = select(vec3<f32>(_e960[0], _e960[1], _e960[2]), vec3<f32>(_e952[0], _e952[1], _e952[2]), _e1162);
+                                    phi_2212_ = select(_e1116, _e1112, _e1162);
+                                    phi_2213_ = select(_e1112, _e1120, _e1162);
+                                    phi_2214_ = select(_e1120, _e1116, _e1162);
                                 }
-                                let _e1162 = phi_2179_;
-                                let _e1164 = phi_2180_;
-                                let _e1166 = phi_2181_;
-                                let _e1168 = phi_2182_;
-                                let _e1170 = phi_2183_;
-                                let _e1172 = phi_2184_;
-                                let _e1174 = phi_2185_;
-                                let _e1176 = phi_2186_;
-                                let _e1183 = ((_e1174.y * _e1172.z) - (_e1172.y * _e1174.z));
-                                let _e1188 = ((_e1174.z * _e1172.x) - (_e1172.z * _e1174.x));
-                                let _e1191 = ((_e1174.x * _e1172.y) - (_e1172.x * _e1174.y));
-                                let _e1194 = ((_e1015 >= _e1019) && (_e1015 >= _e1023));
-                                let _e1195 = (_e1019 >= _e1023);
-                                let _e1209 = (((_e1183 * (select(select(_e954[0], _e946[0], _e1195), _e938[0], _e1194) - _e544.member[0])) + (_e1188 * (select(select(_e954[1], _e946[1], _e1195), _e938[1], _e1194) - _e544.member[1]))) + (_e1191 * (select(select(_e954[2], _e946[2], _e1195), _e938[2], _e1194) - _e544.member[2])));
-                                let _e1214 = (((_e1183 * _e567) + (_e1188 * _e583)) + (_e1191 * _e599));
-                                let _e1215 = (_e1164 - _e1168);
-                                let _e1216 = (_e1162 - _e1166);
-                                let _e1219 = ((_e1215 * _e1215) + (_e1216 * _e1216));
-                                let _e1226 = (-(((_e1168 * _e1215) + (_e1166 * _e1216))) / select(0.000000000000000000000000000000000000011754944f, _e1219, (_e1219 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e1228 = select(1f, _e1226, (_e1226 < 1f));
-                                let _e1230 = select(0f, _e1228, (_e1228 > 0f));
-                                let _e1239 = ((_e1170.x + (_e1176.x * _e1230)) - _e544.member[0]);
-                                let _e1242 = ((_e1170.y + (_e1176.y * _e1230)) - _e544.member[1]);
-                                let _e1245 = ((_e1170.z + (_e1176.z * _e1230)) - _e544.member[2]);
-                                let _e1310 = ((bitcast<f32>((bitcast<u32>(((((_e1183 * _e1239) + (_e1188 * _e1242)) + (_e1191 * _e1245)) - _e1209)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1239) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1242) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u))), _e1149)) * max(max(bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1174.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1174.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1174.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1172.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1172.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1172.z) & 2147483647u)))))));
-                                let _e1311 = (_e1209 / _e1214);
-                                if (_e1098 && !(_e1310)) {
-                                    let _e1314 = (_e1245 / _e599);
-                                    let _e1322 = (((_e1183 * (_e1239 - (_e567 * _e1314))) + (_e1188 * (_e1242 - (_e583 * _e1314)))) / _e1214);
-                                    phi_2365_ = select(select(_e1314, (_e1314 + _e1322), (bitcast<f32>((bitcast<u32>(_e1322) & 2147483647u)) <= _e1149)), _e1311, _e1310);
+                                let _e1168 = phi_2207_;
+                                let _e1170 = phi_2208_;
+                                let _e1172 = phi_2209_;
+                                let _e1174 = phi_2210_;
+                                let _e1176 = phi_2211_;
+                                let _e1178 = phi_2212_;
+                                let _e1180 = phi_2213_;
+                                let _e1182 = phi_2214_;
+                                let _e1189 = ((_e1180.y * _e1178.z) - (_e1178.y * _e1180.z));
+                                let _e1194 = ((_e1180.z * _e1178.x) - (_e1178.z * _e1180.x));
+                                let _e1197 = ((_e1180.x * _e1178.y) - (_e1178.x * _e1180.y));
+                                let _e1200 = ((_e1021 >= _e1025) && (_e1021 >= _e1029));
+                                let _e1201 = (_e1025 >= _e1029);
+                                let _e1215 = (((_e1189 * (select(select(_e960[0], _e952[0], _e1201), _e944[0], _e1200) - _e551.member[0])) + (_e1194 * (select(select(_e960[1], _e952[1], _e1201), _e944[1], _e1200) - _e551.member[1]))) + (_e1197 * (select(select(_e960[2], _e952[2], _e1201), _e944[2], _e1200) - _e551.member[2])));
+                                let _e1220 = (((_e1189 * _e574) + (_e1194 * _e590)) + (_e1197 * _e606));
+                                let _e1221 = (_e1170 - _e1174);
+                                let _e1222 = (_e1168 - _e1172);
+                                let _e1225 = ((_e1221 * _e1221) + (_e1222 * _e1222));
+                                let _e1232 = (-(((_e1174 * _e1221) + (_e1172 * _e1222))) / select(0.000000000000000000000000000000000000011754944f, _e1225, (_e1225 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e1234 = select(1f, _e1232, (_e1232 < 1f));
+                                let _e1236 = select(0f, _e1234, (_e1234 > 0f));
+                                let _e1245 = ((_e1176.x + (_e1182.x * _e1236)) - _e551.member[0]);
+                                let _e1248 = ((_e1176.y + (_e1182.y * _e1236)) - _e551.member[1]);
+                                let _e1251 = ((_e1176.z + (_e1182.z * _e1236)) - _e551.member[2]);
+                                let _e1316 = ((bitcast<f32>((bitcast<u32>(((((_e1189 * _e1245) + (_e1194 * _e1248)) + (_e1197 * _e1251)) - _e1215)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u))), _e1155)) * max(max(bitcast<f32>((bitcast<u32>(_e1189) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1180.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1180.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1180.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1178.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1178.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1178.z) & 2147483647u)))))));
+                                let _e1317 = (_e1215 / _e1220);
+                                if (_e1104 && !(_e1316)) {
+                                    let _e1320 = (_e1251 / _e606);
+                                    let _e1328 = (((_e1189 * (_e1245 - (_e574 * _e1320))) + (_e1194 * (_e1248 - (_e590 * _e1320)))) / _e1220);
+                                    phi_2393_ = select(select(_e1320, (_e1320 + _e1328), (bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u)) <= _e1155)), _e1317, _e1316);
                                 } else {
-                                    phi_2365_ = _e1311;
+                                    phi_2393_ = _e1317;
                                 }
-                                let _e1331 = phi_2365_;
-                                let _e1333 = select(_e1071, _e1331, (_e1331 < _e1071));
-                                let _e1335 = select(_e1066, _e1333, (_e1333 > _e1066));
-                                let _e1338 = select(_e1335, 0f, (bitcast<u32>(_e1335) == 2147483648u));
-                                let _e1339 = (1f / _e1025);
-                                phi_2391_ = SlimbvhTypeF(_e1338, (_e1019 * _e1339), (_e1023 * _e1339), ((_e1098 && (_e1338 >= _e611)) && (_e1338 <= _e814.member.member_1)));
-                                phi_2392_ = SlimbvhTypeF();
+                                let _e1337 = phi_2393_;
+                                let _e1339 = select(_e1077, _e1337, (_e1337 < _e1077));
+                                let _e1341 = select(_e1072, _e1339, (_e1339 > _e1072));
+                                let _e1344 = select(_e1341, 0f, (bitcast<u32>(_e1341) == 2147483648u));
+                                let _e1345 = (1f / _e1031);
+                                phi_2419_ = SlimbvhTypeF(_e1344, (_e1025 * _e1345), (_e1029 * _e1345), ((_e1104 && (_e1344 >= _e618)) && (_e1344 <= _e820.member.member_1)));
+                                phi_2420_ = SlimbvhTypeF();
                             } else {
-                                phi_2391_ = SlimbvhTypeF();
-                                phi_2392_ = SlimbvhTypeF(0f, 0f, 0f, _e1098);
+                                phi_2419_ = SlimbvhTypeF();
+                                phi_2420_ = SlimbvhTypeF(0f, 0f, 0f, _e1104);
                             }
-                            let _e1348 = phi_2391_;
-                            let _e1350 = phi_2392_;
-                            phi_2395_ = _e1348;
-                            phi_2396_ = _e1350;
-                            phi_2397_ = select(true, false, _e1098);
+                            let _e1354 = phi_2419_;
+                            let _e1356 = phi_2420_;
+                            phi_2423_ = _e1354;
+                            phi_2424_ = _e1356;
+                            phi_2425_ = select(true, false, _e1104);
                         } else {
-                            phi_2395_ = SlimbvhTypeF();
-                            phi_2396_ = SlimbvhTypeF(0f, 0f, 0f, _e1009);
-                            phi_2397_ = true;
+                            phi_2423_ = SlimbvhTypeF();
+                            phi_2424_ = SlimbvhTypeF(0f, 0f, 0f, _e1015);
+                            phi_2425_ = true;
                         }
-                        let _e1353 = phi_2395_;
-                        let _e1355 = phi_2396_;
-                        let _e1357 = phi_2397_;
-                        if _e1357 {
-                            phi_2401_ = _e1355;
+                        let _e1359 = phi_2423_;
+                        let _e1361 = phi_2424_;
+                        let _e1363 = phi_2425_;
+                        if _e1363 {
+                            phi_2429_ = _e1361;
                         } else {
-                            phi_2401_ = _e1353;
+                            phi_2429_ = _e1359;
                         }
-                        let _e1359 = phi_2401_;
-                        if _e1359.member_3 {
-                            phi_2410_ = SlimbvhTypeG(_e1359.member, _e1359.member_1, _e1359.member_2, _e877);
+                        let _e1365 = phi_2429_;
+                        if _e1365.member_3 {
+                            phi_2438_ = SlimbvhTypeG(_e1365.member, _e1365.member_1, _e1365.member_2, _e883);
                         } else {
-                            phi_2410_ = _e85;
+                            phi_2438_ = _e85;
                         }
-                        let _e1366 = phi_2410_;
-                        if (_e1366.member_3 != 4294967295u) {
-                            let _e1372 = slimbvh_target.member[0u][0u];
-                            let _e1376 = slimbvh_target.member[0u][1u];
-                            let _e1380 = slimbvh_target.member[0u][2u];
-                            let _e1384 = slimbvh_target.member[0u][3u];
-                            let _e1388 = slimbvh_target.member[1u][0u];
-                            let _e1392 = slimbvh_target.member[1u][1u];
-                            let _e1396 = slimbvh_target.member[1u][2u];
-                            let _e1400 = slimbvh_target.member[1u][3u];
-                            let _e1401 = bitcast<f32>(_e1372);
-                            let _e1402 = bitcast<f32>(_e1376);
-                            let _e1403 = bitcast<f32>(_e1380);
-                            let _e1405 = bitcast<f32>(_e1388);
-                            let _e1406 = array<u32, 3>(_e1392, _e1396, _e1400);
-                            if (_e114 < -126i) {
-                                phi_2457_ = -126i;
+                        let _e1372 = phi_2438_;
+                        if (_e1372.member_3 != 4294967295u) {
+                            let _e1378 = slimbvh_target.member[0u][0u];
+                            let _e1382 = slimbvh_target.member[0u][1u];
+                            let _e1386 = slimbvh_target.member[0u][2u];
+                            let _e1390 = slimbvh_target.member[0u][3u];
+                            let _e1394 = slimbvh_target.member[1u][0u];
+                            let _e1398 = slimbvh_target.member[1u][1u];
+                            let _e1402 = slimbvh_target.member[1u][2u];
+                            let _e1406 = slimbvh_target.member[1u][3u];
+                            let _e1407 = bitcast<f32>(_e1378);
+                            let _e1408 = bitcast<f32>(_e1382);
+                            let _e1409 = bitcast<f32>(_e1386);
+                            let _e1411 = bitcast<f32>(_e1394);
+                            let _e1412 = array<u32, 3>(_e1398, _e1402, _e1406);
+                            if (_e121 < -126i) {
+                                phi_2485_ = -126i;
                             } else {
-                                phi_2457_ = select(_e114, 127i, (_e114 > 127i));
+                                phi_2485_ = select(_e121, 127i, (_e121 > 127i));
                             }
-                            let _e1412 = phi_2457_;
-                            let _e1417 = bitcast<f32>((bitcast<u32>((_e1412 + 127i)) << bitcast<u32>(23i)));
-                            let _e1423 = bitcast<f32>((bitcast<u32>(((_e114 - _e1412) + 127i)) << bitcast<u32>(23i)));
-                            if (_e1384 == 0u) {
-                                phi_2597_ = SlimbvhTypeI(array<f32, 3>(_e1401, _e1402, _e1403), _e1384, _e1405, _e1406);
+                            let _e1418 = phi_2485_;
+                            let _e1423 = bitcast<f32>((bitcast<u32>((_e1418 + 127i)) << bitcast<u32>(23i)));
+                            let _e1429 = bitcast<f32>((bitcast<u32>(((_e121 - _e1418) + 127i)) << bitcast<u32>(23i)));
+                            if (_e1390 == 0u) {
+                                phi_2625_ = SlimbvhTypeI(array<f32, 3>(_e1407, _e1408, _e1409), _e1390, _e1411, _e1412);
                             } else {
-                                let _e1425 = bitcast<u32>(_e1401);
-                                let _e1427 = ((_e1425 & 2139095040u) != 0u);
-                                let _e1442 = bitcast<u32>(_e1402);
-                                let _e1444 = ((_e1442 & 2139095040u) != 0u);
-                                let _e1459 = bitcast<u32>(_e1403);
-                                let _e1461 = ((_e1459 & 2139095040u) != 0u);
-                                let _e1477 = bitcast<u32>(_e1405);
-                                let _e1479 = ((_e1477 & 2139095040u) != 0u);
-                                phi_2597_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1425 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1425 & 2147483648u))), _e1401, _e1427) * _e1417) * select(0.00000011920929f, 1f, _e1427)) * _e1423), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1442 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1442 & 2147483648u))), _e1402, _e1444) * _e1417) * select(0.00000011920929f, 1f, _e1444)) * _e1423), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1459 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1459 & 2147483648u))), _e1403, _e1461) * _e1417) * select(0.00000011920929f, 1f, _e1461)) * _e1423)), _e1384, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1477 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1477 & 2147483648u))), _e1405, _e1479) * _e1417) * select(0.00000011920929f, 1f, _e1479)) * _e1423), _e1406);
+                                let _e1431 = bitcast<u32>(_e1407);
+                                let _e1433 = ((_e1431 & 2139095040u) != 0u);
+                                let _e1448 = bitcast<u32>(_e1408);
+                                let _e1450 = ((_e1448 & 2139095040u) != 0u);
+                                let _e1465 = bitcast<u32>(_e1409);
+                                let _e1467 = ((_e1465 & 2139095040u) != 0u);
+                                let _e1483 = bitcast<u32>(_e1411);
+                                let _e1485 = ((_e1483 & 2139095040u) != 0u);
+                                phi_2625_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1431 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1431 & 2147483648u))), _e1407, _e1433) * _e1423) * select(0.00000011920929f, 1f, _e1433)) * _e1429), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1448 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1448 & 2147483648u))), _e1408, _e1450) * _e1423) * select(0.00000011920929f, 1f, _e1450)) * _e1429), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1465 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1465 & 2147483648u))), _e1409, _e1467) * _e1423) * select(0.00000011920929f, 1f, _e1467)) * _e1429)), _e1390, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1483 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1483 & 2147483648u))), _e1411, _e1485) * _e1423) * select(0.00000011920929f, 1f, _e1485)) * _e1429), _e1412);
                             }
-                            let _e1496 = phi_2597_;
-                            if (_e877 == _e615) {
-                                phi_2923_ = false;
+                            let _e1502 = phi_2625_;
+                            if (_e883 == _e622) {
+                                phi_2951_ = false;
                             } else {
-                                let _e1498 = (_e877 / 16u);
-                                if (_e1498 < arrayLength((&slimbvh_sides.member))) {
-                                    let _e1501 = slimbvh_sides.member[_e1498];
-                                    phi_2621_ = _e1501;
+                                let _e1504 = (_e883 / 16u);
+                                if (_e1504 < arrayLength((&slimbvh_sides.member))) {
+                                    let _e1507 = slimbvh_sides.member[_e1504];
+                                    phi_2649_ = _e1507;
                                 } else {
-                                    phi_2621_ = 0u;
+                                    phi_2649_ = 0u;
                                 }
-                                let _e1503 = phi_2621_;
-                                let _e1512 = (bitcast<i32>((_e1503 << bitcast<u32>(((30u - ((_e877 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                let _e1513 = (_e1512 == 0i);
-                                if _e1513 {
-                                    phi_2922_ = true;
+                                let _e1509 = phi_2649_;
+                                let _e1518 = (bitcast<i32>((_e1509 << bitcast<u32>(((30u - ((_e883 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                let _e1519 = (_e1518 == 0i);
+                                if _e1519 {
+                                    phi_2950_ = true;
                                 } else {
-                                    if _e161 {
-                                        phi_2650_ = vec3<f32>(_e938[0], _e938[1], _e938[2]);
+                                    if _e168 {
+                                        phi_2678_ = vec3<f32>(_e944[0], _e944[1], _e944[2]);
                                     } else {
-                                        if (_e156 == 1u) {
-                                            phi_2649_ = vec3<f32>(_e938[2], _e938[0], _e938[1]);
+                                        if (_e163 == 1u) {
+                                            phi_2677_ = vec3<f32>(_e944[2], _e944[0], _e944[1]);
                                         } else {
-                                            phi_2649_ = vec3<f32>(_e938[1], _e938[2], _e938[0]);
+                                            phi_2677_ = vec3<f32>(_e944[1], _e944[2], _e944[0]);
                                         }
-                                        let _e1518 = phi_2649_;
-                                        phi_2650_ = _e1518;
+                                        let _e1524 = phi_2677_;
+                                        phi_2678_ = _e1524;
                                     }
-                                    let _e1521 = phi_2650_;
-                                    if _e161 {
-                                        phi_2668_ = vec3<f32>(_e946[0], _e946[1], _e946[2]);
+                                    let _e1527 = phi_2678_;
+                                    if _e168 {
+                                        phi_2696_ = vec3<f32>(_e952[0], _e952[1], _e952[2]);
                                     } else {
-                                        if (_e156 == 1u) {
-                                            phi_2667_ = vec3<f32>(_e946[2], _e946[0], _e946[1]);
+                                        if (_e163 == 1u) {
+                                            phi_2695_ = vec3<f32>(_e952[2], _e952[0], _e952[1]);
                                         } else {
-                                            phi_2667_ = vec3<f32>(_e946[1], _e946[2], _e946[0]);
+                                            phi_2695_ = vec3<f32>(_e952[1], _e952[2], _e952[0]);
                                         }
-                                        let _e1526 = phi_2667_;
-                                        phi_2668_ = _e1526;
+                                        let _e1532 = phi_2695_;
+                                        phi_2696_ = _e1532;
                                     }
-                                    let _e1529 = phi_2668_;
-                                    if _e161 {
-                                        phi_2686_ = vec3<f32>(_e954[0], _e954[1], _e954[2]);
+                                    let _e1535 = phi_2696_;
+                                    if _e168 {
+                                        phi_2714_ = vec3<f32>(_e960[0], _e960[1], _e960[2]);
                                     } else {
-                                        if (_e156 == 1u) {
-                                            phi_2685_ = vec3<f32>(_e954[2], _e954[0], _e954[1]);
+                                        if (_e163 == 1u) {
+                                            phi_2713_ = vec3<f32>(_e960[2], _e960[0], _e960[1]);
                                         } else {
-                                            phi_2685_ = vec3<f32>(_e954[1], _e954[2], _e954[0]);
+                                            phi_2713_ = vec3<f32>(_e960[1], _e960[2], _e960[0]);
                                         }
-                                        let _e1534 = phi_2685_;
-                                        phi_2686_ = _e1534;
+                                        let _e1540 = phi_2713_;
+                                        phi_2714_ = _e1540;
                                     }
-                                    let _e1537 = phi_2686_;
-                                    let _e1540 = (_e1529.x - _e1521.x);
-                                    let _e1543 = (_e1529.y - _e1521.y);
-                                    let _e1546 = (_e1529.z - _e1521.z);
-                                    let _e1548 = (_e1537.x - _e1521.x);
-                                    let _e1550 = (_e1537.y - _e1521.y);
-                                    let _e1552 = (_e1537.z - _e1521.z);
-                                    if (_e1496.member_1 == 1u) {
-                                        phi_2722_ = (vec3<f32>(_e1496.member[0], _e1496.member[1], _e1496.member[2]) - _e1521);
+                                    let _e1543 = phi_2714_;
+                                    let _e1546 = (_e1535.x - _e1527.x);
+                                    let _e1549 = (_e1535.y - _e1527.y);
+                                    let _e1552 = (_e1535.z - _e1527.z);
+                                    let _e1554 = (_e1543.x - _e1527.x);
+                                    let _e1556 = (_e1543.y - _e1527.y);
+                                    let _e1558 = (_e1543.z - _e1527.z);
+                                    if (_e1502.member_1 == 1u) {
+                                        phi_2750_ = (vec3<f32>(_e1502.member[0], _e1502.member[1], _e1502.member[2]) - _e1527);
                                     } else {
-                                        phi_2722_ = vec3<f32>(_e1496.member[0], _e1496.member[1], _e1496.member[2]);
+                                        phi_2750_ = vec3<f32>(_e1502.member[0], _e1502.member[1], _e1502.member[2]);
                                     }
-                                    let _e1567 = phi_2722_;
-                                    let _e1573 = bitcast<f32>((bitcast<u32>((_e1540 * _e1550)) ^ _e1496.member_3[0]));
-                                    let _e1577 = bitcast<f32>((bitcast<u32>((_e1543 * _e1548)) ^ _e1496.member_3[0]));
-                                    let _e1581 = bitcast<f32>((bitcast<u32>((_e1543 * _e1552)) ^ _e1496.member_3[0]));
-                                    let _e1585 = bitcast<f32>((bitcast<u32>((_e1546 * _e1550)) ^ _e1496.member_3[0]));
-                                    let _e1589 = bitcast<f32>((bitcast<u32>((_e1546 * _e1548)) ^ _e1496.member_3[0]));
-                                    let _e1593 = bitcast<f32>((bitcast<u32>((_e1540 * _e1552)) ^ _e1496.member_3[0]));
-                                    let _e1594 = (_e1581 - _e1585);
-                                    let _e1595 = (_e1589 - _e1593);
-                                    let _e1596 = (_e1573 - _e1577);
-                                    let _e1620 = (bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)));
-                                    let _e1627 = (bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1593) & 2147483647u)));
-                                    let _e1634 = (bitcast<f32>((bitcast<u32>(_e1573) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)));
-                                    if (_e1496.member_2 == 0f) {
-                                        phi_2904_ = 0f;
+                                    let _e1573 = phi_2750_;
+                                    let _e1579 = bitcast<f32>((bitcast<u32>((_e1546 * _e1556)) ^ _e1502.member_3[0]));
+                                    let _e1583 = bitcast<f32>((bitcast<u32>((_e1549 * _e1554)) ^ _e1502.member_3[0]));
+                                    let _e1587 = bitcast<f32>((bitcast<u32>((_e1549 * _e1558)) ^ _e1502.member_3[0]));
+                                    let _e1591 = bitcast<f32>((bitcast<u32>((_e1552 * _e1556)) ^ _e1502.member_3[0]));
+                                    let _e1595 = bitcast<f32>((bitcast<u32>((_e1552 * _e1554)) ^ _e1502.member_3[0]));
+                                    let _e1599 = bitcast<f32>((bitcast<u32>((_e1546 * _e1558)) ^ _e1502.member_3[0]));
+                                    let _e1600 = (_e1587 - _e1591);
+                                    let _e1601 = (_e1595 - _e1599);
+                                    let _e1602 = (_e1579 - _e1583);
+                                    let _e1626 = (bitcast<f32>((bitcast<u32>(_e1587) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u)));
+                                    let _e1633 = (bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u)));
+                                    let _e1640 = (bitcast<f32>((bitcast<u32>(_e1579) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u)));
+                                    if (_e1502.member_2 == 0f) {
+                                        phi_2932_ = 0f;
                                     } else {
-                                        let _e1664 = bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u));
-                                        let _e1667 = bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u));
-                                        let _e1670 = bitcast<f32>((bitcast<u32>(_e1596) & 2147483647u));
-                                        let _e1672 = select(_e1670, _e1667, (_e1667 > _e1670));
-                                        let _e1676 = select(_e1670, _e1667, (_e1667 < _e1670));
-                                        let _e1680 = select(_e1667, _e1664, (_e1664 < _e1667));
-                                        let _e1682 = select(_e1667, _e1664, (_e1664 > _e1667));
-                                        let _e1684 = select(_e1670, _e1682, (_e1682 < _e1670));
-                                        phi_2904_ = bitcast<f32>((bitcast<u32>((_e1496.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1672, _e1664, (_e1664 > _e1672)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1684, _e1680, (_e1680 > _e1684)))) ^ _e1496.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1676, _e1664, (_e1664 < _e1676)))) ^ _e1496.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1620 + _e1627) + _e1634))) ^ _e1496.member_3[0]))) * 1.0000005f)) ^ _e1496.member_3[0])))) ^ _e1496.member_3[0]));
+                                        let _e1670 = bitcast<f32>((bitcast<u32>(_e1600) & 2147483647u));
+                                        let _e1673 = bitcast<f32>((bitcast<u32>(_e1601) & 2147483647u));
+                                        let _e1676 = bitcast<f32>((bitcast<u32>(_e1602) & 2147483647u));
+                                        let _e1678 = select(_e1676, _e1673, (_e1673 > _e1676));
+                                        let _e1682 = select(_e1676, _e1673, (_e1673 < _e1676));
+                                        let _e1686 = select(_e1673, _e1670, (_e1670 < _e1673));
+                                        let _e1688 = select(_e1673, _e1670, (_e1670 > _e1673));
+                                        let _e1690 = select(_e1676, _e1688, (_e1688 < _e1676));
+                                        phi_2932_ = bitcast<f32>((bitcast<u32>((_e1502.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1678, _e1670, (_e1670 > _e1678)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1690, _e1686, (_e1686 > _e1690)))) ^ _e1502.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1682, _e1670, (_e1670 < _e1682)))) ^ _e1502.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1626 + _e1633) + _e1640))) ^ _e1502.member_3[0]))) * 1.0000005f)) ^ _e1502.member_3[0])))) ^ _e1502.member_3[0]));
                                     }
-                                    let _e1711 = phi_2904_;
-                                    phi_2922_ = (_e1513 || !(((((bitcast<f32>((bitcast<u32>((_e1567.x * _e1594)) ^ _e1496.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1567.y * _e1595)) ^ _e1496.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1567.z * _e1596)) ^ _e1496.member_3[0]))) * f32(-(_e1512))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1567.x) & 2147483647u)) * _e1620)) ^ _e1496.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1567.y) & 2147483647u)) * _e1627)) ^ _e1496.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1567.z) & 2147483647u)) * _e1634)) ^ _e1496.member_3[0]))))) ^ _e1496.member_3[0])) + _e1711) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e1717 = phi_2932_;
+                                    phi_2950_ = (_e1519 || !(((((bitcast<f32>((bitcast<u32>((_e1573.x * _e1600)) ^ _e1502.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1573.y * _e1601)) ^ _e1502.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1573.z * _e1602)) ^ _e1502.member_3[0]))) * f32(-(_e1518))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1573.x) & 2147483647u)) * _e1626)) ^ _e1502.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1573.y) & 2147483647u)) * _e1633)) ^ _e1502.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1573.z) & 2147483647u)) * _e1640)) ^ _e1502.member_3[0]))))) ^ _e1502.member_3[0])) + _e1717) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e1725 = phi_2922_;
-                                phi_2923_ = _e1725;
+                                let _e1731 = phi_2950_;
+                                phi_2951_ = _e1731;
                             }
-                            let _e1727 = phi_2923_;
-                            if _e1727 {
-                                if (_e1366.member < _e814.member.member.member) {
-                                    phi_2943_ = true;
+                            let _e1733 = phi_2951_;
+                            if _e1733 {
+                                if (_e1372.member < _e820.member.member.member) {
+                                    phi_2971_ = true;
                                 } else {
-                                    if (_e1366.member == _e814.member.member.member) {
-                                        phi_2942_ = (_e1366.member_3 < _e814.member.member.member_3);
+                                    if (_e1372.member == _e820.member.member.member) {
+                                        phi_2970_ = (_e1372.member_3 < _e820.member.member.member_3);
                                     } else {
-                                        phi_2942_ = false;
+                                        phi_2970_ = false;
                                     }
-                                    let _e1739 = phi_2942_;
-                                    phi_2943_ = _e1739;
+                                    let _e1745 = phi_2970_;
+                                    phi_2971_ = _e1745;
                                 }
-                                let _e1741 = phi_2943_;
-                                if _e1741 {
-                                    phi_2950_ = SlimbvhTypeN(SlimbvhTypeJ(_e1366, _e1366.member), _e814.member_1);
+                                let _e1747 = phi_2971_;
+                                if _e1747 {
+                                    phi_2978_ = SlimbvhTypeN(SlimbvhTypeJ(_e1372, _e1372.member), _e820.member_1);
                                 } else {
-                                    phi_2950_ = _e814;
+                                    phi_2978_ = _e820;
                                 }
-                                let _e1747 = phi_2950_;
-                                if _e1747.member_1 {
-                                    phi_2956_ = SlimbvhTypeN(SlimbvhTypeJ(_e1747.member.member, bitcast<f32>(4286578687u)), _e1747.member_1);
+                                let _e1753 = phi_2978_;
+                                if _e1753.member_1 {
+                                    phi_2984_ = SlimbvhTypeN(SlimbvhTypeJ(_e1753.member.member, bitcast<f32>(4286578687u)), _e1753.member_1);
                                 } else {
-                                    phi_2956_ = _e1747;
+                                    phi_2984_ = _e1753;
                                 }
-                                let _e1756 = phi_2956_;
-                                phi_2957_ = _e1756;
+                                let _e1762 = phi_2984_;
+                                phi_2985_ = _e1762;
                             } else {
-                                phi_2957_ = _e814;
+                                phi_2985_ = _e820;
                             }
-                            let _e1758 = phi_2957_;
-                            phi_2958_ = _e1758;
+                            let _e1764 = phi_2985_;
+                            phi_2986_ = _e1764;
                         } else {
-                            phi_2958_ = _e814;
+                            phi_2986_ = _e820;
                         }
-                        let _e1760 = phi_2958_;
-                        phi_1612_ = _e1760;
+                        let _e1766 = phi_2986_;
+                        phi_1640_ = _e1766;
                     } else {
-                        phi_1612_ = SlimbvhTypeN();
+                        phi_1640_ = SlimbvhTypeN();
                     }
-                    let _e1762 = phi_1612_;
+                    let _e1768 = phi_1640_;
                     continue;
                     continuing {
-                        phi_1611_ = _e1762;
-                        phi_1614_ = _e829;
-                        break if !(_e835);
+                        phi_1639_ = _e1768;
+                        phi_1642_ = _e835;
+                        break if !(_e841);
                     }
                 }
-                let _e1765 = local_5;
-                let _e1766 = (_e1765 - 1u);
-                let _e1767 = (_e1766 % 128u);
-                let _e1769 = local[_e1767];
-                let _e1771 = local_6;
-                if (_e1769 <= _e1771.member.member_1) {
-                    let _e1776 = local_1[_e1767];
-                    phi_2983_ = _e1776;
+                let _e1771 = local_5;
+                let _e1772 = (_e1771 - 1u);
+                let _e1773 = (_e1772 % 128u);
+                let _e1775 = local[_e1773];
+                let _e1777 = local_6;
+                if (_e1775 <= _e1777.member.member_1) {
+                    let _e1782 = local_1[_e1773];
+                    phi_3011_ = _e1782;
                 } else {
-                    phi_2983_ = 2147483648u;
+                    phi_3011_ = 2147483648u;
                 }
-                let _e1778 = phi_2983_;
-                let _e2028 = local_8;
-                phi_2990_ = _e2028;
-                phi_2991_ = select(_e1766, 4294967295u, (_e611 > _e1771.member.member_1));
-                phi_2992_ = _e1778;
+                let _e1784 = phi_3011_;
+                let _e2034 = local_8;
+                phi_3018_ = _e2034;
+                phi_3019_ = select(_e1772, 4294967295u, (_e618 > _e1777.member.member_1));
+                phi_3020_ = _e1784;
             } else {
-                phi_2990_ = _e634;
-                let _e2031 = local_9;
-                phi_2991_ = _e2031;
-                let _e2034 = local_10;
-                phi_2992_ = _e2034;
+                phi_3018_ = _e641;
+                let _e2037 = local_9;
+                phi_3019_ = _e2037;
+                let _e2040 = local_10;
+                phi_3020_ = _e2040;
             }
-            let _e1782 = phi_2990_;
-            let _e1784 = phi_2991_;
-            let _e1786 = phi_2992_;
-            phi_1276_ = _e1782;
-            phi_1279_ = _e1784;
-            phi_1281_ = _e1786;
-            let _e2040 = local_11;
-            phi_1283_ = _e2040;
+            let _e1788 = phi_3018_;
+            let _e1790 = phi_3019_;
+            let _e1792 = phi_3020_;
+            phi_1290_ = _e1788;
+            phi_1293_ = _e1790;
+            phi_1295_ = _e1792;
+            let _e2046 = local_11;
+            phi_1297_ = _e2046;
         } else {
-            phi_1276_ = SlimbvhTypeN();
-            phi_1279_ = u32();
-            phi_1281_ = u32();
-            phi_1283_ = u32();
+            phi_1290_ = SlimbvhTypeN();
+            phi_1293_ = u32();
+            phi_1295_ = u32();
+            phi_1297_ = u32();
         }
-        let _e1788 = phi_1276_;
-        let _e1790 = phi_1279_;
-        let _e1792 = phi_1281_;
-        let _e1794 = phi_1283_;
+        let _e1794 = phi_1290_;
+        let _e1796 = phi_1293_;
+        let _e1798 = phi_1295_;
+        let _e1800 = phi_1297_;
         continue;
         continuing {
-            phi_1275_ = _e1788;
-            phi_1278_ = _e1790;
-            phi_1280_ = _e1792;
-            phi_1282_ = _e1794;
-            break if !(_e641);
+            phi_1289_ = _e1794;
+            phi_1292_ = _e1796;
+            phi_1294_ = _e1798;
+            phi_1296_ = _e1800;
+            break if !(_e648);
         }
     }
-    let _e1797 = local_7;
-    if (_e1797.member.member.member_3 != 4294967295u) {
-        let _e1803 = -((_e114 + _e544.member_4));
-        let _e1804 = bitcast<u32>(_e1797.member.member.member);
-        let _e1808 = (bitcast<i32>((_e1804 >> bitcast<u32>(23i))) & 255i);
-        let _e1809 = (_e1808 + _e1803);
-        if (_e1808 == 255i) {
-            phi_3047_ = _e1797.member.member.member;
+    let _e1803 = local_7;
+    if (_e1803.member.member.member_3 != 4294967295u) {
+        let _e1809 = -((_e121 + _e551.member_4));
+        let _e1810 = bitcast<u32>(_e1803.member.member.member);
+        let _e1814 = (bitcast<i32>((_e1810 >> bitcast<u32>(23i))) & 255i);
+        let _e1815 = (_e1814 + _e1809);
+        if (_e1814 == 255i) {
+            phi_3075_ = _e1803.member.member.member;
         } else {
-            if (_e1808 > 0i) {
-                if (_e1809 > 0i) {
-                    let _e1813 = (_e1809 < 255i);
-                    if _e1813 {
-                        phi_3026_ = bitcast<f32>((_e1804 + bitcast<u32>((_e1803 << bitcast<u32>(23i)))));
+            if (_e1814 > 0i) {
+                if (_e1815 > 0i) {
+                    let _e1819 = (_e1815 < 255i);
+                    if _e1819 {
+                        phi_3054_ = bitcast<f32>((_e1810 + bitcast<u32>((_e1809 << bitcast<u32>(23i)))));
                     } else {
-                        phi_3026_ = f32();
+                        phi_3054_ = f32();
                     }
-                    let _e1820 = phi_3026_;
-                    phi_3028_ = _e1820;
-                    phi_3029_ = select(true, false, _e1813);
+                    let _e1826 = phi_3054_;
+                    phi_3056_ = _e1826;
+                    phi_3057_ = select(true, false, _e1819);
                 } else {
-                    phi_3028_ = f32();
-                    phi_3029_ = true;
+                    phi_3056_ = f32();
+                    phi_3057_ = true;
                 }
-                let _e1823 = phi_3028_;
-                let _e1825 = phi_3029_;
-                phi_3030_ = _e1823;
-                phi_3031_ = _e1825;
+                let _e1829 = phi_3056_;
+                let _e1831 = phi_3057_;
+                phi_3058_ = _e1829;
+                phi_3059_ = _e1831;
             } else {
-                phi_3030_ = f32();
-                phi_3031_ = true;
+                phi_3058_ = f32();
+                phi_3059_ = true;
             }
-            let _e1827 = phi_3030_;
-            let _e1829 = phi_3031_;
-            if _e1829 {
-                let _e1830 = (_e1804 & 2147483648u);
-                let _e1837 = ((_e1804 & 8388607u) | (select(0u, 1u, ((_e1804 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e1841 = (_e1837 == 0u);
-                if _e1841 {
-                    phi_3462_ = bitcast<f32>(_e1830);
+            let _e1833 = phi_3058_;
+            let _e1835 = phi_3059_;
+            if _e1835 {
+                let _e1836 = (_e1810 & 2147483648u);
+                let _e1843 = ((_e1810 & 8388607u) | (select(0u, 1u, ((_e1810 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e1847 = (_e1843 == 0u);
+                if _e1847 {
+                    phi_3490_ = bitcast<f32>(_e1836);
                 } else {
-                    let _e1846 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1837)), 32u, _e1841) - 8u);
-                    let _e1849 = (_e1837 << bitcast<u32>((_e1846 & 31u)));
-                    let _e1851 = ((_e1809 + select(0i, 1i, (_e1808 == 0i))) - bitcast<i32>(_e1846));
-                    if (_e1851 >= 255i) {
-                        phi_3452_ = bitcast<f32>((_e1830 | 2139095040u));
-                        phi_3453_ = f32();
-                        phi_3454_ = true;
+                    let _e1852 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1843)), 32u, _e1847) - 8u);
+                    let _e1855 = (_e1843 << bitcast<u32>((_e1852 & 31u)));
+                    let _e1857 = ((_e1815 + select(0i, 1i, (_e1814 == 0i))) - bitcast<i32>(_e1852));
+                    if (_e1857 >= 255i) {
+                        phi_3480_ = bitcast<f32>((_e1836 | 2139095040u));
+                        phi_3481_ = f32();
+                        phi_3482_ = true;
                     } else {
-                        let _e1853 = (_e1851 > 0i);
-                        if _e1853 {
-                            phi_3446_ = bitcast<f32>(((_e1830 | (bitcast<u32>(_e1851) << bitcast<u32>(23i))) | (_e1849 & 8388607u)));
-                            phi_3447_ = f32();
+                        let _e1859 = (_e1857 > 0i);
+                        if _e1859 {
+                            phi_3474_ = bitcast<f32>(((_e1836 | (bitcast<u32>(_e1857) << bitcast<u32>(23i))) | (_e1855 & 8388607u)));
+                            phi_3475_ = f32();
                         } else {
-                            if (_e1851 < -24i) {
-                                phi_3412_ = 26u;
+                            if (_e1857 < -24i) {
+                                phi_3440_ = 26u;
                             } else {
-                                phi_3412_ = bitcast<u32>((1i - _e1851));
+                                phi_3440_ = bitcast<u32>((1i - _e1857));
                             }
-                            let _e1858 = phi_3412_;
-                            let _e1859 = (_e1858 & 31u);
-                            let _e1861 = (_e1849 >> bitcast<u32>(_e1859));
-                            let _e1865 = (_e1849 & ((1u << bitcast<u32>(_e1859)) - 1u));
-                            let _e1869 = (1u << bitcast<u32>(((_e1858 - 1u) & 31u)));
-                            if (_e1865 > _e1869) {
-                                phi_3433_ = true;
+                            let _e1864 = phi_3440_;
+                            let _e1865 = (_e1864 & 31u);
+                            let _e1867 = (_e1855 >> bitcast<u32>(_e1865));
+                            let _e1871 = (_e1855 & ((1u << bitcast<u32>(_e1865)) - 1u));
+                            let _e1875 = (1u << bitcast<u32>(((_e1864 - 1u) & 31u)));
+                            if (_e1871 > _e1875) {
+                                phi_3461_ = true;
                             } else {
-                                if (_e1865 == _e1869) {
-                                    phi_3430_ = ((_e1861 & 1u) == 1u);
+                                if (_e1871 == _e1875) {
+                                    phi_3458_ = ((_e1867 & 1u) == 1u);
                                 } else {
-                                    phi_3430_ = false;
+                                    phi_3458_ = false;
                                 }
-                                let _e1875 = phi_3430_;
-                                phi_3433_ = _e1875;
+                                let _e1881 = phi_3458_;
+                                phi_3461_ = _e1881;
                             }
-                            let _e1877 = phi_3433_;
-                            phi_3446_ = f32();
-                            phi_3447_ = bitcast<f32>((_e1830 | (_e1861 + select(0u, 1u, _e1877))));
+                            let _e1883 = phi_3461_;
+                            phi_3474_ = f32();
+                            phi_3475_ = bitcast<f32>((_e1836 | (_e1867 + select(0u, 1u, _e1883))));
                         }
-                        let _e1890 = phi_3446_;
-                        let _e1892 = phi_3447_;
-                        phi_3452_ = _e1890;
-                        phi_3453_ = _e1892;
-                        phi_3454_ = _e1853;
+                        let _e1896 = phi_3474_;
+                        let _e1898 = phi_3475_;
+                        phi_3480_ = _e1896;
+                        phi_3481_ = _e1898;
+                        phi_3482_ = _e1859;
                     }
-                    let _e1896 = phi_3452_;
-                    let _e1898 = phi_3453_;
-                    let _e1900 = phi_3454_;
-                    phi_3462_ = select(_e1898, _e1896, _e1900);
+                    let _e1902 = phi_3480_;
+                    let _e1904 = phi_3481_;
+                    let _e1906 = phi_3482_;
+                    phi_3490_ = select(_e1904, _e1902, _e1906);
                 }
-                let _e1904 = phi_3462_;
-                phi_3046_ = _e1904;
+                let _e1910 = phi_3490_;
+                phi_3074_ = _e1910;
             } else {
-                phi_3046_ = _e1827;
+                phi_3074_ = _e1833;
             }
-            let _e1906 = phi_3046_;
-            phi_3047_ = _e1906;
+            let _e1912 = phi_3074_;
+            phi_3075_ = _e1912;
         }
-        let _e1908 = phi_3047_;
-        let _e1909 = bitcast<u32>(_e1908);
-        if ((_e1909 & 2147483647u) >= 2139095040u) {
-            phi_3059_ = bitcast<f32>(((_e1909 & 2147483648u) | 2139095039u));
+        let _e1914 = phi_3075_;
+        let _e1915 = bitcast<u32>(_e1914);
+        if ((_e1915 & 2147483647u) >= 2139095040u) {
+            phi_3087_ = bitcast<f32>(((_e1915 & 2147483648u) | 2139095039u));
         } else {
-            phi_3059_ = _e1908;
+            phi_3087_ = _e1914;
         }
-        let _e1916 = phi_3059_;
-        phi_3064_ = SlimbvhTypeG(_e1916, _e1797.member.member.member_1, _e1797.member.member.member_2, _e1797.member.member.member_3);
+        let _e1922 = phi_3087_;
+        phi_3092_ = SlimbvhTypeG(_e1922, _e1803.member.member.member_1, _e1803.member.member.member_2, _e1803.member.member.member_3);
     } else {
-        phi_3064_ = _e85;
+        phi_3092_ = _e85;
     }
-    let _e1921 = phi_3064_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1921.member), bitcast<u32>(_e1921.member_1), bitcast<u32>(_e1921.member_2), _e1921.member_3);
+    let _e1927 = phi_3092_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1927.member), bitcast<u32>(_e1927.member_1), bitcast<u32>(_e1927.member_2), _e1927.member_3);
     return;
 }
 

@@ -29,1095 +29,1098 @@ var<private> slimbvh_lane: SlimbvhTypeR;
 var<private> slimbvh_overflowed: SlimbvhTypeR;
 
 fn slimbvh_trace_in_group() {
-    var phi_434_: u32;
-    var phi_440_: u32;
-    var phi_446_: u32;
-    var phi_711_: i32;
-    var phi_722_: i32;
-    var phi_836_: i32;
-    var phi_965_: i32;
-    var phi_987_: u32;
-    var phi_988_: u32;
-    var phi_989_: bool;
-    var phi_1023_: i32;
-    var phi_1045_: u32;
-    var phi_1046_: u32;
-    var phi_1047_: bool;
-    var phi_608_: i32;
-    var phi_614_: u32;
-    var phi_633_: u32;
-    var phi_634_: u32;
-    var phi_635_: bool;
-    var phi_653_: i32;
-    var phi_659_: u32;
-    var phi_678_: u32;
-    var phi_679_: u32;
-    var phi_680_: bool;
-    var phi_1057_: SlimbvhTypeD;
-    var phi_1269_: SlimbvhTypeN;
-    var phi_1284_: SlimbvhTypeN;
-    var phi_1287_: u32;
-    var phi_1289_: u32;
-    var phi_1291_: u32;
-    var phi_1300_: u32;
+    var phi_447_: u32;
+    var phi_453_: u32;
+    var phi_459_: u32;
+    var phi_724_: i32;
+    var phi_735_: i32;
+    var phi_849_: i32;
+    var phi_978_: i32;
+    var phi_1000_: u32;
+    var phi_1001_: u32;
+    var phi_1002_: bool;
+    var phi_1036_: i32;
+    var phi_1058_: u32;
+    var phi_1059_: u32;
+    var phi_1060_: bool;
+    var phi_621_: i32;
+    var phi_627_: u32;
+    var phi_646_: u32;
+    var phi_647_: u32;
+    var phi_648_: bool;
+    var phi_666_: i32;
+    var phi_672_: u32;
+    var phi_691_: u32;
+    var phi_692_: u32;
+    var phi_693_: bool;
+    var phi_1070_: SlimbvhTypeD;
+    var phi_1282_: SlimbvhTypeN;
+    var phi_1298_: SlimbvhTypeN;
+    var phi_1301_: u32;
     var phi_1303_: u32;
     var phi_1305_: u32;
-    var phi_1569_: u32;
-    var phi_1585_: u32;
-    var phi_1586_: u32;
-    var phi_1301_: u32;
-    var phi_1304_: u32;
-    var phi_1306_: u32;
+    var phi_1314_: u32;
+    var phi_1317_: u32;
+    var phi_1319_: u32;
+    var phi_1596_: u32;
+    var phi_1612_: u32;
+    var phi_1613_: u32;
+    var phi_1315_: u32;
+    var phi_1318_: u32;
+    var phi_1320_: u32;
     var local: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_1602_: SlimbvhTypeN;
-    var phi_1605_: SlimbvhTypeE;
-    var phi_1606_: SlimbvhTypeE;
-    var phi_1628_: SlimbvhTypeE;
-    var phi_1707_: array<vec4<f32>, 3>;
-    var phi_1708_: array<vec4<f32>, 3>;
-    var phi_1782_: array<vec4<f32>, 3>;
-    var phi_1783_: array<vec4<f32>, 3>;
-    var phi_1806_: array<f32, 3>;
-    var phi_1807_: array<f32, 3>;
-    var phi_1821_: array<f32, 3>;
-    var phi_1822_: array<f32, 3>;
-    var phi_1836_: array<f32, 3>;
-    var phi_1837_: array<f32, 3>;
-    var phi_2170_: f32;
-    var phi_2171_: f32;
-    var phi_2172_: f32;
-    var phi_2173_: f32;
-    var phi_2174_: vec3<f32>;
-    var phi_2175_: vec3<f32>;
-    var phi_2176_: vec3<f32>;
-    var phi_2177_: vec3<f32>;
-    var phi_2356_: f32;
-    var phi_2382_: SlimbvhTypeF;
-    var phi_2383_: SlimbvhTypeF;
-    var phi_2386_: SlimbvhTypeF;
-    var phi_2387_: SlimbvhTypeF;
-    var phi_2388_: bool;
-    var phi_2392_: SlimbvhTypeF;
-    var phi_2401_: SlimbvhTypeG;
-    var phi_2448_: i32;
-    var phi_2588_: SlimbvhTypeI;
-    var phi_2612_: u32;
-    var phi_2640_: vec3<f32>;
-    var phi_2641_: vec3<f32>;
-    var phi_2658_: vec3<f32>;
-    var phi_2659_: vec3<f32>;
-    var phi_2676_: vec3<f32>;
-    var phi_2677_: vec3<f32>;
-    var phi_2713_: vec3<f32>;
-    var phi_2895_: f32;
-    var phi_2913_: bool;
-    var phi_2914_: bool;
-    var phi_2933_: bool;
-    var phi_2934_: bool;
-    var phi_2941_: SlimbvhTypeN;
-    var phi_2947_: SlimbvhTypeN;
-    var phi_2948_: SlimbvhTypeN;
-    var phi_2949_: SlimbvhTypeN;
-    var phi_1603_: SlimbvhTypeN;
+    var phi_1630_: SlimbvhTypeN;
+    var phi_1633_: SlimbvhTypeE;
+    var phi_1634_: SlimbvhTypeE;
+    var phi_1656_: SlimbvhTypeE;
+    var phi_1735_: array<vec4<f32>, 3>;
+    var phi_1736_: array<vec4<f32>, 3>;
+    var phi_1810_: array<vec4<f32>, 3>;
+    var phi_1811_: array<vec4<f32>, 3>;
+    var phi_1834_: array<f32, 3>;
+    var phi_1835_: array<f32, 3>;
+    var phi_1849_: array<f32, 3>;
+    var phi_1850_: array<f32, 3>;
+    var phi_1864_: array<f32, 3>;
+    var phi_1865_: array<f32, 3>;
+    var phi_2198_: f32;
+    var phi_2199_: f32;
+    var phi_2200_: f32;
+    var phi_2201_: f32;
+    var phi_2202_: vec3<f32>;
+    var phi_2203_: vec3<f32>;
+    var phi_2204_: vec3<f32>;
+    var phi_2205_: vec3<f32>;
+    var phi_2384_: f32;
+    var phi_2410_: SlimbvhTypeF;
+    var phi_2411_: SlimbvhTypeF;
+    var phi_2414_: SlimbvhTypeF;
+    var phi_2415_: SlimbvhTypeF;
+    var phi_2416_: bool;
+    var phi_2420_: SlimbvhTypeF;
+    var phi_2429_: SlimbvhTypeG;
+    var phi_2476_: i32;
+    var phi_2616_: SlimbvhTypeI;
+    var phi_2640_: u32;
+    var phi_2668_: vec3<f32>;
+    var phi_2669_: vec3<f32>;
+    var phi_2686_: vec3<f32>;
+    var phi_2687_: vec3<f32>;
+    var phi_2704_: vec3<f32>;
+    var phi_2705_: vec3<f32>;
+    var phi_2741_: vec3<f32>;
+    var phi_2923_: f32;
+    var phi_2941_: bool;
+    var phi_2942_: bool;
+    var phi_2961_: bool;
+    var phi_2962_: bool;
+    var phi_2969_: SlimbvhTypeN;
+    var phi_2975_: SlimbvhTypeN;
+    var phi_2976_: SlimbvhTypeN;
+    var phi_2977_: SlimbvhTypeN;
+    var phi_1631_: SlimbvhTypeN;
     var local_3: u32;
     var local_4: SlimbvhTypeN;
-    var phi_2971_: SlimbvhTypeN;
-    var phi_2972_: u32;
-    var phi_2973_: u32;
-    var phi_1285_: SlimbvhTypeN;
-    var phi_1288_: u32;
-    var phi_1290_: u32;
-    var phi_1292_: u32;
+    var phi_2999_: SlimbvhTypeN;
+    var phi_3000_: u32;
+    var phi_3001_: u32;
+    var phi_1299_: SlimbvhTypeN;
+    var phi_1302_: u32;
+    var phi_1304_: u32;
+    var phi_1306_: u32;
     var local_5: u32;
     var local_6: SlimbvhTypeN;
-    var phi_3008_: f32;
-    var phi_3010_: f32;
-    var phi_3011_: bool;
-    var phi_3012_: f32;
-    var phi_3013_: bool;
-    var phi_3416_: u32;
-    var phi_3434_: bool;
-    var phi_3437_: bool;
-    var phi_3450_: f32;
-    var phi_3451_: f32;
-    var phi_3456_: f32;
-    var phi_3457_: f32;
-    var phi_3458_: bool;
-    var phi_3466_: f32;
-    var phi_3028_: f32;
-    var phi_3029_: f32;
-    var phi_3041_: f32;
-    var phi_3046_: SlimbvhTypeG;
-    var phi_3059_: bool;
-    var phi_3060_: bool;
-    var phi_3061_: bool;
+    var phi_3036_: f32;
+    var phi_3038_: f32;
+    var phi_3039_: bool;
+    var phi_3040_: f32;
+    var phi_3041_: bool;
+    var phi_3444_: u32;
+    var phi_3462_: bool;
+    var phi_3465_: bool;
+    var phi_3478_: f32;
+    var phi_3479_: f32;
+    var phi_3484_: f32;
+    var phi_3485_: f32;
+    var phi_3486_: bool;
+    var phi_3494_: f32;
+    var phi_3056_: f32;
+    var phi_3057_: f32;
+    var phi_3069_: f32;
+    var phi_3074_: SlimbvhTypeG;
+    var phi_3087_: bool;
+    var phi_3088_: bool;
+    var phi_3089_: bool;
     var local_7: SlimbvhTypeN;
     var local_8: u32;
     var local_9: u32;
     var local_10: u32;
 
     let _e87 = SlimbvhTypeG(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e90 = arrayLength((&slimbvh_nodes.member));
-    let _e101 = slimbvh_origin.member;
-    let _e107 = slimbvh_origin.member[3u];
-    let _e108 = slimbvh_direction.member;
-    let _e114 = slimbvh_direction.member[3u];
-    let _e117 = slimbvh_exponent.member[0u];
-    let _e118 = bitcast<i32>(_e117);
-    let _e120 = (bitcast<u32>(_e101.x) & 2147483647u);
-    let _e122 = (bitcast<u32>(_e101.y) & 2147483647u);
-    let _e124 = (bitcast<u32>(_e101.z) & 2147483647u);
-    let _e125 = bitcast<u32>(_e107);
-    let _e126 = (_e125 & 2147483647u);
-    let _e128 = (bitcast<u32>(_e108.x) & 2147483647u);
-    let _e130 = (bitcast<u32>(_e108.y) & 2147483647u);
-    let _e132 = (bitcast<u32>(_e108.z) & 2147483647u);
-    let _e133 = bitcast<u32>(_e114);
-    let _e134 = (_e133 & 2147483647u);
-    let _e136 = select(_e130, _e128, (_e130 < _e128));
-    let _e138 = select(_e132, _e136, (_e132 < _e136));
-    let _e140 = select(_e120, _e138, (_e120 < _e138));
-    let _e142 = select(_e122, _e140, (_e122 < _e140));
-    let _e144 = select(_e124, _e142, (_e124 < _e142));
-    let _e151 = (((select(_e126, _e144, (_e126 < _e144)) < 2139095040u) && (_e134 <= 2139095040u)) && (_e138 > 0u));
-    if (_e128 == _e138) {
-        phi_434_ = 0u;
+    let _e91 = arrayLength((&slimbvh_nodes.member));
+    let _e104 = slimbvh_exponent.member[1u];
+    let _e107 = slimbvh_exponent.member[2u];
+    let _e108 = slimbvh_origin.member;
+    let _e114 = slimbvh_origin.member[3u];
+    let _e115 = slimbvh_direction.member;
+    let _e121 = slimbvh_direction.member[3u];
+    let _e124 = slimbvh_exponent.member[0u];
+    let _e125 = bitcast<i32>(_e124);
+    let _e127 = (bitcast<u32>(_e108.x) & 2147483647u);
+    let _e129 = (bitcast<u32>(_e108.y) & 2147483647u);
+    let _e131 = (bitcast<u32>(_e108.z) & 2147483647u);
+    let _e132 = bitcast<u32>(_e114);
+    let _e133 = (_e132 & 2147483647u);
+    let _e135 = (bitcast<u32>(_e115.x) & 2147483647u);
+    let _e137 = (bitcast<u32>(_e115.y) & 2147483647u);
+    let _e139 = (bitcast<u32>(_e115.z) & 2147483647u);
+    let _e140 = bitcast<u32>(_e121);
+    let _e141 = (_e140 & 2147483647u);
+    let _e143 = select(_e137, _e135, (_e137 < _e135));
+    let _e145 = select(_e139, _e143, (_e139 < _e143));
+    let _e147 = select(_e127, _e145, (_e127 < _e145));
+    let _e149 = select(_e129, _e147, (_e129 < _e147));
+    let _e151 = select(_e131, _e149, (_e131 < _e149));
+    let _e158 = (((select(_e133, _e151, (_e133 < _e151)) < 2139095040u) && (_e141 <= 2139095040u)) && (_e145 > 0u));
+    if (_e135 == _e145) {
+        phi_447_ = 0u;
     } else {
-        phi_434_ = select(2u, 1u, (_e130 == _e138));
+        phi_447_ = select(2u, 1u, (_e137 == _e145));
     }
-    let _e156 = phi_434_;
-    let _e157 = (_e156 == 2u);
-    if _e157 {
-        phi_440_ = 0u;
+    let _e163 = phi_447_;
+    let _e164 = (_e163 == 2u);
+    if _e164 {
+        phi_453_ = 0u;
     } else {
-        phi_440_ = (_e156 + 1u);
+        phi_453_ = (_e163 + 1u);
     }
-    let _e160 = phi_440_;
-    let _e161 = (_e160 == 2u);
-    if _e161 {
-        phi_446_ = 0u;
+    let _e167 = phi_453_;
+    let _e168 = (_e167 == 2u);
+    if _e168 {
+        phi_459_ = 0u;
     } else {
-        phi_446_ = (_e160 + 1u);
+        phi_459_ = (_e167 + 1u);
     }
-    let _e164 = phi_446_;
-    let _e165 = (_e160 == 0u);
-    let _e167 = select(select(_e101.y, _e101.x, _e165), _e101.z, _e161);
-    let _e168 = (_e164 == 0u);
-    let _e170 = (_e164 == 2u);
-    let _e171 = select(select(_e101.y, _e101.x, _e168), _e101.z, _e170);
-    let _e172 = (_e156 == 0u);
-    let _e174 = select(select(_e101.y, _e101.x, _e172), _e101.z, _e157);
-    let _e176 = select(select(_e108.y, _e108.x, _e165), _e108.z, _e161);
-    let _e178 = select(select(_e108.y, _e108.x, _e168), _e108.z, _e170);
-    let _e180 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e157);
-    let _e181 = (_e126 - 1u);
-    let _e182 = (_e134 - 1u);
-    let _e184 = select(_e181, _e182, (_e182 < _e181));
-    let _e185 = (_e120 - 1u);
-    let _e186 = (_e122 - 1u);
-    let _e188 = select(_e185, _e186, (_e186 < _e185));
-    let _e189 = (_e124 - 1u);
+    let _e171 = phi_459_;
+    let _e172 = (_e167 == 0u);
+    let _e174 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e168);
+    let _e175 = (_e171 == 0u);
+    let _e177 = (_e171 == 2u);
+    let _e178 = select(select(_e108.y, _e108.x, _e175), _e108.z, _e177);
+    let _e179 = (_e163 == 0u);
+    let _e181 = select(select(_e108.y, _e108.x, _e179), _e108.z, _e164);
+    let _e183 = select(select(_e115.y, _e115.x, _e172), _e115.z, _e168);
+    let _e185 = select(select(_e115.y, _e115.x, _e175), _e115.z, _e177);
+    let _e187 = select(select(_e115.y, _e115.x, _e179), _e115.z, _e164);
+    let _e188 = (_e133 - 1u);
+    let _e189 = (_e141 - 1u);
     let _e191 = select(_e188, _e189, (_e189 < _e188));
-    let _e192 = (_e128 - 1u);
-    let _e193 = (_e130 - 1u);
+    let _e192 = (_e127 - 1u);
+    let _e193 = (_e129 - 1u);
     let _e195 = select(_e192, _e193, (_e193 < _e192));
-    let _e196 = (_e132 - 1u);
+    let _e196 = (_e131 - 1u);
     let _e198 = select(_e195, _e196, (_e196 < _e195));
-    let _e200 = select(_e191, _e198, (_e198 < _e191));
-    if (((select(_e200, _e184, (_e184 < _e200)) >= 8388607u) && (_e138 < 2130706432u)) && (bitcast<u32>((_e118 + 126i)) <= 253u)) {
-        let _e465 = bitcast<i32>((_e138 >> bitcast<u32>(23i)));
-        let _e466 = (_e465 - 127i);
-        let _e467 = (_e118 + _e466);
-        let _e472 = bitcast<f32>((bitcast<u32>((_e118 + 127i)) << bitcast<u32>(23i)));
-        let _e477 = bitcast<f32>((bitcast<u32>((254i - _e465)) << bitcast<u32>(23i)));
-        if (_e126 >= 2139095040u) {
-            phi_608_ = 255i;
+    let _e199 = (_e135 - 1u);
+    let _e200 = (_e137 - 1u);
+    let _e202 = select(_e199, _e200, (_e200 < _e199));
+    let _e203 = (_e139 - 1u);
+    let _e205 = select(_e202, _e203, (_e203 < _e202));
+    let _e207 = select(_e198, _e205, (_e205 < _e198));
+    if (((select(_e207, _e191, (_e191 < _e207)) >= 8388607u) && (_e145 < 2130706432u)) && (bitcast<u32>((_e125 + 126i)) <= 253u)) {
+        let _e472 = bitcast<i32>((_e145 >> bitcast<u32>(23i)));
+        let _e473 = (_e472 - 127i);
+        let _e474 = (_e125 + _e473);
+        let _e479 = bitcast<f32>((bitcast<u32>((_e125 + 127i)) << bitcast<u32>(23i)));
+        let _e484 = bitcast<f32>((bitcast<u32>((254i - _e472)) << bitcast<u32>(23i)));
+        if (_e133 >= 2139095040u) {
+            phi_621_ = 255i;
         } else {
-            phi_608_ = (bitcast<i32>((_e126 >> bitcast<u32>(23i))) + _e467);
+            phi_621_ = (bitcast<i32>((_e133 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e492 = phi_608_;
-        if (_e126 == 0u) {
-            phi_614_ = 0u;
+        let _e499 = phi_621_;
+        if (_e133 == 0u) {
+            phi_627_ = 0u;
         } else {
-            phi_614_ = (_e126 | 8388608u);
+            phi_627_ = (_e133 | 8388608u);
         }
-        let _e496 = phi_614_;
-        if (_e492 <= 0i) {
-            phi_634_ = u32();
-            phi_635_ = true;
+        let _e503 = phi_627_;
+        if (_e499 <= 0i) {
+            phi_647_ = u32();
+            phi_648_ = true;
         } else {
-            let _e503 = (_e496 == 0u);
-            if _e503 {
-                phi_633_ = u32();
+            let _e510 = (_e503 == 0u);
+            if _e510 {
+                phi_646_ = u32();
             } else {
-                phi_633_ = select(((bitcast<u32>(_e492) << bitcast<u32>(23i)) | (_e496 & 8388607u)), 2139095039u, (_e492 >= 255i));
+                phi_646_ = select(((bitcast<u32>(_e499) << bitcast<u32>(23i)) | (_e503 & 8388607u)), 2139095039u, (_e499 >= 255i));
             }
-            let _e507 = phi_633_;
-            phi_634_ = _e507;
-            phi_635_ = _e503;
+            let _e514 = phi_646_;
+            phi_647_ = _e514;
+            phi_648_ = _e510;
         }
-        let _e509 = phi_634_;
-        let _e511 = phi_635_;
-        if (_e134 >= 2139095040u) {
-            phi_653_ = 255i;
+        let _e516 = phi_647_;
+        let _e518 = phi_648_;
+        if (_e141 >= 2139095040u) {
+            phi_666_ = 255i;
         } else {
-            phi_653_ = (bitcast<i32>((_e134 >> bitcast<u32>(23i))) + _e467);
+            phi_666_ = (bitcast<i32>((_e141 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e522 = phi_653_;
-        if (_e134 == 0u) {
-            phi_659_ = 0u;
+        let _e529 = phi_666_;
+        if (_e141 == 0u) {
+            phi_672_ = 0u;
         } else {
-            phi_659_ = (_e134 | 8388608u);
+            phi_672_ = (_e141 | 8388608u);
         }
-        let _e526 = phi_659_;
-        if (_e522 <= 0i) {
-            phi_679_ = u32();
-            phi_680_ = true;
+        let _e533 = phi_672_;
+        if (_e529 <= 0i) {
+            phi_692_ = u32();
+            phi_693_ = true;
         } else {
-            let _e533 = (_e526 == 0u);
-            if _e533 {
-                phi_678_ = u32();
+            let _e540 = (_e533 == 0u);
+            if _e540 {
+                phi_691_ = u32();
             } else {
-                phi_678_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | (_e526 & 8388607u)), 2139095039u, (_e522 >= 255i));
+                phi_691_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | (_e533 & 8388607u)), 2139095039u, (_e529 >= 255i));
             }
-            let _e537 = phi_678_;
-            phi_679_ = _e537;
-            phi_680_ = _e533;
+            let _e544 = phi_691_;
+            phi_692_ = _e544;
+            phi_693_ = _e540;
         }
-        let _e539 = phi_679_;
-        let _e541 = phi_680_;
-        phi_1057_ = SlimbvhTypeD(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
+        let _e546 = phi_692_;
+        let _e548 = phi_693_;
+        phi_1070_ = SlimbvhTypeD(array<f32, 3>((_e174 * _e479), (_e178 * _e479), (_e181 * _e479)), array<f32, 3>((_e183 * _e484), (_e185 * _e484), (_e187 * _e484)), bitcast<f32>(((_e132 & 2147483648u) | select(_e516, 0u, _e518))), bitcast<f32>(((_e140 & 2147483648u) | select(_e546, 0u, _e548))), _e473);
     } else {
-        let _e213 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e138, _e151))) & 2147483647u);
-        if (_e213 >= 8388608u) {
-            phi_711_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
+        let _e220 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e145, _e158))) & 2147483647u);
+        if (_e220 >= 8388608u) {
+            phi_724_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_711_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
+            phi_724_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
         }
-        let _e227 = phi_711_;
-        let _e228 = (_e118 + _e227);
-        if (_e118 < -126i) {
-            phi_722_ = -126i;
+        let _e234 = phi_724_;
+        let _e235 = (_e125 + _e234);
+        if (_e125 < -126i) {
+            phi_735_ = -126i;
         } else {
-            phi_722_ = select(_e118, 127i, (_e118 > 127i));
+            phi_735_ = select(_e125, 127i, (_e125 > 127i));
         }
-        let _e233 = phi_722_;
-        let _e238 = bitcast<f32>((bitcast<u32>((_e233 + 127i)) << bitcast<u32>(23i)));
-        let _e244 = bitcast<f32>((bitcast<u32>(((_e118 - _e233) + 127i)) << bitcast<u32>(23i)));
-        let _e245 = bitcast<u32>(_e167);
-        let _e247 = ((_e245 & 2139095040u) != 0u);
-        let _e262 = bitcast<u32>(_e171);
-        let _e264 = ((_e262 & 2139095040u) != 0u);
-        let _e279 = bitcast<u32>(_e174);
-        let _e281 = ((_e279 & 2139095040u) != 0u);
-        let _e297 = -(_e227);
-        if (_e297 < -126i) {
-            phi_836_ = -126i;
+        let _e240 = phi_735_;
+        let _e245 = bitcast<f32>((bitcast<u32>((_e240 + 127i)) << bitcast<u32>(23i)));
+        let _e251 = bitcast<f32>((bitcast<u32>(((_e125 - _e240) + 127i)) << bitcast<u32>(23i)));
+        let _e252 = bitcast<u32>(_e174);
+        let _e254 = ((_e252 & 2139095040u) != 0u);
+        let _e269 = bitcast<u32>(_e178);
+        let _e271 = ((_e269 & 2139095040u) != 0u);
+        let _e286 = bitcast<u32>(_e181);
+        let _e288 = ((_e286 & 2139095040u) != 0u);
+        let _e304 = -(_e234);
+        if (_e304 < -126i) {
+            phi_849_ = -126i;
         } else {
-            phi_836_ = select(_e297, 127i, (_e297 > 127i));
+            phi_849_ = select(_e304, 127i, (_e304 > 127i));
         }
-        let _e302 = phi_836_;
-        let _e307 = bitcast<f32>((bitcast<u32>((_e302 + 127i)) << bitcast<u32>(23i)));
-        let _e313 = bitcast<f32>((bitcast<u32>(((_e297 - _e302) + 127i)) << bitcast<u32>(23i)));
-        let _e314 = bitcast<u32>(_e176);
-        let _e316 = ((_e314 & 2139095040u) != 0u);
-        let _e331 = bitcast<u32>(_e178);
-        let _e333 = ((_e331 & 2139095040u) != 0u);
-        let _e348 = bitcast<u32>(_e180);
-        let _e350 = ((_e348 & 2139095040u) != 0u);
-        let _e372 = ((_e126 & 8388607u) | (select(0u, 1u, ((_e126 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e375 = bitcast<i32>((_e126 >> bitcast<u32>(23i)));
-        let _e382 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e372)), 32u, (_e372 == 0u))) - 8i);
-        if (_e375 == 255i) {
-            phi_965_ = 255i;
+        let _e309 = phi_849_;
+        let _e314 = bitcast<f32>((bitcast<u32>((_e309 + 127i)) << bitcast<u32>(23i)));
+        let _e320 = bitcast<f32>((bitcast<u32>(((_e304 - _e309) + 127i)) << bitcast<u32>(23i)));
+        let _e321 = bitcast<u32>(_e183);
+        let _e323 = ((_e321 & 2139095040u) != 0u);
+        let _e338 = bitcast<u32>(_e185);
+        let _e340 = ((_e338 & 2139095040u) != 0u);
+        let _e355 = bitcast<u32>(_e187);
+        let _e357 = ((_e355 & 2139095040u) != 0u);
+        let _e379 = ((_e133 & 8388607u) | (select(0u, 1u, ((_e133 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e382 = bitcast<i32>((_e133 >> bitcast<u32>(23i)));
+        let _e389 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e379)), 32u, (_e379 == 0u))) - 8i);
+        if (_e382 == 255i) {
+            phi_978_ = 255i;
         } else {
-            phi_965_ = (((_e375 + select(0i, 1i, (_e375 == 0i))) - _e382) + _e228);
+            phi_978_ = (((_e382 + select(0i, 1i, (_e382 == 0i))) - _e389) + _e235);
         }
-        let _e390 = phi_965_;
-        let _e394 = (_e372 << bitcast<u32>(((_e382 & 31i) & 31i)));
-        if (_e390 <= 0i) {
-            phi_988_ = u32();
-            phi_989_ = true;
+        let _e397 = phi_978_;
+        let _e401 = (_e379 << bitcast<u32>(((_e389 & 31i) & 31i)));
+        if (_e397 <= 0i) {
+            phi_1001_ = u32();
+            phi_1002_ = true;
         } else {
-            let _e401 = (_e394 == 0u);
-            if _e401 {
-                phi_987_ = u32();
+            let _e408 = (_e401 == 0u);
+            if _e408 {
+                phi_1000_ = u32();
             } else {
-                phi_987_ = select(((bitcast<u32>(_e390) << bitcast<u32>(23i)) | (_e394 & 8388607u)), 2139095039u, (_e390 >= 255i));
+                phi_1000_ = select(((bitcast<u32>(_e397) << bitcast<u32>(23i)) | (_e401 & 8388607u)), 2139095039u, (_e397 >= 255i));
             }
-            let _e405 = phi_987_;
-            phi_988_ = _e405;
-            phi_989_ = _e401;
+            let _e412 = phi_1000_;
+            phi_1001_ = _e412;
+            phi_1002_ = _e408;
         }
-        let _e407 = phi_988_;
-        let _e409 = phi_989_;
-        let _e420 = ((_e134 & 8388607u) | (select(0u, 1u, ((_e134 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e423 = bitcast<i32>((_e134 >> bitcast<u32>(23i)));
-        let _e430 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e420)), 32u, (_e420 == 0u))) - 8i);
-        if (_e423 == 255i) {
-            phi_1023_ = 255i;
+        let _e414 = phi_1001_;
+        let _e416 = phi_1002_;
+        let _e427 = ((_e141 & 8388607u) | (select(0u, 1u, ((_e141 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e430 = bitcast<i32>((_e141 >> bitcast<u32>(23i)));
+        let _e437 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e427)), 32u, (_e427 == 0u))) - 8i);
+        if (_e430 == 255i) {
+            phi_1036_ = 255i;
         } else {
-            phi_1023_ = (((_e423 + select(0i, 1i, (_e423 == 0i))) - _e430) + _e228);
+            phi_1036_ = (((_e430 + select(0i, 1i, (_e430 == 0i))) - _e437) + _e235);
         }
-        let _e438 = phi_1023_;
-        let _e442 = (_e420 << bitcast<u32>(((_e430 & 31i) & 31i)));
-        if (_e438 <= 0i) {
-            phi_1046_ = u32();
-            phi_1047_ = true;
+        let _e445 = phi_1036_;
+        let _e449 = (_e427 << bitcast<u32>(((_e437 & 31i) & 31i)));
+        if (_e445 <= 0i) {
+            phi_1059_ = u32();
+            phi_1060_ = true;
         } else {
-            let _e449 = (_e442 == 0u);
-            if _e449 {
-                phi_1045_ = u32();
+            let _e456 = (_e449 == 0u);
+            if _e456 {
+                phi_1058_ = u32();
             } else {
-                phi_1045_ = select(((bitcast<u32>(_e438) << bitcast<u32>(23i)) | (_e442 & 8388607u)), 2139095039u, (_e438 >= 255i));
+                phi_1058_ = select(((bitcast<u32>(_e445) << bitcast<u32>(23i)) | (_e449 & 8388607u)), 2139095039u, (_e445 >= 255i));
             }
-            let _e453 = phi_1045_;
-            phi_1046_ = _e453;
-            phi_1047_ = _e449;
+            let _e460 = phi_1058_;
+            phi_1059_ = _e460;
+            phi_1060_ = _e456;
         }
-        let _e455 = phi_1046_;
-        let _e457 = phi_1047_;
-        phi_1057_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
+        let _e462 = phi_1059_;
+        let _e464 = phi_1060_;
+        phi_1070_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e174, _e254) * _e245) * select(0.00000011920929f, 1f, _e254)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e178, _e271) * _e245) * select(0.00000011920929f, 1f, _e271)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e286 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e286 & 2147483648u))), _e181, _e288) * _e245) * select(0.00000011920929f, 1f, _e288)) * _e251)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e183, _e323) * _e314) * select(0.00000011920929f, 1f, _e323)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e185, _e340) * _e314) * select(0.00000011920929f, 1f, _e340)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e187, _e357) * _e314) * select(0.00000011920929f, 1f, _e357)) * _e320)), bitcast<f32>(((_e132 & 2147483648u) | select(_e414, 0u, _e416))), bitcast<f32>(((_e140 & 2147483648u) | select(_e462, 0u, _e464))), _e234);
     }
-    let _e548 = phi_1057_;
-    let _e563 = (bitcast<f32>((bitcast<u32>(_e548.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e566 = bitcast<f32>((bitcast<u32>(_e548.member[0]) & 2147483647u));
-    let _e567 = (_e566 * 0.00000011920929f);
-    let _e570 = select(select(0.00000000000011368684f, _e567, (_e567 > 0.00000000000011368684f)), 0f, _e563);
-    let _e571 = select(0f, _e548.member_1[0], _e563);
-    let _e572 = (_e548.member[0] + _e570);
-    let _e573 = (_e548.member[0] - _e570);
-    let _e575 = select(38685626000000000000000000f, (1f / _e548.member_1[0]), _e563);
-    let _e579 = (bitcast<f32>((bitcast<u32>(_e548.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e582 = bitcast<f32>((bitcast<u32>(_e548.member[1]) & 2147483647u));
-    let _e583 = (_e582 * 0.00000011920929f);
-    let _e586 = select(select(0.00000000000011368684f, _e583, (_e583 > 0.00000000000011368684f)), 0f, _e579);
-    let _e587 = select(0f, _e548.member_1[1], _e579);
-    let _e588 = (_e548.member[1] + _e586);
-    let _e589 = (_e548.member[1] - _e586);
-    let _e591 = select(38685626000000000000000000f, (1f / _e548.member_1[1]), _e579);
-    let _e595 = (bitcast<f32>((bitcast<u32>(_e548.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e598 = bitcast<f32>((bitcast<u32>(_e548.member[2]) & 2147483647u));
-    let _e599 = (_e598 * 0.00000011920929f);
-    let _e602 = select(select(0.00000000000011368684f, _e599, (_e599 > 0.00000000000011368684f)), 0f, _e595);
-    let _e603 = select(0f, _e548.member_1[2], _e595);
-    let _e604 = (_e548.member[2] + _e602);
-    let _e605 = (_e548.member[2] - _e602);
-    let _e607 = select(38685626000000000000000000f, (1f / _e548.member_1[2]), _e595);
-    let _e609 = select(_e582, _e566, (_e566 > _e582));
-    let _e613 = (_e151 && (select(_e598, _e609, (_e609 > _e598)) <= 1099511600000f));
-    let _e614 = select(0f, _e548.member_3, _e613);
-    let _e615 = select(1f, _e548.member_2, _e613);
-    let _e619 = slimbvh_question.member[1u];
-    let _e620 = slimbvh_lane.member;
-    if (_e620 < 64u) {
-        let _e622 = (_e620 % 64u);
-        let _e625 = slimbvh_question.member[0u];
-        if (_e625 == 1u) {
-            phi_1269_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e614), true);
+    let _e555 = phi_1070_;
+    let _e570 = (bitcast<f32>((bitcast<u32>(_e555.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e573 = bitcast<f32>((bitcast<u32>(_e555.member[0]) & 2147483647u));
+    let _e574 = (_e573 * 0.00000011920929f);
+    let _e577 = select(select(0.00000000000011368684f, _e574, (_e574 > 0.00000000000011368684f)), 0f, _e570);
+    let _e578 = select(0f, _e555.member_1[0], _e570);
+    let _e579 = (_e555.member[0] + _e577);
+    let _e580 = (_e555.member[0] - _e577);
+    let _e582 = select(38685626000000000000000000f, (1f / _e555.member_1[0]), _e570);
+    let _e586 = (bitcast<f32>((bitcast<u32>(_e555.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e589 = bitcast<f32>((bitcast<u32>(_e555.member[1]) & 2147483647u));
+    let _e590 = (_e589 * 0.00000011920929f);
+    let _e593 = select(select(0.00000000000011368684f, _e590, (_e590 > 0.00000000000011368684f)), 0f, _e586);
+    let _e594 = select(0f, _e555.member_1[1], _e586);
+    let _e595 = (_e555.member[1] + _e593);
+    let _e596 = (_e555.member[1] - _e593);
+    let _e598 = select(38685626000000000000000000f, (1f / _e555.member_1[1]), _e586);
+    let _e602 = (bitcast<f32>((bitcast<u32>(_e555.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e605 = bitcast<f32>((bitcast<u32>(_e555.member[2]) & 2147483647u));
+    let _e606 = (_e605 * 0.00000011920929f);
+    let _e609 = select(select(0.00000000000011368684f, _e606, (_e606 > 0.00000000000011368684f)), 0f, _e602);
+    let _e610 = select(0f, _e555.member_1[2], _e602);
+    let _e611 = (_e555.member[2] + _e609);
+    let _e612 = (_e555.member[2] - _e609);
+    let _e614 = select(38685626000000000000000000f, (1f / _e555.member_1[2]), _e602);
+    let _e616 = select(_e589, _e573, (_e573 > _e589));
+    let _e620 = (_e158 && (select(_e605, _e616, (_e616 > _e605)) <= 1099511600000f));
+    let _e621 = select(0f, _e555.member_3, _e620);
+    let _e622 = select(1f, _e555.member_2, _e620);
+    let _e626 = slimbvh_question.member[1u];
+    let _e627 = slimbvh_lane.member;
+    if (_e627 < 64u) {
+        let _e629 = (_e627 % 64u);
+        let _e632 = slimbvh_question.member[0u];
+        if (_e632 == 1u) {
+            phi_1282_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e621), true);
         } else {
-            phi_1269_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e614), false);
+            phi_1282_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e621), false);
         }
-        let _e632 = phi_1269_;
-        phi_1284_ = _e632;
-        phi_1287_ = select(4294967295u, 0u, (_e615 <= _e614));
-        phi_1289_ = 0u;
-        phi_1291_ = (_e90 + 1u);
+        let _e639 = phi_1282_;
+        phi_1298_ = _e639;
+        phi_1301_ = select(4294967295u, 0u, (_e622 <= _e621));
+        phi_1303_ = 0u;
+        phi_1305_ = (_e91 + 1u);
         loop {
-            let _e641 = phi_1284_;
-            let _e643 = phi_1287_;
-            let _e645 = phi_1289_;
-            let _e647 = phi_1291_;
-            local_5 = _e643;
-            local_6 = _e641;
-            let _e648 = (_e643 <= 32u);
-            if _e648 {
-                phi_1300_ = _e643;
-                phi_1303_ = _e645;
-                phi_1305_ = _e647;
+            let _e648 = phi_1298_;
+            let _e650 = phi_1301_;
+            let _e652 = phi_1303_;
+            let _e654 = phi_1305_;
+            local_5 = _e650;
+            local_6 = _e648;
+            let _e655 = (_e650 <= 32u);
+            if _e655 {
+                phi_1314_ = _e650;
+                phi_1317_ = _e652;
+                phi_1319_ = _e654;
                 loop {
-                    let _e650 = phi_1300_;
-                    let _e652 = phi_1303_;
-                    let _e654 = phi_1305_;
-                    local_1 = _e652;
-                    local_2 = _e652;
-                    local_3 = _e650;
-                    local_8 = _e650;
-                    local_9 = _e652;
-                    local_10 = _e654;
-                    let _e655 = (_e650 <= 32u);
-                    let _e658 = (_e655 && !((_e652 >= _e90)));
-                    local = _e655;
-                    if _e658 {
-                        let _e663 = slimbvh_nodes.member[_e652][3u][0u];
-                        let _e668 = slimbvh_nodes.member[_e652][3u][1u];
-                        let _e673 = slimbvh_nodes.member[_e652][((_e160 & 3u) % 4u)];
-                        let _e678 = slimbvh_nodes.member[_e652][((_e164 & 3u) % 4u)];
-                        let _e683 = slimbvh_nodes.member[_e652][((_e156 & 3u) % 4u)];
-                        let _e684 = bitcast<u32>(_e663);
-                        let _e685 = bitcast<u32>(_e668);
-                        let _e696 = ((_e673.x - _e572) * _e575);
-                        let _e697 = ((_e673.y - _e572) * _e575);
-                        let _e698 = ((_e673.z - _e573) * _e575);
-                        let _e699 = ((_e673.w - _e573) * _e575);
-                        let _e700 = vec4<f32>(_e696, _e697, _e698, _e699);
-                        let _e709 = ((_e678.x - _e588) * _e591);
-                        let _e710 = ((_e678.y - _e588) * _e591);
-                        let _e711 = ((_e678.z - _e589) * _e591);
-                        let _e712 = ((_e678.w - _e589) * _e591);
-                        let _e713 = vec4<f32>(_e709, _e710, _e711, _e712);
-                        let _e722 = ((_e683.x - _e604) * _e607);
-                        let _e723 = ((_e683.y - _e604) * _e607);
-                        let _e724 = ((_e683.z - _e605) * _e607);
-                        let _e725 = ((_e683.w - _e605) * _e607);
-                        let _e726 = vec4<f32>(_e722, _e723, _e724, _e725);
-                        let _e727 = vec4<f32>(_e698, _e699, _e696, _e697);
-                        let _e728 = min(_e700, _e727);
-                        let _e729 = vec4<f32>(_e711, _e712, _e709, _e710);
-                        let _e730 = min(_e713, _e729);
-                        let _e731 = vec4<f32>(_e724, _e725, _e722, _e723);
-                        let _e732 = min(_e726, _e731);
-                        let _e733 = max(_e700, _e727);
-                        let _e734 = max(_e713, _e729);
-                        let _e735 = max(_e726, _e731);
-                        let _e764 = max(max(max(_e728.x, _e730.x), _e732.x), _e615);
-                        let _e765 = max(max(max(_e728.y, _e730.y), _e732.y), _e615);
-                        let _e768 = (_e764 <= min((min(min(_e733.x, _e734.x), _e735.x) + (max(_e735.x, -(_e732.x)) * 0.0000019073523f)), _e641.member.member_1));
-                        let _e769 = (_e765 <= min((min(min(_e733.y, _e734.y), _e735.y) + (max(_e735.y, -(_e732.y)) * 0.0000019073523f)), _e641.member.member_1));
-                        if (_e768 || _e769) {
-                            let _e781 = (_e768 && (((_e764 <= _e765) != _e632.member_1) || !(_e769)));
-                            if (_e768 && _e769) {
-                                slimbvh_stacks[(((_e650 % 32u) * 64u) + _e622)] = select(_e684, _e685, _e781);
-                                phi_1569_ = (_e650 + 1u);
+                    let _e657 = phi_1314_;
+                    let _e659 = phi_1317_;
+                    let _e661 = phi_1319_;
+                    local_1 = _e659;
+                    local_2 = _e659;
+                    local_3 = _e657;
+                    local_8 = _e657;
+                    local_9 = _e659;
+                    local_10 = _e661;
+                    let _e662 = (_e657 <= 32u);
+                    let _e664 = (_e659 + _e104);
+                    let _e668 = (_e662 && !(((_e659 >= _e91) || (_e664 >= _e91))));
+                    local = _e662;
+                    if _e668 {
+                        let _e672 = slimbvh_nodes.member[_e664][3u][0u];
+                        let _e676 = slimbvh_nodes.member[_e664][3u][1u];
+                        let _e680 = slimbvh_nodes.member[_e664][((_e167 & 3u) % 4u)];
+                        let _e684 = slimbvh_nodes.member[_e664][((_e171 & 3u) % 4u)];
+                        let _e688 = slimbvh_nodes.member[_e664][((_e163 & 3u) % 4u)];
+                        let _e689 = bitcast<u32>(_e672);
+                        let _e690 = bitcast<u32>(_e676);
+                        let _e701 = ((_e680.x - _e579) * _e582);
+                        let _e702 = ((_e680.y - _e579) * _e582);
+                        let _e703 = ((_e680.z - _e580) * _e582);
+                        let _e704 = ((_e680.w - _e580) * _e582);
+                        let _e705 = vec4<f32>(_e701, _e702, _e703, _e704);
+                        let _e714 = ((_e684.x - _e595) * _e598);
+                        let _e715 = ((_e684.y - _e595) * _e598);
+                        let _e716 = ((_e684.z - _e596) * _e598);
+                        let _e717 = ((_e684.w - _e596) * _e598);
+                        let _e718 = vec4<f32>(_e714, _e715, _e716, _e717);
+                        let _e727 = ((_e688.x - _e611) * _e614);
+                        let _e728 = ((_e688.y - _e611) * _e614);
+                        let _e729 = ((_e688.z - _e612) * _e614);
+                        let _e730 = ((_e688.w - _e612) * _e614);
+                        let _e731 = vec4<f32>(_e727, _e728, _e729, _e730);
+                        let _e732 = vec4<f32>(_e703, _e704, _e701, _e702);
+                        let _e733 = min(_e705, _e732);
+                        let _e734 = vec4<f32>(_e716, _e717, _e714, _e715);
+                        let _e735 = min(_e718, _e734);
+                        let _e736 = vec4<f32>(_e729, _e730, _e727, _e728);
+                        let _e737 = min(_e731, _e736);
+                        let _e738 = max(_e705, _e732);
+                        let _e739 = max(_e718, _e734);
+                        let _e740 = max(_e731, _e736);
+                        let _e769 = max(max(max(_e733.x, _e735.x), _e737.x), _e622);
+                        let _e770 = max(max(max(_e733.y, _e735.y), _e737.y), _e622);
+                        let _e773 = (_e769 <= min((min(min(_e738.x, _e739.x), _e740.x) + (max(_e740.x, -(_e737.x)) * 0.0000019073523f)), _e648.member.member_1));
+                        let _e774 = (_e770 <= min((min(min(_e738.y, _e739.y), _e740.y) + (max(_e740.y, -(_e737.y)) * 0.0000019073523f)), _e648.member.member_1));
+                        if (_e773 || _e774) {
+                            let _e786 = (_e773 && (((_e769 <= _e770) != _e639.member_1) || !(_e774)));
+                            if (_e773 && _e774) {
+                                slimbvh_stacks[(((_e657 % 32u) * 64u) + _e629)] = select(_e689, _e690, _e786);
+                                phi_1596_ = (_e657 + 1u);
                             } else {
-                                phi_1569_ = _e650;
+                                phi_1596_ = _e657;
                             }
-                            let _e791 = phi_1569_;
-                            phi_1585_ = _e791;
-                            phi_1586_ = select(_e685, _e684, _e781);
+                            let _e796 = phi_1596_;
+                            phi_1612_ = _e796;
+                            phi_1613_ = select(_e690, _e689, _e786);
                         } else {
-                            let _e773 = (_e650 - 1u);
-                            let _e778 = slimbvh_stacks[(((_e773 % 32u) * 64u) + _e622)];
-                            phi_1585_ = _e773;
-                            phi_1586_ = _e778;
+                            let _e778 = (_e657 - 1u);
+                            let _e783 = slimbvh_stacks[(((_e778 % 32u) * 64u) + _e629)];
+                            phi_1612_ = _e778;
+                            phi_1613_ = _e783;
                         }
-                        let _e793 = phi_1585_;
-                        let _e795 = phi_1586_;
-                        let _e796 = (_e654 - 1u);
-                        phi_1301_ = select(_e793, 4294967295u, (_e796 == 0u));
-                        phi_1304_ = _e795;
-                        phi_1306_ = _e796;
+                        let _e798 = phi_1612_;
+                        let _e800 = phi_1613_;
+                        let _e801 = (_e661 - 1u);
+                        phi_1315_ = select(_e798, 4294967295u, (_e801 == 0u));
+                        phi_1318_ = _e800;
+                        phi_1320_ = _e801;
                     } else {
-                        phi_1301_ = u32();
-                        phi_1304_ = u32();
-                        phi_1306_ = u32();
+                        phi_1315_ = u32();
+                        phi_1318_ = u32();
+                        phi_1320_ = u32();
                     }
-                    let _e800 = phi_1301_;
-                    let _e802 = phi_1304_;
-                    let _e804 = phi_1306_;
+                    let _e805 = phi_1315_;
+                    let _e807 = phi_1318_;
+                    let _e809 = phi_1320_;
                     continue;
                     continuing {
-                        phi_1300_ = _e800;
-                        phi_1303_ = _e802;
-                        phi_1305_ = _e804;
-                        break if !(_e658);
+                        phi_1314_ = _e805;
+                        phi_1317_ = _e807;
+                        phi_1319_ = _e809;
+                        break if !(_e668);
                     }
                 }
-                let _e807 = local;
-                if _e807 {
-                    let _e809 = local_1;
-                    let _e812 = local_2;
-                    phi_1602_ = _e641;
-                    phi_1605_ = SlimbvhTypeE(0u, ((_e812 >> bitcast<u32>(28u)) & 7u));
+                let _e812 = local;
+                if _e812 {
+                    let _e814 = local_1;
+                    let _e817 = local_2;
+                    phi_1630_ = _e648;
+                    phi_1633_ = SlimbvhTypeE(0u, ((_e817 >> bitcast<u32>(28u)) & 7u));
                     loop {
-                        let _e818 = phi_1602_;
-                        let _e820 = phi_1605_;
-                        local_4 = _e818;
-                        local_7 = _e818;
-                        if (_e820.member < _e820.member_1) {
-                            phi_1606_ = SlimbvhTypeE((_e820.member + 1u), _e820.member_1);
-                            phi_1628_ = SlimbvhTypeE(1u, _e820.member);
+                        let _e824 = phi_1630_;
+                        let _e826 = phi_1633_;
+                        local_4 = _e824;
+                        local_7 = _e824;
+                        if (_e826.member < _e826.member_1) {
+                            phi_1634_ = SlimbvhTypeE((_e826.member + 1u), _e826.member_1);
+                            phi_1656_ = SlimbvhTypeE(1u, _e826.member);
                         } else {
-                            phi_1606_ = _e820;
-                            phi_1628_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                            phi_1634_ = _e826;
+                            phi_1656_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                         }
-                        let _e833 = phi_1606_;
-                        let _e835 = phi_1628_;
-                        let _e839 = (bitcast<i32>(_e835.member) != 0i);
-                        if _e839 {
-                            let _e840 = ((_e809 & 268435455u) + _e835.member_1);
-                            let _e841 = (_e840 / 2u);
-                            let _e842 = (_e840 % 2u);
-                            let _e843 = (_e841 >= arrayLength((&slimbvh_triangles.member)));
-                            if _e843 {
-                                phi_1708_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e839 = phi_1634_;
+                        let _e841 = phi_1656_;
+                        let _e845 = (bitcast<i32>(_e841.member) != 0i);
+                        if _e845 {
+                            let _e846 = (((_e814 & 268435455u) + _e107) + _e841.member_1);
+                            let _e847 = (_e846 / 2u);
+                            let _e848 = (_e846 % 2u);
+                            let _e849 = (_e847 >= arrayLength((&slimbvh_triangles.member)));
+                            if _e849 {
+                                phi_1736_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
-                                let _e844 = (2u * _e842);
-                                let _e848 = slimbvh_triangles.member[_e841][_e844];
-                                let _e853 = slimbvh_triangles.member[_e841][(_e844 + 1u)];
-                                let _e858 = slimbvh_triangles.member[_e841][(_e844 + 2u)];
-                                if (_e842 == 0u) {
-                                    phi_1707_ = array<vec4<f32>, 3>(_e848, _e853, _e858);
+                                let _e850 = (2u * _e848);
+                                let _e854 = slimbvh_triangles.member[_e847][_e850];
+                                let _e859 = slimbvh_triangles.member[_e847][(_e850 + 1u)];
+                                let _e864 = slimbvh_triangles.member[_e847][(_e850 + 2u)];
+                                if (_e848 == 0u) {
+                                    phi_1735_ = array<vec4<f32>, 3>(_e854, _e859, _e864);
                                 } else {
-                                    phi_1707_ = array<vec4<f32>, 3>(vec4<f32>(_e848.z, _e848.w, _e853.x, _e853.y), vec4<f32>(_e853.z, _e853.w, _e858.x, _e858.y), vec4<f32>(_e858.z, _e858.w, 0f, 0f));
+                                    phi_1735_ = array<vec4<f32>, 3>(vec4<f32>(_e854.z, _e854.w, _e859.x, _e859.y), vec4<f32>(_e859.z, _e859.w, _e864.x, _e864.y), vec4<f32>(_e864.z, _e864.w, 0f, 0f));
                                 }
-                                let _e876 = phi_1707_;
-                                phi_1708_ = _e876;
+                                let _e882 = phi_1735_;
+                                phi_1736_ = _e882;
                             }
-                            let _e878 = phi_1708_;
-                            let _e881 = bitcast<u32>(_e878[2].y);
-                            if _e843 {
-                                phi_1783_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            let _e884 = phi_1736_;
+                            let _e887 = bitcast<u32>(_e884[2].y);
+                            if _e849 {
+                                phi_1811_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
-                                let _e882 = (2u * _e842);
-                                let _e886 = slimbvh_triangles.member[_e841][_e882];
-                                let _e891 = slimbvh_triangles.member[_e841][(_e882 + 1u)];
-                                let _e896 = slimbvh_triangles.member[_e841][(_e882 + 2u)];
-                                if (_e842 == 0u) {
-                                    phi_1782_ = array<vec4<f32>, 3>(_e886, _e891, _e896);
+                                let _e888 = (2u * _e848);
+                                let _e892 = slimbvh_triangles.member[_e847][_e888];
+                                let _e897 = slimbvh_triangles.member[_e847][(_e888 + 1u)];
+                                let _e902 = slimbvh_triangles.member[_e847][(_e888 + 2u)];
+                                if (_e848 == 0u) {
+                                    phi_1810_ = array<vec4<f32>, 3>(_e892, _e897, _e902);
                                 } else {
-                                    phi_1782_ = array<vec4<f32>, 3>(vec4<f32>(_e886.z, _e886.w, _e891.x, _e891.y), vec4<f32>(_e891.z, _e891.w, _e896.x, _e896.y), vec4<f32>(_e896.z, _e896.w, 0f, 0f));
+                                    phi_1810_ = array<vec4<f32>, 3>(vec4<f32>(_e892.z, _e892.w, _e897.x, _e897.y), vec4<f32>(_e897.z, _e897.w, _e902.x, _e902.y), vec4<f32>(_e902.z, _e902.w, 0f, 0f));
                                 }
-                                let _e914 = phi_1782_;
-                                phi_1783_ = _e914;
+                                let _e920 = phi_1810_;
+                                phi_1811_ = _e920;
                             }
-                            let _e916 = phi_1783_;
-                            if _e165 {
-                                phi_1807_ = array<f32, 3>(_e916[0].x, _e916[0].y, _e916[0].z);
+                            let _e922 = phi_1811_;
+                            if _e172 {
+                                phi_1835_ = array<f32, 3>(_e922[0].x, _e922[0].y, _e922[0].z);
                             } else {
-                                if (_e160 == 1u) {
-                                    phi_1806_ = array<f32, 3>(_e916[0].y, _e916[0].z, _e916[0].x);
+                                if (_e167 == 1u) {
+                                    phi_1834_ = array<f32, 3>(_e922[0].y, _e922[0].z, _e922[0].x);
                                 } else {
-                                    phi_1806_ = array<f32, 3>(_e916[0].z, _e916[0].x, _e916[0].y);
+                                    phi_1834_ = array<f32, 3>(_e922[0].z, _e922[0].x, _e922[0].y);
                                 }
-                                let _e939 = phi_1806_;
-                                phi_1807_ = _e939;
+                                let _e945 = phi_1834_;
+                                phi_1835_ = _e945;
                             }
-                            let _e942 = phi_1807_;
-                            if _e165 {
-                                phi_1822_ = array<f32, 3>(_e916[0].w, _e916[1].x, _e916[1].y);
+                            let _e948 = phi_1835_;
+                            if _e172 {
+                                phi_1850_ = array<f32, 3>(_e922[0].w, _e922[1].x, _e922[1].y);
                             } else {
-                                if (_e160 == 1u) {
-                                    phi_1821_ = array<f32, 3>(_e916[1].x, _e916[1].y, _e916[0].w);
+                                if (_e167 == 1u) {
+                                    phi_1849_ = array<f32, 3>(_e922[1].x, _e922[1].y, _e922[0].w);
                                 } else {
-                                    phi_1821_ = array<f32, 3>(_e916[1].y, _e916[0].w, _e916[1].x);
+                                    phi_1849_ = array<f32, 3>(_e922[1].y, _e922[0].w, _e922[1].x);
                                 }
-                                let _e947 = phi_1821_;
-                                phi_1822_ = _e947;
+                                let _e953 = phi_1849_;
+                                phi_1850_ = _e953;
                             }
-                            let _e950 = phi_1822_;
-                            if _e165 {
-                                phi_1837_ = array<f32, 3>(_e916[1].z, _e916[1].w, _e916[2].x);
+                            let _e956 = phi_1850_;
+                            if _e172 {
+                                phi_1865_ = array<f32, 3>(_e922[1].z, _e922[1].w, _e922[2].x);
                             } else {
-                                if (_e160 == 1u) {
-                                    phi_1836_ = array<f32, 3>(_e916[1].w, _e916[2].x, _e916[1].z);
+                                if (_e167 == 1u) {
+                                    phi_1864_ = array<f32, 3>(_e922[1].w, _e922[2].x, _e922[1].z);
                                 } else {
-                                    phi_1836_ = array<f32, 3>(_e916[2].x, _e916[1].z, _e916[1].w);
+                                    phi_1864_ = array<f32, 3>(_e922[2].x, _e922[1].z, _e922[1].w);
                                 }
-                                let _e955 = phi_1836_;
-                                phi_1837_ = _e955;
+                                let _e961 = phi_1864_;
+                                phi_1865_ = _e961;
                             }
-                            let _e958 = phi_1837_;
-                            let _e972 = (_e942[2] - _e548.member[2]);
-                            let _e975 = (((_e942[0] - _e548.member[0]) * _e603) - (_e972 * _e571));
-                            let _e978 = (((_e942[1] - _e548.member[1]) * _e603) - (_e972 * _e587));
-                            let _e981 = (_e950[2] - _e548.member[2]);
-                            let _e984 = (((_e950[0] - _e548.member[0]) * _e603) - (_e981 * _e571));
-                            let _e987 = (((_e950[1] - _e548.member[1]) * _e603) - (_e981 * _e587));
-                            let _e990 = (_e958[2] - _e548.member[2]);
-                            let _e993 = (((_e958[0] - _e548.member[0]) * _e603) - (_e990 * _e571));
-                            let _e996 = (((_e958[1] - _e548.member[1]) * _e603) - (_e990 * _e587));
-                            let _e997 = (_e993 * _e987);
-                            let _e998 = (_e996 * _e984);
-                            let _e999 = (_e975 * _e996);
-                            let _e1000 = (_e978 * _e993);
-                            let _e1001 = (_e984 * _e978);
-                            let _e1002 = (_e987 * _e975);
-                            let _e1007 = (((_e997 >= _e998) && (_e999 >= _e1000)) && (_e1001 >= _e1002));
-                            let _e1013 = (_e1007 || (((_e997 <= _e998) && (_e999 <= _e1000)) && (_e1001 <= _e1002)));
-                            if _e1013 {
-                                let _e1015 = select(-1f, 1f, _e1007);
-                                let _e1017 = ((_e997 - _e998) * _e1015);
-                                let _e1019 = select(0f, _e1017, (_e1017 > 0f));
-                                let _e1021 = ((_e999 - _e1000) * _e1015);
-                                let _e1023 = select(0f, _e1021, (_e1021 > 0f));
-                                let _e1025 = ((_e1001 - _e1002) * _e1015);
-                                let _e1027 = select(0f, _e1025, (_e1025 > 0f));
-                                let _e1029 = ((_e1019 + _e1023) + _e1027);
-                                let _e1044 = ((min(min(_e942[0], _e950[0]), _e958[0]) - _e572) * _e575);
-                                let _e1045 = ((max(max(_e942[0], _e950[0]), _e958[0]) - _e573) * _e575);
-                                let _e1046 = vec4<f32>(_e1044, f32(), _e1045, f32());
-                                let _e1049 = ((min(min(_e942[1], _e950[1]), _e958[1]) - _e588) * _e591);
-                                let _e1050 = ((max(max(_e942[1], _e950[1]), _e958[1]) - _e589) * _e591);
-                                let _e1051 = vec4<f32>(_e1049, f32(), _e1050, f32());
-                                let _e1054 = ((min(min(_e942[2], _e950[2]), _e958[2]) - _e604) * _e607);
-                                let _e1055 = ((max(max(_e942[2], _e950[2]), _e958[2]) - _e605) * _e607);
-                                let _e1056 = vec4<f32>(_e1054, f32(), _e1055, f32());
-                                let _e1057 = vec4<f32>(_e1045, f32(), _e1044, f32());
-                                let _e1059 = vec4<f32>(_e1050, f32(), _e1049, f32());
-                                let _e1061 = vec4<f32>(_e1055, f32(), _e1054, f32());
-                                let _e1070 = max(max(min(_e1046, _e1057).x, min(_e1051, _e1059).x), min(_e1056, _e1061).x);
-                                let _e1075 = min(min(max(_e1046, _e1057).x, max(_e1051, _e1059).x), max(_e1056, _e1061).x);
-                                let _e1080 = max(_e1070, _e615);
-                                let _e1102 = (((((_e1013 && (_e1029 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e975, _e984), _e993) <= 0f) && (max(max(_e975, _e984), _e993) >= 0f))) && ((min(min(_e978, _e987), _e996) <= 0f) && (max(max(_e978, _e987), _e996) >= 0f))) && (_e1080 <= (_e1075 + (max(max(_e1056, _e1061).x, -(min(_e1056, _e1061).x)) * 0.0000019073523f)))) && (_e1080 <= _e818.member.member_1));
-                                if _e1102 {
-                                    let _e1107 = (_e950[0] - _e942[0]);
-                                    let _e1108 = (_e950[1] - _e942[1]);
-                                    let _e1109 = (_e950[2] - _e942[2]);
-                                    let _e1110 = vec3<f32>(_e1107, _e1108, _e1109);
-                                    let _e1111 = (_e958[0] - _e950[0]);
-                                    let _e1112 = (_e958[1] - _e950[1]);
-                                    let _e1113 = (_e958[2] - _e950[2]);
-                                    let _e1114 = vec3<f32>(_e1111, _e1112, _e1113);
-                                    let _e1115 = (_e942[0] - _e958[0]);
-                                    let _e1116 = (_e942[1] - _e958[1]);
-                                    let _e1117 = (_e942[2] - _e958[2]);
-                                    let _e1118 = vec3<f32>(_e1115, _e1116, _e1117);
-                                    let _e1129 = max(max(bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)));
-                                    let _e1140 = max(max(bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u)));
-                                    let _e1153 = max(max(_e1129, _e1140), max(max(bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u))));
-                                    if (_e1129 == _e1153) {
-                                        phi_2170_ = _e987;
-                                        phi_2171_ = _e984;
-                                        phi_2172_ = _e978;
-                                        phi_2173_ = _e975;
-                                        phi_2174_ = vec3<f32>(_e942[0], _e942[1], _e942[2]);
-                                        phi_2175_ = _e1118;
-                                        phi_2176_ = _e1114;
-                                        phi_2177_ = _e1110;
+                            let _e964 = phi_1865_;
+                            let _e978 = (_e948[2] - _e555.member[2]);
+                            let _e981 = (((_e948[0] - _e555.member[0]) * _e610) - (_e978 * _e578));
+                            let _e984 = (((_e948[1] - _e555.member[1]) * _e610) - (_e978 * _e594));
+                            let _e987 = (_e956[2] - _e555.member[2]);
+                            let _e990 = (((_e956[0] - _e555.member[0]) * _e610) - (_e987 * _e578));
+                            let _e993 = (((_e956[1] - _e555.member[1]) * _e610) - (_e987 * _e594));
+                            let _e996 = (_e964[2] - _e555.member[2]);
+                            let _e999 = (((_e964[0] - _e555.member[0]) * _e610) - (_e996 * _e578));
+                            let _e1002 = (((_e964[1] - _e555.member[1]) * _e610) - (_e996 * _e594));
+                            let _e1003 = (_e999 * _e993);
+                            let _e1004 = (_e1002 * _e990);
+                            let _e1005 = (_e981 * _e1002);
+                            let _e1006 = (_e984 * _e999);
+                            let _e1007 = (_e990 * _e984);
+                            let _e1008 = (_e993 * _e981);
+                            let _e1013 = (((_e1003 >= _e1004) && (_e1005 >= _e1006)) && (_e1007 >= _e1008));
+                            let _e1019 = (_e1013 || (((_e1003 <= _e1004) && (_e1005 <= _e1006)) && (_e1007 <= _e1008)));
+                            if _e1019 {
+                                let _e1021 = select(-1f, 1f, _e1013);
+                                let _e1023 = ((_e1003 - _e1004) * _e1021);
+                                let _e1025 = select(0f, _e1023, (_e1023 > 0f));
+                                let _e1027 = ((_e1005 - _e1006) * _e1021);
+                                let _e1029 = select(0f, _e1027, (_e1027 > 0f));
+                                let _e1031 = ((_e1007 - _e1008) * _e1021);
+                                let _e1033 = select(0f, _e1031, (_e1031 > 0f));
+                                let _e1035 = ((_e1025 + _e1029) + _e1033);
+                                let _e1050 = ((min(min(_e948[0], _e956[0]), _e964[0]) - _e579) * _e582);
+                                let _e1051 = ((max(max(_e948[0], _e956[0]), _e964[0]) - _e580) * _e582);
+                                let _e1052 = vec4<f32>(_e1050, f32(), _e1051, f32());
+                                let _e1055 = ((min(min(_e948[1], _e956[1]), _e964[1]) - _e595) * _e598);
+                                let _e1056 = ((max(max(_e948[1], _e956[1]), _e964[1]) - _e596) * _e598);
+                                let _e1057 = vec4<f32>(_e1055, f32(), _e1056, f32());
+                                let _e1060 = ((min(min(_e948[2], _e956[2]), _e964[2]) - _e611) * _e614);
+                                let _e1061 = ((max(max(_e948[2], _e956[2]), _e964[2]) - _e612) * _e614);
+                                let _e1062 = vec4<f32>(_e1060, f32(), _e1061, f32());
+                                let _e1063 = vec4<f32>(_e1051, f32(), _e1050, f32());
+                                let _e1065 = vec4<f32>(_e1056, f32(), _e1055, f32());
+                                let _e1067 = vec4<f32>(_e1061, f32(), _e1060, f32());
+                                let _e1076 = max(max(min(_e1052, _e1063).x, min(_e1057, _e1065).x), min(_e1062, _e1067).x);
+                                let _e1081 = min(min(max(_e1052, _e1063).x, max(_e1057, _e1065).x), max(_e1062, _e1067).x);
+                                let _e1086 = max(_e1076, _e622);
+                                let _e1108 = (((((_e1019 && (_e1035 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e981, _e990), _e999) <= 0f) && (max(max(_e981, _e990), _e999) >= 0f))) && ((min(min(_e984, _e993), _e1002) <= 0f) && (max(max(_e984, _e993), _e1002) >= 0f))) && (_e1086 <= (_e1081 + (max(max(_e1062, _e1067).x, -(min(_e1062, _e1067).x)) * 0.0000019073523f)))) && (_e1086 <= _e824.member.member_1));
+                                if _e1108 {
+                                    let _e1113 = (_e956[0] - _e948[0]);
+                                    let _e1114 = (_e956[1] - _e948[1]);
+                                    let _e1115 = (_e956[2] - _e948[2]);
+                                    let _e1116 = vec3<f32>(_e1113, _e1114, _e1115);
+                                    let _e1117 = (_e964[0] - _e956[0]);
+                                    let _e1118 = (_e964[1] - _e956[1]);
+                                    let _e1119 = (_e964[2] - _e956[2]);
+                                    let _e1120 = vec3<f32>(_e1117, _e1118, _e1119);
+                                    let _e1121 = (_e948[0] - _e964[0]);
+                                    let _e1122 = (_e948[1] - _e964[1]);
+                                    let _e1123 = (_e948[2] - _e964[2]);
+                                    let _e1124 = vec3<f32>(_e1121, _e1122, _e1123);
+                                    let _e1135 = max(max(bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u)));
+                                    let _e1146 = max(max(bitcast<f32>((bitcast<u32>(_e1117) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1118) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1119) & 2147483647u)));
+                                    let _e1159 = max(max(_e1135, _e1146), max(max(bitcast<f32>((bitcast<u32>(_e1121) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1122) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u))));
+                                    if (_e1135 == _e1159) {
+                                        phi_2198_ = _e993;
+                                        phi_2199_ = _e990;
+                                        phi_2200_ = _e984;
+                                        phi_2201_ = _e981;
+                                        phi_2202_ = vec3<f32>(_e948[0], _e948[1], _e948[2]);
+                                        phi_2203_ = _e1124;
+                                        phi_2204_ = _e1120;
+                                        phi_2205_ = _e1116;
                                     } else {
-                                        let _e1155 = (_e1140 == _e1153);
-                                        let _e1160 = vec3(_e1155);
-                                        phi_2170_ = select(_e978, _e996, _e1155);
-                                        phi_2171_ = select(_e975, _e993, _e1155);
-                                        phi_2172_ = select(_e996, _e987, _e1155);
-                                        phi_2173_ = select(_e993, _e984, _e1155);
-                                        phi_2174_ = select(vec3<f32>(_e958[0], _e958[1], _e958[2]), vec3<f32>(_e950[0], _e950[1], _e950[2]), _e1160);
-                                        phi_2175_ = select(_e1114, _e1110, _e1160);
-                                        phi_2176_ = select(_e1110, _e1118, _e1160);
-                                        phi_2177_ = select(_e1118, _e1114, _e1160);
+                                        let _e1161 = (_e1146 == _e1159);
+                                        let _e1166 = vec3(_e1161);
+                                        phi_2198_ = select(_e984, _e1002, _e1161);
+                                        phi_2199_ = select(_e981, _e999, _e1161);
+                                        phi_2200_ = select(_e1002, _e993, _e1161);
+                                        phi_2201_ = select(_e999, _e990, _e1161);
+                                        phi_2202_ = select(vec3<f32>(_e964[0], _e964[1], _e964[2]), vec3<f32>(_e956[0], _e956[1], _e956[2]), _e1166);
+                                        phi_2203_ = select(_e1120, _e1116, _e1166);
+                                        phi_2204_ = select(_e1116, _e1124, _e1166);
+                                        phi_2205_ = select(_e1124, _e1120, _e1166);
                                     }
-                                    let _e1166 = phi_2170_;
-                                    let _e1168 = phi_2171_;
-                                    let _e1170 = phi_2172_;
-                                    let _e1172 = phi_2173_;
-                                    let _e1174 = phi_2174_;
-                                    let _e1176 = phi_2175_;
-                                    let _e1178 = phi_2176_;
-                                    let _e1180 = phi_2177_;
-                                    let _e1187 = ((_e1178.y * _e1176.z) - (_e1176.y * _e1178.z));
-                                    let _e1192 = ((_e1178.z * _e1176.x) - (_e1176.z * _e1178.x));
-                                    let _e1195 = ((_e1178.x * _e1176.y) - (_e1176.x * _e1178.y));
-                                    let _e1198 = ((_e1019 >= _e1023) && (_e1019 >= _e1027));
-                                    let _e1199 = (_e1023 >= _e1027);
-                                    let _e1213 = (((_e1187 * (select(select(_e958[0], _e950[0], _e1199), _e942[0], _e1198) - _e548.member[0])) + (_e1192 * (select(select(_e958[1], _e950[1], _e1199), _e942[1], _e1198) - _e548.member[1]))) + (_e1195 * (select(select(_e958[2], _e950[2], _e1199), _e942[2], _e1198) - _e548.member[2])));
-                                    let _e1218 = (((_e1187 * _e571) + (_e1192 * _e587)) + (_e1195 * _e603));
-                                    let _e1219 = (_e1168 - _e1172);
-                                    let _e1220 = (_e1166 - _e1170);
-                                    let _e1223 = ((_e1219 * _e1219) + (_e1220 * _e1220));
-                                    let _e1230 = (-(((_e1172 * _e1219) + (_e1170 * _e1220))) / select(0.000000000000000000000000000000000000011754944f, _e1223, (_e1223 > 0.000000000000000000000000000000000000011754944f)));
-                                    let _e1232 = select(1f, _e1230, (_e1230 < 1f));
-                                    let _e1234 = select(0f, _e1232, (_e1232 > 0f));
-                                    let _e1243 = ((_e1174.x + (_e1180.x * _e1234)) - _e548.member[0]);
-                                    let _e1246 = ((_e1174.y + (_e1180.y * _e1234)) - _e548.member[1]);
-                                    let _e1249 = ((_e1174.z + (_e1180.z * _e1234)) - _e548.member[2]);
-                                    let _e1314 = ((bitcast<f32>((bitcast<u32>(((((_e1187 * _e1243) + (_e1192 * _e1246)) + (_e1195 * _e1249)) - _e1213)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u))), _e1153)) * max(max(bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1178.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1178.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1178.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1176.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1176.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1176.z) & 2147483647u)))))));
-                                    let _e1315 = (_e1213 / _e1218);
-                                    if (_e1102 && !(_e1314)) {
-                                        let _e1318 = (_e1249 / _e603);
-                                        let _e1326 = (((_e1187 * (_e1243 - (_e571 * _e1318))) + (_e1192 * (_e1246 - (_e587 * _e1318)))) / _e1218);
-                                        phi_2356_ = select(select(_e1318, (_e1318 + _e1326), (bitcast<f32>((bitcast<u32>(_e1326) & 2147483647u)) <= _e1153)), _e1315, _e1314);
+                                    let _e1172 = phi_2198_;
+                                    let _e1174 = phi_2199_;
+                                    let _e1176 = phi_2200_;
+                                    let _e1178 = phi_2201_;
+                                    let _e1180 = phi_2202_;
+                                    let _e1182 = phi_2203_;
+                                    let _e1184 = phi_2204_;
+                                    let _e1186 = phi_2205_;
+                                    let _e1193 = ((_e1184.y * _e1182.z) - (_e1182.y * _e1184.z));
+                                    let _e1198 = ((_e1184.z * _e1182.x) - (_e1182.z * _e1184.x));
+                                    let _e1201 = ((_e1184.x * _e1182.y) - (_e1182.x * _e1184.y));
+                                    let _e1204 = ((_e1025 >= _e1029) && (_e1025 >= _e1033));
+                                    let _e1205 = (_e1029 >= _e1033);
+                                    let _e1219 = (((_e1193 * (select(select(_e964[0], _e956[0], _e1205), _e948[0], _e1204) - _e555.member[0])) + (_e1198 * (select(select(_e964[1], _e956[1], _e1205), _e948[1], _e1204) - _e555.member[1]))) + (_e1201 * (select(select(_e964[2], _e956[2], _e1205), _e948[2], _e1204) - _e555.member[2])));
+                                    let _e1224 = (((_e1193 * _e578) + (_e1198 * _e594)) + (_e1201 * _e610));
+                                    let _e1225 = (_e1174 - _e1178);
+                                    let _e1226 = (_e1172 - _e1176);
+                                    let _e1229 = ((_e1225 * _e1225) + (_e1226 * _e1226));
+                                    let _e1236 = (-(((_e1178 * _e1225) + (_e1176 * _e1226))) / select(0.000000000000000000000000000000000000011754944f, _e1229, (_e1229 > 0.000000000000000000000000000000000000011754944f)));
+                                    let _e1238 = select(1f, _e1236, (_e1236 < 1f));
+                                    let _e1240 = select(0f, _e1238, (_e1238 > 0f));
+                                    let _e1249 = ((_e1180.x + (_e1186.x * _e1240)) - _e555.member[0]);
+                                    let _e1252 = ((_e1180.y + (_e1186.y * _e1240)) - _e555.member[1]);
+                                    let _e1255 = ((_e1180.z + (_e1186.z * _e1240)) - _e555.member[2]);
+                                    let _e1320 = ((bitcast<f32>((bitcast<u32>(((((_e1193 * _e1249) + (_e1198 * _e1252)) + (_e1201 * _e1255)) - _e1219)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u))), _e1159)) * max(max(bitcast<f32>((bitcast<u32>(_e1193) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1184.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1184.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1184.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1182.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1182.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1182.z) & 2147483647u)))))));
+                                    let _e1321 = (_e1219 / _e1224);
+                                    if (_e1108 && !(_e1320)) {
+                                        let _e1324 = (_e1255 / _e610);
+                                        let _e1332 = (((_e1193 * (_e1249 - (_e578 * _e1324))) + (_e1198 * (_e1252 - (_e594 * _e1324)))) / _e1224);
+                                        phi_2384_ = select(select(_e1324, (_e1324 + _e1332), (bitcast<f32>((bitcast<u32>(_e1332) & 2147483647u)) <= _e1159)), _e1321, _e1320);
                                     } else {
-                                        phi_2356_ = _e1315;
+                                        phi_2384_ = _e1321;
                                     }
-                                    let _e1335 = phi_2356_;
-                                    let _e1337 = select(_e1075, _e1335, (_e1335 < _e1075));
-                                    let _e1339 = select(_e1070, _e1337, (_e1337 > _e1070));
-                                    let _e1342 = select(_e1339, 0f, (bitcast<u32>(_e1339) == 2147483648u));
-                                    let _e1343 = (1f / _e1029);
-                                    phi_2382_ = SlimbvhTypeF(_e1342, (_e1023 * _e1343), (_e1027 * _e1343), ((_e1102 && (_e1342 >= _e615)) && (_e1342 <= _e818.member.member_1)));
-                                    phi_2383_ = SlimbvhTypeF();
+                                    let _e1341 = phi_2384_;
+                                    let _e1343 = select(_e1081, _e1341, (_e1341 < _e1081));
+                                    let _e1345 = select(_e1076, _e1343, (_e1343 > _e1076));
+                                    let _e1348 = select(_e1345, 0f, (bitcast<u32>(_e1345) == 2147483648u));
+                                    let _e1349 = (1f / _e1035);
+                                    phi_2410_ = SlimbvhTypeF(_e1348, (_e1029 * _e1349), (_e1033 * _e1349), ((_e1108 && (_e1348 >= _e622)) && (_e1348 <= _e824.member.member_1)));
+                                    phi_2411_ = SlimbvhTypeF();
                                 } else {
-                                    phi_2382_ = SlimbvhTypeF();
-                                    phi_2383_ = SlimbvhTypeF(0f, 0f, 0f, _e1102);
+                                    phi_2410_ = SlimbvhTypeF();
+                                    phi_2411_ = SlimbvhTypeF(0f, 0f, 0f, _e1108);
                                 }
-                                let _e1352 = phi_2382_;
-                                let _e1354 = phi_2383_;
-                                phi_2386_ = _e1352;
-                                phi_2387_ = _e1354;
-                                phi_2388_ = select(true, false, _e1102);
+                                let _e1358 = phi_2410_;
+                                let _e1360 = phi_2411_;
+                                phi_2414_ = _e1358;
+                                phi_2415_ = _e1360;
+                                phi_2416_ = select(true, false, _e1108);
                             } else {
-                                phi_2386_ = SlimbvhTypeF();
-                                phi_2387_ = SlimbvhTypeF(0f, 0f, 0f, _e1013);
-                                phi_2388_ = true;
+                                phi_2414_ = SlimbvhTypeF();
+                                phi_2415_ = SlimbvhTypeF(0f, 0f, 0f, _e1019);
+                                phi_2416_ = true;
                             }
-                            let _e1357 = phi_2386_;
-                            let _e1359 = phi_2387_;
-                            let _e1361 = phi_2388_;
-                            if _e1361 {
-                                phi_2392_ = _e1359;
+                            let _e1363 = phi_2414_;
+                            let _e1365 = phi_2415_;
+                            let _e1367 = phi_2416_;
+                            if _e1367 {
+                                phi_2420_ = _e1365;
                             } else {
-                                phi_2392_ = _e1357;
+                                phi_2420_ = _e1363;
                             }
-                            let _e1363 = phi_2392_;
-                            if _e1363.member_3 {
-                                phi_2401_ = SlimbvhTypeG(_e1363.member, _e1363.member_1, _e1363.member_2, _e881);
+                            let _e1369 = phi_2420_;
+                            if _e1369.member_3 {
+                                phi_2429_ = SlimbvhTypeG(_e1369.member, _e1369.member_1, _e1369.member_2, _e887);
                             } else {
-                                phi_2401_ = _e87;
+                                phi_2429_ = _e87;
                             }
-                            let _e1370 = phi_2401_;
-                            if (_e1370.member_3 != 4294967295u) {
-                                let _e1376 = slimbvh_target.member[0u][0u];
-                                let _e1380 = slimbvh_target.member[0u][1u];
-                                let _e1384 = slimbvh_target.member[0u][2u];
-                                let _e1388 = slimbvh_target.member[0u][3u];
-                                let _e1392 = slimbvh_target.member[1u][0u];
-                                let _e1396 = slimbvh_target.member[1u][1u];
-                                let _e1400 = slimbvh_target.member[1u][2u];
-                                let _e1404 = slimbvh_target.member[1u][3u];
-                                let _e1405 = bitcast<f32>(_e1376);
-                                let _e1406 = bitcast<f32>(_e1380);
-                                let _e1407 = bitcast<f32>(_e1384);
-                                let _e1409 = bitcast<f32>(_e1392);
-                                let _e1410 = array<u32, 3>(_e1396, _e1400, _e1404);
-                                if (_e118 < -126i) {
-                                    phi_2448_ = -126i;
+                            let _e1376 = phi_2429_;
+                            if (_e1376.member_3 != 4294967295u) {
+                                let _e1382 = slimbvh_target.member[0u][0u];
+                                let _e1386 = slimbvh_target.member[0u][1u];
+                                let _e1390 = slimbvh_target.member[0u][2u];
+                                let _e1394 = slimbvh_target.member[0u][3u];
+                                let _e1398 = slimbvh_target.member[1u][0u];
+                                let _e1402 = slimbvh_target.member[1u][1u];
+                                let _e1406 = slimbvh_target.member[1u][2u];
+                                let _e1410 = slimbvh_target.member[1u][3u];
+                                let _e1411 = bitcast<f32>(_e1382);
+                                let _e1412 = bitcast<f32>(_e1386);
+                                let _e1413 = bitcast<f32>(_e1390);
+                                let _e1415 = bitcast<f32>(_e1398);
+                                let _e1416 = array<u32, 3>(_e1402, _e1406, _e1410);
+                                if (_e125 < -126i) {
+                                    phi_2476_ = -126i;
                                 } else {
-                                    phi_2448_ = select(_e118, 127i, (_e118 > 127i));
+                                    phi_2476_ = select(_e125, 127i, (_e125 > 127i));
                                 }
-                                let _e1416 = phi_2448_;
-                                let _e1421 = bitcast<f32>((bitcast<u32>((_e1416 + 127i)) << bitcast<u32>(23i)));
-                                let _e1427 = bitcast<f32>((bitcast<u32>(((_e118 - _e1416) + 127i)) << bitcast<u32>(23i)));
-                                if (_e1388 == 0u) {
-                                    phi_2588_ = SlimbvhTypeI(array<f32, 3>(_e1405, _e1406, _e1407), _e1388, _e1409, _e1410);
+                                let _e1422 = phi_2476_;
+                                let _e1427 = bitcast<f32>((bitcast<u32>((_e1422 + 127i)) << bitcast<u32>(23i)));
+                                let _e1433 = bitcast<f32>((bitcast<u32>(((_e125 - _e1422) + 127i)) << bitcast<u32>(23i)));
+                                if (_e1394 == 0u) {
+                                    phi_2616_ = SlimbvhTypeI(array<f32, 3>(_e1411, _e1412, _e1413), _e1394, _e1415, _e1416);
                                 } else {
-                                    let _e1429 = bitcast<u32>(_e1405);
-                                    let _e1431 = ((_e1429 & 2139095040u) != 0u);
-                                    let _e1446 = bitcast<u32>(_e1406);
-                                    let _e1448 = ((_e1446 & 2139095040u) != 0u);
-                                    let _e1463 = bitcast<u32>(_e1407);
-                                    let _e1465 = ((_e1463 & 2139095040u) != 0u);
-                                    let _e1481 = bitcast<u32>(_e1409);
-                                    let _e1483 = ((_e1481 & 2139095040u) != 0u);
-                                    phi_2588_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1429 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1429 & 2147483648u))), _e1405, _e1431) * _e1421) * select(0.00000011920929f, 1f, _e1431)) * _e1427), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1446 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1446 & 2147483648u))), _e1406, _e1448) * _e1421) * select(0.00000011920929f, 1f, _e1448)) * _e1427), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1463 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1463 & 2147483648u))), _e1407, _e1465) * _e1421) * select(0.00000011920929f, 1f, _e1465)) * _e1427)), _e1388, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1481 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1481 & 2147483648u))), _e1409, _e1483) * _e1421) * select(0.00000011920929f, 1f, _e1483)) * _e1427), _e1410);
+                                    let _e1435 = bitcast<u32>(_e1411);
+                                    let _e1437 = ((_e1435 & 2139095040u) != 0u);
+                                    let _e1452 = bitcast<u32>(_e1412);
+                                    let _e1454 = ((_e1452 & 2139095040u) != 0u);
+                                    let _e1469 = bitcast<u32>(_e1413);
+                                    let _e1471 = ((_e1469 & 2139095040u) != 0u);
+                                    let _e1487 = bitcast<u32>(_e1415);
+                                    let _e1489 = ((_e1487 & 2139095040u) != 0u);
+                                    phi_2616_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1435 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1435 & 2147483648u))), _e1411, _e1437) * _e1427) * select(0.00000011920929f, 1f, _e1437)) * _e1433), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1452 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1452 & 2147483648u))), _e1412, _e1454) * _e1427) * select(0.00000011920929f, 1f, _e1454)) * _e1433), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1469 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1469 & 2147483648u))), _e1413, _e1471) * _e1427) * select(0.00000011920929f, 1f, _e1471)) * _e1433)), _e1394, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1487 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1487 & 2147483648u))), _e1415, _e1489) * _e1427) * select(0.00000011920929f, 1f, _e1489)) * _e1433), _e1416);
                                 }
-                                let _e1500 = phi_2588_;
-                                if (_e881 == _e619) {
-                                    phi_2914_ = false;
+                                let _e1506 = phi_2616_;
+                                if (_e887 == _e626) {
+                                    phi_2942_ = false;
                                 } else {
-                                    let _e1502 = (_e881 / 16u);
-                                    if (_e1502 < arrayLength((&slimbvh_sides.member))) {
-                                        let _e1505 = slimbvh_sides.member[_e1502];
-                                        phi_2612_ = _e1505;
+                                    let _e1508 = (_e887 / 16u);
+                                    if (_e1508 < arrayLength((&slimbvh_sides.member))) {
+                                        let _e1511 = slimbvh_sides.member[_e1508];
+                                        phi_2640_ = _e1511;
                                     } else {
-                                        phi_2612_ = 0u;
+                                        phi_2640_ = 0u;
                                     }
-                                    let _e1507 = phi_2612_;
-                                    let _e1516 = (bitcast<i32>((_e1507 << bitcast<u32>(((30u - ((_e881 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                    let _e1517 = (_e1516 == 0i);
-                                    if _e1517 {
-                                        phi_2913_ = true;
+                                    let _e1513 = phi_2640_;
+                                    let _e1522 = (bitcast<i32>((_e1513 << bitcast<u32>(((30u - ((_e887 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                    let _e1523 = (_e1522 == 0i);
+                                    if _e1523 {
+                                        phi_2941_ = true;
                                     } else {
-                                        if _e165 {
-                                            phi_2641_ = vec3<f32>(_e942[0], _e942[1], _e942[2]);
+                                        if _e172 {
+                                            phi_2669_ = vec3<f32>(_e948[0], _e948[1], _e948[2]);
                                         } else {
-                                            if (_e160 == 1u) {
-                                                phi_2640_ = vec3<f32>(_e942[2], _e942[0], _e942[1]);
+                                            if (_e167 == 1u) {
+                                                phi_2668_ = vec3<f32>(_e948[2], _e948[0], _e948[1]);
                                             } else {
-                                                phi_2640_ = vec3<f32>(_e942[1], _e942[2], _e942[0]);
+                                                phi_2668_ = vec3<f32>(_e948[1], _e948[2], _e948[0]);
                                             }
-                                            let _e1522 = phi_2640_;
-                                            phi_2641_ = _e1522;
+                                            let _e1528 = phi_2668_;
+                                            phi_2669_ = _e1528;
                                         }
-                                        let _e1525 = phi_2641_;
-                                        if _e165 {
-                                            phi_2659_ = vec3<f32>(_e950[0], _e950[1], _e950[2]);
+                                        let _e1531 = phi_2669_;
+                                        if _e172 {
+                                            phi_2687_ = vec3<f32>(_e956[0], _e956[1], _e956[2]);
                                         } else {
-                                            if (_e160 == 1u) {
-                                                phi_2658_ = vec3<f32>(_e950[2], _e950[0], _e950[1]);
+                                            if (_e167 == 1u) {
+                                                phi_2686_ = vec3<f32>(_e956[2], _e956[0], _e956[1]);
                                             } else {
-                                                phi_2658_ = vec3<f32>(_e950[1], _e950[2], _e950[0]);
+                                                phi_2686_ = vec3<f32>(_e956[1], _e956[2], _e956[0]);
                                             }
-                                            let _e1530 = phi_2658_;
-                                            phi_2659_ = _e1530;
+                                            let _e1536 = phi_2686_;
+                                            phi_2687_ = _e1536;
                                         }
-                                        let _e1533 = phi_2659_;
-                                        if _e165 {
-                                            phi_2677_ = vec3<f32>(_e958[0], _e958[1], _e958[2]);
+                                        let _e1539 = phi_2687_;
+                                        if _e172 {
+                                            phi_2705_ = vec3<f32>(_e964[0], _e964[1], _e964[2]);
                                         } else {
-                                            if (_e160 == 1u) {
-                                                phi_2676_ = vec3<f32>(_e958[2], _e958[0], _e958[1]);
+                                            if (_e167 == 1u) {
+                                                phi_2704_ = vec3<f32>(_e964[2], _e964[0], _e964[1]);
                                             } else {
-                                                phi_2676_ = vec3<f32>(_e958[1], _e958[2], _e958[0]);
+                                                phi_2704_ = vec3<f32>(_e964[1], _e964[2], _e964[0]);
                                             }
-                                            let _e1538 = phi_2676_;
-                                            phi_2677_ = _e1538;
+                                            let _e1544 = phi_2704_;
+                                            phi_2705_ = _e1544;
                                         }
-                                        let _e1541 = phi_2677_;
-                                        let _e1544 = (_e1533.x - _e1525.x);
-                                        let _e1547 = (_e1533.y - _e1525.y);
-                                        let _e1550 = (_e1533.z - _e1525.z);
-                                        let _e1552 = (_e1541.x - _e1525.x);
-                                        let _e1554 = (_e1541.y - _e1525.y);
-                                        let _e1556 = (_e1541.z - _e1525.z);
-                                        if (_e1500.member_1 == 1u) {
-                                            phi_2713_ = (vec3<f32>(_e1500.member[0], _e1500.member[1], _e1500.member[2]) - _e1525);
+                                        let _e1547 = phi_2705_;
+                                        let _e1550 = (_e1539.x - _e1531.x);
+                                        let _e1553 = (_e1539.y - _e1531.y);
+                                        let _e1556 = (_e1539.z - _e1531.z);
+                                        let _e1558 = (_e1547.x - _e1531.x);
+                                        let _e1560 = (_e1547.y - _e1531.y);
+                                        let _e1562 = (_e1547.z - _e1531.z);
+                                        if (_e1506.member_1 == 1u) {
+                                            phi_2741_ = (vec3<f32>(_e1506.member[0], _e1506.member[1], _e1506.member[2]) - _e1531);
                                         } else {
-                                            phi_2713_ = vec3<f32>(_e1500.member[0], _e1500.member[1], _e1500.member[2]);
+                                            phi_2741_ = vec3<f32>(_e1506.member[0], _e1506.member[1], _e1506.member[2]);
                                         }
-                                        let _e1571 = phi_2713_;
-                                        let _e1577 = bitcast<f32>((bitcast<u32>((_e1544 * _e1554)) ^ _e1500.member_3[0]));
-                                        let _e1581 = bitcast<f32>((bitcast<u32>((_e1547 * _e1552)) ^ _e1500.member_3[0]));
-                                        let _e1585 = bitcast<f32>((bitcast<u32>((_e1547 * _e1556)) ^ _e1500.member_3[0]));
-                                        let _e1589 = bitcast<f32>((bitcast<u32>((_e1550 * _e1554)) ^ _e1500.member_3[0]));
-                                        let _e1593 = bitcast<f32>((bitcast<u32>((_e1550 * _e1552)) ^ _e1500.member_3[0]));
-                                        let _e1597 = bitcast<f32>((bitcast<u32>((_e1544 * _e1556)) ^ _e1500.member_3[0]));
-                                        let _e1598 = (_e1585 - _e1589);
-                                        let _e1599 = (_e1593 - _e1597);
-                                        let _e1600 = (_e1577 - _e1581);
-                                        let _e1624 = (bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)));
-                                        let _e1631 = (bitcast<f32>((bitcast<u32>(_e1593) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u)));
-                                        let _e1638 = (bitcast<f32>((bitcast<u32>(_e1577) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1581) & 2147483647u)));
-                                        if (_e1500.member_2 == 0f) {
-                                            phi_2895_ = 0f;
+                                        let _e1577 = phi_2741_;
+                                        let _e1583 = bitcast<f32>((bitcast<u32>((_e1550 * _e1560)) ^ _e1506.member_3[0]));
+                                        let _e1587 = bitcast<f32>((bitcast<u32>((_e1553 * _e1558)) ^ _e1506.member_3[0]));
+                                        let _e1591 = bitcast<f32>((bitcast<u32>((_e1553 * _e1562)) ^ _e1506.member_3[0]));
+                                        let _e1595 = bitcast<f32>((bitcast<u32>((_e1556 * _e1560)) ^ _e1506.member_3[0]));
+                                        let _e1599 = bitcast<f32>((bitcast<u32>((_e1556 * _e1558)) ^ _e1506.member_3[0]));
+                                        let _e1603 = bitcast<f32>((bitcast<u32>((_e1550 * _e1562)) ^ _e1506.member_3[0]));
+                                        let _e1604 = (_e1591 - _e1595);
+                                        let _e1605 = (_e1599 - _e1603);
+                                        let _e1606 = (_e1583 - _e1587);
+                                        let _e1630 = (bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)));
+                                        let _e1637 = (bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u)));
+                                        let _e1644 = (bitcast<f32>((bitcast<u32>(_e1583) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1587) & 2147483647u)));
+                                        if (_e1506.member_2 == 0f) {
+                                            phi_2923_ = 0f;
                                         } else {
-                                            let _e1668 = bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u));
-                                            let _e1671 = bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u));
-                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1600) & 2147483647u));
-                                            let _e1676 = select(_e1674, _e1671, (_e1671 > _e1674));
-                                            let _e1680 = select(_e1674, _e1671, (_e1671 < _e1674));
-                                            let _e1684 = select(_e1671, _e1668, (_e1668 < _e1671));
-                                            let _e1686 = select(_e1671, _e1668, (_e1668 > _e1671));
-                                            let _e1688 = select(_e1674, _e1686, (_e1686 < _e1674));
-                                            phi_2895_ = bitcast<f32>((bitcast<u32>((_e1500.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1676, _e1668, (_e1668 > _e1676)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1688, _e1684, (_e1684 > _e1688)))) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1680, _e1668, (_e1668 < _e1680)))) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1624 + _e1631) + _e1638))) ^ _e1500.member_3[0]))) * 1.0000005f)) ^ _e1500.member_3[0])))) ^ _e1500.member_3[0]));
+                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u));
+                                            let _e1677 = bitcast<f32>((bitcast<u32>(_e1605) & 2147483647u));
+                                            let _e1680 = bitcast<f32>((bitcast<u32>(_e1606) & 2147483647u));
+                                            let _e1682 = select(_e1680, _e1677, (_e1677 > _e1680));
+                                            let _e1686 = select(_e1680, _e1677, (_e1677 < _e1680));
+                                            let _e1690 = select(_e1677, _e1674, (_e1674 < _e1677));
+                                            let _e1692 = select(_e1677, _e1674, (_e1674 > _e1677));
+                                            let _e1694 = select(_e1680, _e1692, (_e1692 < _e1680));
+                                            phi_2923_ = bitcast<f32>((bitcast<u32>((_e1506.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1682, _e1674, (_e1674 > _e1682)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1694, _e1690, (_e1690 > _e1694)))) ^ _e1506.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1686, _e1674, (_e1674 < _e1686)))) ^ _e1506.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1630 + _e1637) + _e1644))) ^ _e1506.member_3[0]))) * 1.0000005f)) ^ _e1506.member_3[0])))) ^ _e1506.member_3[0]));
                                         }
-                                        let _e1715 = phi_2895_;
-                                        phi_2913_ = (_e1517 || !(((((bitcast<f32>((bitcast<u32>((_e1571.x * _e1598)) ^ _e1500.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1571.y * _e1599)) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1571.z * _e1600)) ^ _e1500.member_3[0]))) * f32(-(_e1516))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1571.x) & 2147483647u)) * _e1624)) ^ _e1500.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1571.y) & 2147483647u)) * _e1631)) ^ _e1500.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1571.z) & 2147483647u)) * _e1638)) ^ _e1500.member_3[0]))))) ^ _e1500.member_3[0])) + _e1715) + 0.0000000000000000000000000000000000001880791f))));
+                                        let _e1721 = phi_2923_;
+                                        phi_2941_ = (_e1523 || !(((((bitcast<f32>((bitcast<u32>((_e1577.x * _e1604)) ^ _e1506.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1577.y * _e1605)) ^ _e1506.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1577.z * _e1606)) ^ _e1506.member_3[0]))) * f32(-(_e1522))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1577.x) & 2147483647u)) * _e1630)) ^ _e1506.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1577.y) & 2147483647u)) * _e1637)) ^ _e1506.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1577.z) & 2147483647u)) * _e1644)) ^ _e1506.member_3[0]))))) ^ _e1506.member_3[0])) + _e1721) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e1729 = phi_2913_;
-                                    phi_2914_ = _e1729;
+                                    let _e1735 = phi_2941_;
+                                    phi_2942_ = _e1735;
                                 }
-                                let _e1731 = phi_2914_;
-                                if _e1731 {
-                                    if (_e1370.member < _e818.member.member.member) {
-                                        phi_2934_ = true;
+                                let _e1737 = phi_2942_;
+                                if _e1737 {
+                                    if (_e1376.member < _e824.member.member.member) {
+                                        phi_2962_ = true;
                                     } else {
-                                        if (_e1370.member == _e818.member.member.member) {
-                                            phi_2933_ = (_e1370.member_3 < _e818.member.member.member_3);
+                                        if (_e1376.member == _e824.member.member.member) {
+                                            phi_2961_ = (_e1376.member_3 < _e824.member.member.member_3);
                                         } else {
-                                            phi_2933_ = false;
+                                            phi_2961_ = false;
                                         }
-                                        let _e1743 = phi_2933_;
-                                        phi_2934_ = _e1743;
+                                        let _e1749 = phi_2961_;
+                                        phi_2962_ = _e1749;
                                     }
-                                    let _e1745 = phi_2934_;
-                                    if _e1745 {
-                                        phi_2941_ = SlimbvhTypeN(SlimbvhTypeJ(_e1370, _e1370.member), _e818.member_1);
+                                    let _e1751 = phi_2962_;
+                                    if _e1751 {
+                                        phi_2969_ = SlimbvhTypeN(SlimbvhTypeJ(_e1376, _e1376.member), _e824.member_1);
                                     } else {
-                                        phi_2941_ = _e818;
+                                        phi_2969_ = _e824;
                                     }
-                                    let _e1751 = phi_2941_;
-                                    if _e1751.member_1 {
-                                        phi_2947_ = SlimbvhTypeN(SlimbvhTypeJ(_e1751.member.member, bitcast<f32>(4286578687u)), _e1751.member_1);
+                                    let _e1757 = phi_2969_;
+                                    if _e1757.member_1 {
+                                        phi_2975_ = SlimbvhTypeN(SlimbvhTypeJ(_e1757.member.member, bitcast<f32>(4286578687u)), _e1757.member_1);
                                     } else {
-                                        phi_2947_ = _e1751;
+                                        phi_2975_ = _e1757;
                                     }
-                                    let _e1760 = phi_2947_;
-                                    phi_2948_ = _e1760;
+                                    let _e1766 = phi_2975_;
+                                    phi_2976_ = _e1766;
                                 } else {
-                                    phi_2948_ = _e818;
+                                    phi_2976_ = _e824;
                                 }
-                                let _e1762 = phi_2948_;
-                                phi_2949_ = _e1762;
+                                let _e1768 = phi_2976_;
+                                phi_2977_ = _e1768;
                             } else {
-                                phi_2949_ = _e818;
+                                phi_2977_ = _e824;
                             }
-                            let _e1764 = phi_2949_;
-                            phi_1603_ = _e1764;
+                            let _e1770 = phi_2977_;
+                            phi_1631_ = _e1770;
                         } else {
-                            phi_1603_ = SlimbvhTypeN();
+                            phi_1631_ = SlimbvhTypeN();
                         }
-                        let _e1766 = phi_1603_;
+                        let _e1772 = phi_1631_;
                         continue;
                         continuing {
-                            phi_1602_ = _e1766;
-                            phi_1605_ = _e833;
-                            break if !(_e839);
+                            phi_1630_ = _e1772;
+                            phi_1633_ = _e839;
+                            break if !(_e845);
                         }
                     }
-                    let _e1769 = local_3;
-                    let _e1770 = (_e1769 - 1u);
-                    let _e1775 = slimbvh_stacks[(((_e1770 % 32u) * 64u) + _e622)];
-                    let _e1777 = local_4;
-                    let _e2040 = local_7;
-                    phi_2971_ = _e2040;
-                    phi_2972_ = select(_e1770, 4294967295u, (_e615 > _e1777.member.member_1));
-                    phi_2973_ = _e1775;
+                    let _e1775 = local_3;
+                    let _e1776 = (_e1775 - 1u);
+                    let _e1781 = slimbvh_stacks[(((_e1776 % 32u) * 64u) + _e629)];
+                    let _e1783 = local_4;
+                    let _e2046 = local_7;
+                    phi_2999_ = _e2046;
+                    phi_3000_ = select(_e1776, 4294967295u, (_e622 > _e1783.member.member_1));
+                    phi_3001_ = _e1781;
                 } else {
-                    phi_2971_ = _e641;
-                    let _e2043 = local_8;
-                    phi_2972_ = _e2043;
-                    let _e2046 = local_9;
-                    phi_2973_ = _e2046;
+                    phi_2999_ = _e648;
+                    let _e2049 = local_8;
+                    phi_3000_ = _e2049;
+                    let _e2052 = local_9;
+                    phi_3001_ = _e2052;
                 }
-                let _e1783 = phi_2971_;
-                let _e1785 = phi_2972_;
-                let _e1787 = phi_2973_;
-                phi_1285_ = _e1783;
-                phi_1288_ = _e1785;
-                phi_1290_ = _e1787;
-                let _e2052 = local_10;
-                phi_1292_ = _e2052;
+                let _e1789 = phi_2999_;
+                let _e1791 = phi_3000_;
+                let _e1793 = phi_3001_;
+                phi_1299_ = _e1789;
+                phi_1302_ = _e1791;
+                phi_1304_ = _e1793;
+                let _e2058 = local_10;
+                phi_1306_ = _e2058;
             } else {
-                phi_1285_ = SlimbvhTypeN();
-                phi_1288_ = u32();
-                phi_1290_ = u32();
-                phi_1292_ = u32();
+                phi_1299_ = SlimbvhTypeN();
+                phi_1302_ = u32();
+                phi_1304_ = u32();
+                phi_1306_ = u32();
             }
-            let _e1789 = phi_1285_;
-            let _e1791 = phi_1288_;
-            let _e1793 = phi_1290_;
-            let _e1795 = phi_1292_;
+            let _e1795 = phi_1299_;
+            let _e1797 = phi_1302_;
+            let _e1799 = phi_1304_;
+            let _e1801 = phi_1306_;
             continue;
             continuing {
-                phi_1284_ = _e1789;
-                phi_1287_ = _e1791;
-                phi_1289_ = _e1793;
-                phi_1291_ = _e1795;
-                break if !(_e648);
+                phi_1298_ = _e1795;
+                phi_1301_ = _e1797;
+                phi_1303_ = _e1799;
+                phi_1305_ = _e1801;
+                break if !(_e655);
             }
         }
-        let _e1798 = local_5;
-        let _e1799 = (_e1798 == 4294967295u);
-        let _e1801 = local_6;
-        if (_e1801.member.member.member_3 != 4294967295u) {
-            let _e1807 = -((_e118 + _e548.member_4));
-            let _e1808 = bitcast<u32>(_e1801.member.member.member);
-            let _e1812 = (bitcast<i32>((_e1808 >> bitcast<u32>(23i))) & 255i);
-            let _e1813 = (_e1812 + _e1807);
-            if (_e1812 == 255i) {
-                phi_3029_ = _e1801.member.member.member;
+        let _e1804 = local_5;
+        let _e1805 = (_e1804 == 4294967295u);
+        let _e1807 = local_6;
+        if (_e1807.member.member.member_3 != 4294967295u) {
+            let _e1813 = -((_e125 + _e555.member_4));
+            let _e1814 = bitcast<u32>(_e1807.member.member.member);
+            let _e1818 = (bitcast<i32>((_e1814 >> bitcast<u32>(23i))) & 255i);
+            let _e1819 = (_e1818 + _e1813);
+            if (_e1818 == 255i) {
+                phi_3057_ = _e1807.member.member.member;
             } else {
-                if (_e1812 > 0i) {
-                    if (_e1813 > 0i) {
-                        let _e1817 = (_e1813 < 255i);
-                        if _e1817 {
-                            phi_3008_ = bitcast<f32>((_e1808 + bitcast<u32>((_e1807 << bitcast<u32>(23i)))));
+                if (_e1818 > 0i) {
+                    if (_e1819 > 0i) {
+                        let _e1823 = (_e1819 < 255i);
+                        if _e1823 {
+                            phi_3036_ = bitcast<f32>((_e1814 + bitcast<u32>((_e1813 << bitcast<u32>(23i)))));
                         } else {
-                            phi_3008_ = f32();
+                            phi_3036_ = f32();
                         }
-                        let _e1824 = phi_3008_;
-                        phi_3010_ = _e1824;
-                        phi_3011_ = select(true, false, _e1817);
+                        let _e1830 = phi_3036_;
+                        phi_3038_ = _e1830;
+                        phi_3039_ = select(true, false, _e1823);
                     } else {
-                        phi_3010_ = f32();
-                        phi_3011_ = true;
+                        phi_3038_ = f32();
+                        phi_3039_ = true;
                     }
-                    let _e1827 = phi_3010_;
-                    let _e1829 = phi_3011_;
-                    phi_3012_ = _e1827;
-                    phi_3013_ = _e1829;
+                    let _e1833 = phi_3038_;
+                    let _e1835 = phi_3039_;
+                    phi_3040_ = _e1833;
+                    phi_3041_ = _e1835;
                 } else {
-                    phi_3012_ = f32();
-                    phi_3013_ = true;
+                    phi_3040_ = f32();
+                    phi_3041_ = true;
                 }
-                let _e1831 = phi_3012_;
-                let _e1833 = phi_3013_;
-                if _e1833 {
-                    let _e1834 = (_e1808 & 2147483648u);
-                    let _e1841 = ((_e1808 & 8388607u) | (select(0u, 1u, ((_e1808 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                    let _e1845 = (_e1841 == 0u);
-                    if _e1845 {
-                        phi_3466_ = bitcast<f32>(_e1834);
+                let _e1837 = phi_3040_;
+                let _e1839 = phi_3041_;
+                if _e1839 {
+                    let _e1840 = (_e1814 & 2147483648u);
+                    let _e1847 = ((_e1814 & 8388607u) | (select(0u, 1u, ((_e1814 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e1851 = (_e1847 == 0u);
+                    if _e1851 {
+                        phi_3494_ = bitcast<f32>(_e1840);
                     } else {
-                        let _e1850 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1841)), 32u, _e1845) - 8u);
-                        let _e1853 = (_e1841 << bitcast<u32>((_e1850 & 31u)));
-                        let _e1855 = ((_e1813 + select(0i, 1i, (_e1812 == 0i))) - bitcast<i32>(_e1850));
-                        if (_e1855 >= 255i) {
-                            phi_3456_ = bitcast<f32>((_e1834 | 2139095040u));
-                            phi_3457_ = f32();
-                            phi_3458_ = true;
+                        let _e1856 = (select((bitcast<u32>(31i) - firstLeadingBit(_e1847)), 32u, _e1851) - 8u);
+                        let _e1859 = (_e1847 << bitcast<u32>((_e1856 & 31u)));
+                        let _e1861 = ((_e1819 + select(0i, 1i, (_e1818 == 0i))) - bitcast<i32>(_e1856));
+                        if (_e1861 >= 255i) {
+                            phi_3484_ = bitcast<f32>((_e1840 | 2139095040u));
+                            phi_3485_ = f32();
+                            phi_3486_ = true;
                         } else {
-                            let _e1857 = (_e1855 > 0i);
-                            if _e1857 {
-                                phi_3450_ = bitcast<f32>(((_e1834 | (bitcast<u32>(_e1855) << bitcast<u32>(23i))) | (_e1853 & 8388607u)));
-                                phi_3451_ = f32();
+                            let _e1863 = (_e1861 > 0i);
+                            if _e1863 {
+                                phi_3478_ = bitcast<f32>(((_e1840 | (bitcast<u32>(_e1861) << bitcast<u32>(23i))) | (_e1859 & 8388607u)));
+                                phi_3479_ = f32();
                             } else {
-                                if (_e1855 < -24i) {
-                                    phi_3416_ = 26u;
+                                if (_e1861 < -24i) {
+                                    phi_3444_ = 26u;
                                 } else {
-                                    phi_3416_ = bitcast<u32>((1i - _e1855));
+                                    phi_3444_ = bitcast<u32>((1i - _e1861));
                                 }
-                                let _e1862 = phi_3416_;
-                                let _e1863 = (_e1862 & 31u);
-                                let _e1865 = (_e1853 >> bitcast<u32>(_e1863));
-                                let _e1869 = (_e1853 & ((1u << bitcast<u32>(_e1863)) - 1u));
-                                let _e1873 = (1u << bitcast<u32>(((_e1862 - 1u) & 31u)));
-                                if (_e1869 > _e1873) {
-                                    phi_3437_ = true;
+                                let _e1868 = phi_3444_;
+                                let _e1869 = (_e1868 & 31u);
+                                let _e1871 = (_e1859 >> bitcast<u32>(_e1869));
+                                let _e1875 = (_e1859 & ((1u << bitcast<u32>(_e1869)) - 1u));
+                                let _e1879 = (1u << bitcast<u32>(((_e1868 - 1u) & 31u)));
+                                if (_e1875 > _e1879) {
+                                    phi_3465_ = true;
                                 } else {
-                                    if (_e1869 == _e1873) {
-                                        phi_3434_ = ((_e1865 & 1u) == 1u);
+                                    if (_e1875 == _e1879) {
+                                        phi_3462_ = ((_e1871 & 1u) == 1u);
                                     } else {
-                                        phi_3434_ = false;
+                                        phi_3462_ = false;
                                     }
-                                    let _e1879 = phi_3434_;
-                                    phi_3437_ = _e1879;
+                                    let _e1885 = phi_3462_;
+                                    phi_3465_ = _e1885;
                                 }
-                                let _e1881 = phi_3437_;
-                                phi_3450_ = f32();
-                                phi_3451_ = bitcast<f32>((_e1834 | (_e1865 + select(0u, 1u, _e1881))));
+                                let _e1887 = phi_3465_;
+                                phi_3478_ = f32();
+                                phi_3479_ = bitcast<f32>((_e1840 | (_e1871 + select(0u, 1u, _e1887))));
                             }
-                            let _e1894 = phi_3450_;
-                            let _e1896 = phi_3451_;
-                            phi_3456_ = _e1894;
-                            phi_3457_ = _e1896;
-                            phi_3458_ = _e1857;
+                            let _e1900 = phi_3478_;
+                            let _e1902 = phi_3479_;
+                            phi_3484_ = _e1900;
+                            phi_3485_ = _e1902;
+                            phi_3486_ = _e1863;
                         }
-                        let _e1900 = phi_3456_;
-                        let _e1902 = phi_3457_;
-                        let _e1904 = phi_3458_;
-                        phi_3466_ = select(_e1902, _e1900, _e1904);
+                        let _e1906 = phi_3484_;
+                        let _e1908 = phi_3485_;
+                        let _e1910 = phi_3486_;
+                        phi_3494_ = select(_e1908, _e1906, _e1910);
                     }
-                    let _e1908 = phi_3466_;
-                    phi_3028_ = _e1908;
+                    let _e1914 = phi_3494_;
+                    phi_3056_ = _e1914;
                 } else {
-                    phi_3028_ = _e1831;
+                    phi_3056_ = _e1837;
                 }
-                let _e1910 = phi_3028_;
-                phi_3029_ = _e1910;
+                let _e1916 = phi_3056_;
+                phi_3057_ = _e1916;
             }
-            let _e1912 = phi_3029_;
-            let _e1913 = bitcast<u32>(_e1912);
-            if ((_e1913 & 2147483647u) >= 2139095040u) {
-                phi_3041_ = bitcast<f32>(((_e1913 & 2147483648u) | 2139095039u));
+            let _e1918 = phi_3057_;
+            let _e1919 = bitcast<u32>(_e1918);
+            if ((_e1919 & 2147483647u) >= 2139095040u) {
+                phi_3069_ = bitcast<f32>(((_e1919 & 2147483648u) | 2139095039u));
             } else {
-                phi_3041_ = _e1912;
+                phi_3069_ = _e1918;
             }
-            let _e1920 = phi_3041_;
-            phi_3046_ = SlimbvhTypeG(_e1920, _e1801.member.member.member_1, _e1801.member.member.member_2, _e1801.member.member.member_3);
+            let _e1926 = phi_3069_;
+            phi_3074_ = SlimbvhTypeG(_e1926, _e1807.member.member.member_1, _e1807.member.member.member_2, _e1807.member.member.member_3);
         } else {
-            phi_3046_ = _e87;
+            phi_3074_ = _e87;
         }
-        let _e1925 = phi_3046_;
-        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1925.member), bitcast<u32>(_e1925.member_1), bitcast<u32>(_e1925.member_2), _e1925.member_3);
-        phi_3059_ = _e1799;
-        phi_3060_ = _e1799;
-        phi_3061_ = select(true, false, _e1799);
+        let _e1931 = phi_3074_;
+        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e1931.member), bitcast<u32>(_e1931.member_1), bitcast<u32>(_e1931.member_2), _e1931.member_3);
+        phi_3087_ = _e1805;
+        phi_3088_ = _e1805;
+        phi_3089_ = select(true, false, _e1805);
     } else {
-        phi_3059_ = bool();
-        phi_3060_ = false;
-        phi_3061_ = true;
+        phi_3087_ = bool();
+        phi_3088_ = false;
+        phi_3089_ = true;
     }
-    let _e1936 = phi_3059_;
-    let _e1938 = phi_3060_;
-    let _e1940 = phi_3061_;
-    if _e1940 {
+    let _e1942 = phi_3087_;
+    let _e1944 = phi_3088_;
+    let _e1946 = phi_3089_;
+    if _e1946 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }
-    slimbvh_overflowed.member = select(0u, 1u, !(select(_e1936, _e1938, _e1940)));
+    slimbvh_overflowed.member = select(0u, 1u, !(select(_e1942, _e1944, _e1946)));
     return;
 }
 

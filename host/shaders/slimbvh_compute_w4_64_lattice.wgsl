@@ -29,179 +29,179 @@ var<private> slimbvh_lane: SlimbvhTypeU;
 var<private> slimbvh_overflowed: SlimbvhTypeU;
 
 fn slimbvh_trace_in_group() {
-    var phi_592_: u32;
-    var phi_598_: u32;
-    var phi_604_: u32;
-    var phi_869_: i32;
-    var phi_880_: i32;
-    var phi_994_: i32;
-    var phi_1123_: i32;
-    var phi_1145_: u32;
-    var phi_1146_: u32;
-    var phi_1147_: bool;
-    var phi_1181_: i32;
-    var phi_1203_: u32;
-    var phi_1204_: u32;
-    var phi_1205_: bool;
-    var phi_766_: i32;
-    var phi_772_: u32;
-    var phi_791_: u32;
-    var phi_792_: u32;
-    var phi_793_: bool;
-    var phi_811_: i32;
-    var phi_817_: u32;
-    var phi_836_: u32;
-    var phi_837_: u32;
-    var phi_838_: bool;
-    var phi_1215_: SlimbvhTypeC;
-    var phi_1461_: SlimbvhTypeQ;
-    var phi_1524_: array<f32, 3>;
-    var phi_1525_: array<f32, 3>;
-    var phi_1543_: array<f32, 3>;
-    var phi_1544_: array<f32, 3>;
-    var phi_1717_: SlimbvhTypeQ;
-    var phi_1720_: u32;
-    var phi_1722_: u32;
-    var phi_1724_: u32;
-    var phi_1733_: u32;
-    var phi_1736_: u32;
-    var phi_1738_: u32;
-    var phi_1840_: SlimbvhTypeL;
-    var phi_1841_: SlimbvhTypeL;
-    var phi_1900_: SlimbvhTypeL;
-    var phi_1901_: SlimbvhTypeL;
-    var phi_1960_: SlimbvhTypeL;
-    var phi_1961_: SlimbvhTypeL;
-    var phi_2445_: u32;
-    var phi_2458_: u32;
-    var phi_2471_: u32;
-    var phi_2484_: u32;
-    var phi_5147_: SlimbvhTypeD;
-    var phi_5159_: SlimbvhTypeD;
-    var phi_5171_: SlimbvhTypeD;
-    var phi_5183_: SlimbvhTypeD;
-    var phi_5195_: SlimbvhTypeD;
-    var phi_2568_: u32;
-    var phi_2573_: u32;
-    var phi_2574_: u32;
-    var phi_2604_: u32;
-    var phi_2605_: u32;
-    var phi_1734_: u32;
-    var phi_1737_: u32;
-    var phi_1739_: u32;
+    var phi_599_: u32;
+    var phi_605_: u32;
+    var phi_611_: u32;
+    var phi_876_: i32;
+    var phi_887_: i32;
+    var phi_1001_: i32;
+    var phi_1130_: i32;
+    var phi_1152_: u32;
+    var phi_1153_: u32;
+    var phi_1154_: bool;
+    var phi_1188_: i32;
+    var phi_1210_: u32;
+    var phi_1211_: u32;
+    var phi_1212_: bool;
+    var phi_773_: i32;
+    var phi_779_: u32;
+    var phi_798_: u32;
+    var phi_799_: u32;
+    var phi_800_: bool;
+    var phi_818_: i32;
+    var phi_824_: u32;
+    var phi_843_: u32;
+    var phi_844_: u32;
+    var phi_845_: bool;
+    var phi_1222_: SlimbvhTypeC;
+    var phi_1468_: SlimbvhTypeQ;
+    var phi_1531_: array<f32, 3>;
+    var phi_1532_: array<f32, 3>;
+    var phi_1550_: array<f32, 3>;
+    var phi_1551_: array<f32, 3>;
+    var phi_1724_: SlimbvhTypeQ;
+    var phi_1727_: u32;
+    var phi_1729_: u32;
+    var phi_1731_: u32;
+    var phi_1740_: u32;
+    var phi_1743_: u32;
+    var phi_1745_: u32;
+    var phi_1851_: SlimbvhTypeL;
+    var phi_1852_: SlimbvhTypeL;
+    var phi_1911_: SlimbvhTypeL;
+    var phi_1912_: SlimbvhTypeL;
+    var phi_1971_: SlimbvhTypeL;
+    var phi_1972_: SlimbvhTypeL;
+    var phi_2456_: u32;
+    var phi_2469_: u32;
+    var phi_2482_: u32;
+    var phi_2495_: u32;
+    var phi_5158_: SlimbvhTypeD;
+    var phi_5170_: SlimbvhTypeD;
+    var phi_5182_: SlimbvhTypeD;
+    var phi_5194_: SlimbvhTypeD;
+    var phi_5206_: SlimbvhTypeD;
+    var phi_2579_: u32;
+    var phi_2584_: u32;
+    var phi_2585_: u32;
+    var phi_2615_: u32;
+    var phi_2616_: u32;
+    var phi_1741_: u32;
+    var phi_1744_: u32;
+    var phi_1746_: u32;
     var local: bool;
     var local_1: u32;
-    var phi_2755_: u32;
-    var phi_2816_: u32;
-    var phi_2819_: SlimbvhTypeN;
-    var phi_2823_: SlimbvhTypeQ;
-    var phi_2826_: SlimbvhTypeD;
-    var phi_2827_: SlimbvhTypeD;
-    var phi_2849_: SlimbvhTypeD;
-    var phi_2867_: u32;
+    var phi_2766_: u32;
+    var phi_2827_: u32;
+    var phi_2830_: SlimbvhTypeN;
+    var phi_2837_: SlimbvhTypeQ;
+    var phi_2840_: SlimbvhTypeD;
+    var phi_2841_: SlimbvhTypeD;
+    var phi_2863_: SlimbvhTypeD;
     var phi_2878_: u32;
-    var phi_2894_: u32;
-    var phi_2907_: u32;
+    var phi_2889_: u32;
+    var phi_2905_: u32;
     var phi_2918_: u32;
-    var phi_3362_: u32;
-    var phi_3375_: u32;
-    var phi_3388_: u32;
-    var phi_3414_: u32;
-    var phi_3427_: u32;
-    var phi_3440_: u32;
-    var phi_3466_: u32;
-    var phi_3479_: u32;
-    var phi_3492_: u32;
-    var phi_3084_: u32;
-    var phi_3097_: u32;
-    var phi_3107_: u32;
-    var phi_3128_: u32;
-    var phi_3149_: u32;
-    var phi_3176_: u32;
-    var phi_3189_: u32;
-    var phi_3199_: u32;
-    var phi_3220_: u32;
-    var phi_3241_: u32;
-    var phi_3268_: u32;
-    var phi_3281_: u32;
-    var phi_3291_: u32;
-    var phi_3312_: u32;
-    var phi_3333_: u32;
-    var phi_2945_: u32;
-    var phi_2991_: u32;
-    var phi_3037_: u32;
-    var phi_3504_: array<array<f32, 3>, 3>;
-    var phi_3869_: f32;
-    var phi_3870_: f32;
-    var phi_3871_: f32;
-    var phi_3872_: f32;
-    var phi_3873_: vec3<f32>;
-    var phi_3874_: vec3<f32>;
-    var phi_3875_: vec3<f32>;
-    var phi_3876_: vec3<f32>;
-    var phi_4055_: f32;
-    var phi_4081_: SlimbvhTypeE;
-    var phi_4082_: SlimbvhTypeE;
-    var phi_4085_: SlimbvhTypeE;
-    var phi_4086_: SlimbvhTypeE;
-    var phi_4087_: bool;
-    var phi_4091_: SlimbvhTypeE;
-    var phi_4100_: SlimbvhTypeF;
-    var phi_4153_: i32;
-    var phi_4293_: SlimbvhTypeH;
-    var phi_4317_: u32;
-    var phi_4346_: vec3<f32>;
-    var phi_4347_: vec3<f32>;
-    var phi_4365_: vec3<f32>;
-    var phi_4366_: vec3<f32>;
-    var phi_4384_: vec3<f32>;
-    var phi_4385_: vec3<f32>;
-    var phi_4421_: vec3<f32>;
-    var phi_4603_: f32;
-    var phi_4621_: bool;
-    var phi_4622_: bool;
-    var phi_4641_: bool;
-    var phi_4642_: bool;
-    var phi_4649_: SlimbvhTypeQ;
-    var phi_4655_: SlimbvhTypeQ;
-    var phi_4656_: SlimbvhTypeQ;
-    var phi_4657_: SlimbvhTypeQ;
-    var phi_2824_: SlimbvhTypeQ;
+    var phi_2929_: u32;
+    var phi_3373_: u32;
+    var phi_3386_: u32;
+    var phi_3399_: u32;
+    var phi_3425_: u32;
+    var phi_3438_: u32;
+    var phi_3451_: u32;
+    var phi_3477_: u32;
+    var phi_3490_: u32;
+    var phi_3503_: u32;
+    var phi_3095_: u32;
+    var phi_3108_: u32;
+    var phi_3118_: u32;
+    var phi_3139_: u32;
+    var phi_3160_: u32;
+    var phi_3187_: u32;
+    var phi_3200_: u32;
+    var phi_3210_: u32;
+    var phi_3231_: u32;
+    var phi_3252_: u32;
+    var phi_3279_: u32;
+    var phi_3292_: u32;
+    var phi_3302_: u32;
+    var phi_3323_: u32;
+    var phi_3344_: u32;
+    var phi_2956_: u32;
+    var phi_3002_: u32;
+    var phi_3048_: u32;
+    var phi_3515_: array<array<f32, 3>, 3>;
+    var phi_3880_: f32;
+    var phi_3881_: f32;
+    var phi_3882_: f32;
+    var phi_3883_: f32;
+    var phi_3884_: vec3<f32>;
+    var phi_3885_: vec3<f32>;
+    var phi_3886_: vec3<f32>;
+    var phi_3887_: vec3<f32>;
+    var phi_4066_: f32;
+    var phi_4092_: SlimbvhTypeE;
+    var phi_4093_: SlimbvhTypeE;
+    var phi_4096_: SlimbvhTypeE;
+    var phi_4097_: SlimbvhTypeE;
+    var phi_4098_: bool;
+    var phi_4102_: SlimbvhTypeE;
+    var phi_4111_: SlimbvhTypeF;
+    var phi_4164_: i32;
+    var phi_4304_: SlimbvhTypeH;
+    var phi_4328_: u32;
+    var phi_4357_: vec3<f32>;
+    var phi_4358_: vec3<f32>;
+    var phi_4376_: vec3<f32>;
+    var phi_4377_: vec3<f32>;
+    var phi_4395_: vec3<f32>;
+    var phi_4396_: vec3<f32>;
+    var phi_4432_: vec3<f32>;
+    var phi_4614_: f32;
+    var phi_4632_: bool;
+    var phi_4633_: bool;
+    var phi_4652_: bool;
+    var phi_4653_: bool;
+    var phi_4660_: SlimbvhTypeQ;
+    var phi_4666_: SlimbvhTypeQ;
+    var phi_4667_: SlimbvhTypeQ;
+    var phi_4668_: SlimbvhTypeQ;
+    var phi_2838_: SlimbvhTypeQ;
     var local_2: u32;
     var local_3: u32;
-    var phi_4724_: u32;
-    var phi_4725_: u32;
-    var local_4: SlimbvhTypeQ;
-    var phi_4734_: SlimbvhTypeQ;
     var phi_4735_: u32;
     var phi_4736_: u32;
-    var phi_1718_: SlimbvhTypeQ;
-    var phi_1721_: u32;
-    var phi_1723_: u32;
-    var phi_1725_: u32;
+    var local_4: SlimbvhTypeQ;
+    var phi_4745_: SlimbvhTypeQ;
+    var phi_4746_: u32;
+    var phi_4747_: u32;
+    var phi_1725_: SlimbvhTypeQ;
+    var phi_1728_: u32;
+    var phi_1730_: u32;
+    var phi_1732_: u32;
     var local_5: u32;
     var local_6: SlimbvhTypeQ;
-    var phi_4773_: f32;
-    var phi_4775_: f32;
-    var phi_4776_: bool;
-    var phi_4777_: f32;
-    var phi_4778_: bool;
-    var phi_5426_: u32;
-    var phi_5444_: bool;
-    var phi_5447_: bool;
-    var phi_5460_: f32;
-    var phi_5461_: f32;
-    var phi_5466_: f32;
-    var phi_5467_: f32;
-    var phi_5468_: bool;
-    var phi_5476_: f32;
-    var phi_4793_: f32;
-    var phi_4794_: f32;
-    var phi_4806_: f32;
-    var phi_4811_: SlimbvhTypeF;
-    var phi_4824_: bool;
-    var phi_4825_: bool;
-    var phi_4826_: bool;
+    var phi_4784_: f32;
+    var phi_4786_: f32;
+    var phi_4787_: bool;
+    var phi_4788_: f32;
+    var phi_4789_: bool;
+    var phi_5437_: u32;
+    var phi_5455_: bool;
+    var phi_5458_: bool;
+    var phi_5471_: f32;
+    var phi_5472_: f32;
+    var phi_5477_: f32;
+    var phi_5478_: f32;
+    var phi_5479_: bool;
+    var phi_5487_: f32;
+    var phi_4804_: f32;
+    var phi_4805_: f32;
+    var phi_4817_: f32;
+    var phi_4822_: SlimbvhTypeF;
+    var phi_4835_: bool;
+    var phi_4836_: bool;
+    var phi_4837_: bool;
     var local_7: SlimbvhTypeQ;
     var local_8: u32;
     var local_9: u32;
@@ -218,600 +218,585 @@ fn slimbvh_trace_in_group() {
     let _e148 = slimbvh_root.member[1u][1u];
     let _e152 = slimbvh_root.member[1u][2u];
     let _e164 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e140) + 127i)) << bitcast<u32>(23i)));
-    let _e165 = slimbvh_origin.member;
-    let _e171 = slimbvh_origin.member[3u];
-    let _e172 = slimbvh_direction.member;
-    let _e178 = slimbvh_direction.member[3u];
-    let _e181 = slimbvh_exponent.member[0u];
-    let _e182 = bitcast<i32>(_e181);
-    let _e184 = (bitcast<u32>(_e165.x) & 2147483647u);
-    let _e186 = (bitcast<u32>(_e165.y) & 2147483647u);
-    let _e188 = (bitcast<u32>(_e165.z) & 2147483647u);
-    let _e189 = bitcast<u32>(_e171);
-    let _e190 = (_e189 & 2147483647u);
-    let _e192 = (bitcast<u32>(_e172.x) & 2147483647u);
-    let _e194 = (bitcast<u32>(_e172.y) & 2147483647u);
-    let _e196 = (bitcast<u32>(_e172.z) & 2147483647u);
-    let _e197 = bitcast<u32>(_e178);
-    let _e198 = (_e197 & 2147483647u);
-    let _e200 = select(_e194, _e192, (_e194 < _e192));
-    let _e202 = select(_e196, _e200, (_e196 < _e200));
-    let _e204 = select(_e184, _e202, (_e184 < _e202));
-    let _e206 = select(_e186, _e204, (_e186 < _e204));
-    let _e208 = select(_e188, _e206, (_e188 < _e206));
-    let _e215 = (((select(_e190, _e208, (_e190 < _e208)) < 2139095040u) && (_e198 <= 2139095040u)) && (_e202 > 0u));
-    if (_e192 == _e202) {
-        phi_592_ = 0u;
+    let _e167 = slimbvh_exponent.member[1u];
+    let _e170 = slimbvh_exponent.member[2u];
+    let _e171 = slimbvh_origin.member;
+    let _e177 = slimbvh_origin.member[3u];
+    let _e178 = slimbvh_direction.member;
+    let _e184 = slimbvh_direction.member[3u];
+    let _e187 = slimbvh_exponent.member[0u];
+    let _e188 = bitcast<i32>(_e187);
+    let _e190 = (bitcast<u32>(_e171.x) & 2147483647u);
+    let _e192 = (bitcast<u32>(_e171.y) & 2147483647u);
+    let _e194 = (bitcast<u32>(_e171.z) & 2147483647u);
+    let _e195 = bitcast<u32>(_e177);
+    let _e196 = (_e195 & 2147483647u);
+    let _e198 = (bitcast<u32>(_e178.x) & 2147483647u);
+    let _e200 = (bitcast<u32>(_e178.y) & 2147483647u);
+    let _e202 = (bitcast<u32>(_e178.z) & 2147483647u);
+    let _e203 = bitcast<u32>(_e184);
+    let _e204 = (_e203 & 2147483647u);
+    let _e206 = select(_e200, _e198, (_e200 < _e198));
+    let _e208 = select(_e202, _e206, (_e202 < _e206));
+    let _e210 = select(_e190, _e208, (_e190 < _e208));
+    let _e212 = select(_e192, _e210, (_e192 < _e210));
+    let _e214 = select(_e194, _e212, (_e194 < _e212));
+    let _e221 = (((select(_e196, _e214, (_e196 < _e214)) < 2139095040u) && (_e204 <= 2139095040u)) && (_e208 > 0u));
+    if (_e198 == _e208) {
+        phi_599_ = 0u;
     } else {
-        phi_592_ = select(2u, 1u, (_e194 == _e202));
+        phi_599_ = select(2u, 1u, (_e200 == _e208));
     }
-    let _e220 = phi_592_;
-    let _e221 = (_e220 == 2u);
-    if _e221 {
-        phi_598_ = 0u;
+    let _e226 = phi_599_;
+    let _e227 = (_e226 == 2u);
+    if _e227 {
+        phi_605_ = 0u;
     } else {
-        phi_598_ = (_e220 + 1u);
+        phi_605_ = (_e226 + 1u);
     }
-    let _e224 = phi_598_;
-    let _e225 = (_e224 == 2u);
-    if _e225 {
-        phi_604_ = 0u;
+    let _e230 = phi_605_;
+    let _e231 = (_e230 == 2u);
+    if _e231 {
+        phi_611_ = 0u;
     } else {
-        phi_604_ = (_e224 + 1u);
+        phi_611_ = (_e230 + 1u);
     }
-    let _e228 = phi_604_;
-    let _e229 = (_e224 == 0u);
-    let _e231 = select(select(_e165.y, _e165.x, _e229), _e165.z, _e225);
-    let _e232 = (_e228 == 0u);
-    let _e234 = (_e228 == 2u);
-    let _e235 = select(select(_e165.y, _e165.x, _e232), _e165.z, _e234);
-    let _e236 = (_e220 == 0u);
-    let _e238 = select(select(_e165.y, _e165.x, _e236), _e165.z, _e221);
-    let _e240 = select(select(_e172.y, _e172.x, _e229), _e172.z, _e225);
-    let _e242 = select(select(_e172.y, _e172.x, _e232), _e172.z, _e234);
-    let _e244 = select(select(_e172.y, _e172.x, _e236), _e172.z, _e221);
-    let _e245 = (_e190 - 1u);
-    let _e246 = (_e198 - 1u);
-    let _e248 = select(_e245, _e246, (_e246 < _e245));
-    let _e249 = (_e184 - 1u);
-    let _e250 = (_e186 - 1u);
-    let _e252 = select(_e249, _e250, (_e250 < _e249));
-    let _e253 = (_e188 - 1u);
-    let _e255 = select(_e252, _e253, (_e253 < _e252));
+    let _e234 = phi_611_;
+    let _e235 = (_e230 == 0u);
+    let _e237 = select(select(_e171.y, _e171.x, _e235), _e171.z, _e231);
+    let _e238 = (_e234 == 0u);
+    let _e240 = (_e234 == 2u);
+    let _e241 = select(select(_e171.y, _e171.x, _e238), _e171.z, _e240);
+    let _e242 = (_e226 == 0u);
+    let _e244 = select(select(_e171.y, _e171.x, _e242), _e171.z, _e227);
+    let _e246 = select(select(_e178.y, _e178.x, _e235), _e178.z, _e231);
+    let _e248 = select(select(_e178.y, _e178.x, _e238), _e178.z, _e240);
+    let _e250 = select(select(_e178.y, _e178.x, _e242), _e178.z, _e227);
+    let _e251 = (_e196 - 1u);
+    let _e252 = (_e204 - 1u);
+    let _e254 = select(_e251, _e252, (_e252 < _e251));
+    let _e255 = (_e190 - 1u);
     let _e256 = (_e192 - 1u);
-    let _e257 = (_e194 - 1u);
-    let _e259 = select(_e256, _e257, (_e257 < _e256));
-    let _e260 = (_e196 - 1u);
-    let _e262 = select(_e259, _e260, (_e260 < _e259));
-    let _e264 = select(_e255, _e262, (_e262 < _e255));
-    if (((select(_e264, _e248, (_e248 < _e264)) >= 8388607u) && (_e202 < 2130706432u)) && (bitcast<u32>((_e182 + 126i)) <= 253u)) {
-        let _e529 = bitcast<i32>((_e202 >> bitcast<u32>(23i)));
-        let _e530 = (_e529 - 127i);
-        let _e531 = (_e182 + _e530);
-        let _e536 = bitcast<f32>((bitcast<u32>((_e182 + 127i)) << bitcast<u32>(23i)));
-        let _e541 = bitcast<f32>((bitcast<u32>((254i - _e529)) << bitcast<u32>(23i)));
-        if (_e190 >= 2139095040u) {
-            phi_766_ = 255i;
+    let _e258 = select(_e255, _e256, (_e256 < _e255));
+    let _e259 = (_e194 - 1u);
+    let _e261 = select(_e258, _e259, (_e259 < _e258));
+    let _e262 = (_e198 - 1u);
+    let _e263 = (_e200 - 1u);
+    let _e265 = select(_e262, _e263, (_e263 < _e262));
+    let _e266 = (_e202 - 1u);
+    let _e268 = select(_e265, _e266, (_e266 < _e265));
+    let _e270 = select(_e261, _e268, (_e268 < _e261));
+    if (((select(_e270, _e254, (_e254 < _e270)) >= 8388607u) && (_e208 < 2130706432u)) && (bitcast<u32>((_e188 + 126i)) <= 253u)) {
+        let _e535 = bitcast<i32>((_e208 >> bitcast<u32>(23i)));
+        let _e536 = (_e535 - 127i);
+        let _e537 = (_e188 + _e536);
+        let _e542 = bitcast<f32>((bitcast<u32>((_e188 + 127i)) << bitcast<u32>(23i)));
+        let _e547 = bitcast<f32>((bitcast<u32>((254i - _e535)) << bitcast<u32>(23i)));
+        if (_e196 >= 2139095040u) {
+            phi_773_ = 255i;
         } else {
-            phi_766_ = (bitcast<i32>((_e190 >> bitcast<u32>(23i))) + _e531);
+            phi_773_ = (bitcast<i32>((_e196 >> bitcast<u32>(23i))) + _e537);
         }
-        let _e556 = phi_766_;
-        if (_e190 == 0u) {
-            phi_772_ = 0u;
+        let _e562 = phi_773_;
+        if (_e196 == 0u) {
+            phi_779_ = 0u;
         } else {
-            phi_772_ = (_e190 | 8388608u);
+            phi_779_ = (_e196 | 8388608u);
         }
-        let _e560 = phi_772_;
-        if (_e556 <= 0i) {
-            phi_792_ = u32();
-            phi_793_ = true;
+        let _e566 = phi_779_;
+        if (_e562 <= 0i) {
+            phi_799_ = u32();
+            phi_800_ = true;
         } else {
-            let _e567 = (_e560 == 0u);
-            if _e567 {
-                phi_791_ = u32();
+            let _e573 = (_e566 == 0u);
+            if _e573 {
+                phi_798_ = u32();
             } else {
-                phi_791_ = select(((bitcast<u32>(_e556) << bitcast<u32>(23i)) | (_e560 & 8388607u)), 2139095039u, (_e556 >= 255i));
+                phi_798_ = select(((bitcast<u32>(_e562) << bitcast<u32>(23i)) | (_e566 & 8388607u)), 2139095039u, (_e562 >= 255i));
             }
-            let _e571 = phi_791_;
-            phi_792_ = _e571;
-            phi_793_ = _e567;
+            let _e577 = phi_798_;
+            phi_799_ = _e577;
+            phi_800_ = _e573;
         }
-        let _e573 = phi_792_;
-        let _e575 = phi_793_;
-        if (_e198 >= 2139095040u) {
-            phi_811_ = 255i;
+        let _e579 = phi_799_;
+        let _e581 = phi_800_;
+        if (_e204 >= 2139095040u) {
+            phi_818_ = 255i;
         } else {
-            phi_811_ = (bitcast<i32>((_e198 >> bitcast<u32>(23i))) + _e531);
+            phi_818_ = (bitcast<i32>((_e204 >> bitcast<u32>(23i))) + _e537);
         }
-        let _e586 = phi_811_;
-        if (_e198 == 0u) {
-            phi_817_ = 0u;
+        let _e592 = phi_818_;
+        if (_e204 == 0u) {
+            phi_824_ = 0u;
         } else {
-            phi_817_ = (_e198 | 8388608u);
+            phi_824_ = (_e204 | 8388608u);
         }
-        let _e590 = phi_817_;
-        if (_e586 <= 0i) {
-            phi_837_ = u32();
-            phi_838_ = true;
+        let _e596 = phi_824_;
+        if (_e592 <= 0i) {
+            phi_844_ = u32();
+            phi_845_ = true;
         } else {
-            let _e597 = (_e590 == 0u);
-            if _e597 {
-                phi_836_ = u32();
+            let _e603 = (_e596 == 0u);
+            if _e603 {
+                phi_843_ = u32();
             } else {
-                phi_836_ = select(((bitcast<u32>(_e586) << bitcast<u32>(23i)) | (_e590 & 8388607u)), 2139095039u, (_e586 >= 255i));
+                phi_843_ = select(((bitcast<u32>(_e592) << bitcast<u32>(23i)) | (_e596 & 8388607u)), 2139095039u, (_e592 >= 255i));
             }
-            let _e601 = phi_836_;
-            phi_837_ = _e601;
-            phi_838_ = _e597;
+            let _e607 = phi_843_;
+            phi_844_ = _e607;
+            phi_845_ = _e603;
         }
-        let _e603 = phi_837_;
-        let _e605 = phi_838_;
-        phi_1215_ = SlimbvhTypeC(array<f32, 3>((_e231 * _e536), (_e235 * _e536), (_e238 * _e536)), array<f32, 3>((_e240 * _e541), (_e242 * _e541), (_e244 * _e541)), bitcast<f32>(((_e189 & 2147483648u) | select(_e573, 0u, _e575))), bitcast<f32>(((_e197 & 2147483648u) | select(_e603, 0u, _e605))), _e530);
+        let _e609 = phi_844_;
+        let _e611 = phi_845_;
+        phi_1222_ = SlimbvhTypeC(array<f32, 3>((_e237 * _e542), (_e241 * _e542), (_e244 * _e542)), array<f32, 3>((_e246 * _e547), (_e248 * _e547), (_e250 * _e547)), bitcast<f32>(((_e195 & 2147483648u) | select(_e579, 0u, _e581))), bitcast<f32>(((_e203 & 2147483648u) | select(_e609, 0u, _e611))), _e536);
     } else {
-        let _e277 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e202, _e215))) & 2147483647u);
-        if (_e277 >= 8388608u) {
-            phi_869_ = (bitcast<i32>((_e277 >> bitcast<u32>(23i))) - 127i);
+        let _e283 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e208, _e221))) & 2147483647u);
+        if (_e283 >= 8388608u) {
+            phi_876_ = (bitcast<i32>((_e283 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_869_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e277)), 32u, (_e277 == 0u))));
+            phi_876_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e283)), 32u, (_e283 == 0u))));
         }
-        let _e291 = phi_869_;
-        let _e292 = (_e182 + _e291);
-        if (_e182 < -126i) {
-            phi_880_ = -126i;
+        let _e297 = phi_876_;
+        let _e298 = (_e188 + _e297);
+        if (_e188 < -126i) {
+            phi_887_ = -126i;
         } else {
-            phi_880_ = select(_e182, 127i, (_e182 > 127i));
+            phi_887_ = select(_e188, 127i, (_e188 > 127i));
         }
-        let _e297 = phi_880_;
-        let _e302 = bitcast<f32>((bitcast<u32>((_e297 + 127i)) << bitcast<u32>(23i)));
-        let _e308 = bitcast<f32>((bitcast<u32>(((_e182 - _e297) + 127i)) << bitcast<u32>(23i)));
-        let _e309 = bitcast<u32>(_e231);
-        let _e311 = ((_e309 & 2139095040u) != 0u);
-        let _e326 = bitcast<u32>(_e235);
-        let _e328 = ((_e326 & 2139095040u) != 0u);
-        let _e343 = bitcast<u32>(_e238);
-        let _e345 = ((_e343 & 2139095040u) != 0u);
-        let _e361 = -(_e291);
-        if (_e361 < -126i) {
-            phi_994_ = -126i;
+        let _e303 = phi_887_;
+        let _e308 = bitcast<f32>((bitcast<u32>((_e303 + 127i)) << bitcast<u32>(23i)));
+        let _e314 = bitcast<f32>((bitcast<u32>(((_e188 - _e303) + 127i)) << bitcast<u32>(23i)));
+        let _e315 = bitcast<u32>(_e237);
+        let _e317 = ((_e315 & 2139095040u) != 0u);
+        let _e332 = bitcast<u32>(_e241);
+        let _e334 = ((_e332 & 2139095040u) != 0u);
+        let _e349 = bitcast<u32>(_e244);
+        let _e351 = ((_e349 & 2139095040u) != 0u);
+        let _e367 = -(_e297);
+        if (_e367 < -126i) {
+            phi_1001_ = -126i;
         } else {
-            phi_994_ = select(_e361, 127i, (_e361 > 127i));
+            phi_1001_ = select(_e367, 127i, (_e367 > 127i));
         }
-        let _e366 = phi_994_;
-        let _e371 = bitcast<f32>((bitcast<u32>((_e366 + 127i)) << bitcast<u32>(23i)));
-        let _e377 = bitcast<f32>((bitcast<u32>(((_e361 - _e366) + 127i)) << bitcast<u32>(23i)));
-        let _e378 = bitcast<u32>(_e240);
-        let _e380 = ((_e378 & 2139095040u) != 0u);
-        let _e395 = bitcast<u32>(_e242);
-        let _e397 = ((_e395 & 2139095040u) != 0u);
-        let _e412 = bitcast<u32>(_e244);
-        let _e414 = ((_e412 & 2139095040u) != 0u);
-        let _e436 = ((_e190 & 8388607u) | (select(0u, 1u, ((_e190 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e439 = bitcast<i32>((_e190 >> bitcast<u32>(23i)));
-        let _e446 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))) - 8i);
-        if (_e439 == 255i) {
-            phi_1123_ = 255i;
+        let _e372 = phi_1001_;
+        let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
+        let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
+        let _e384 = bitcast<u32>(_e246);
+        let _e386 = ((_e384 & 2139095040u) != 0u);
+        let _e401 = bitcast<u32>(_e248);
+        let _e403 = ((_e401 & 2139095040u) != 0u);
+        let _e418 = bitcast<u32>(_e250);
+        let _e420 = ((_e418 & 2139095040u) != 0u);
+        let _e442 = ((_e196 & 8388607u) | (select(0u, 1u, ((_e196 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e445 = bitcast<i32>((_e196 >> bitcast<u32>(23i)));
+        let _e452 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e442)), 32u, (_e442 == 0u))) - 8i);
+        if (_e445 == 255i) {
+            phi_1130_ = 255i;
         } else {
-            phi_1123_ = (((_e439 + select(0i, 1i, (_e439 == 0i))) - _e446) + _e292);
+            phi_1130_ = (((_e445 + select(0i, 1i, (_e445 == 0i))) - _e452) + _e298);
         }
-        let _e454 = phi_1123_;
-        let _e458 = (_e436 << bitcast<u32>(((_e446 & 31i) & 31i)));
-        if (_e454 <= 0i) {
-            phi_1146_ = u32();
-            phi_1147_ = true;
+        let _e460 = phi_1130_;
+        let _e464 = (_e442 << bitcast<u32>(((_e452 & 31i) & 31i)));
+        if (_e460 <= 0i) {
+            phi_1153_ = u32();
+            phi_1154_ = true;
         } else {
-            let _e465 = (_e458 == 0u);
-            if _e465 {
-                phi_1145_ = u32();
+            let _e471 = (_e464 == 0u);
+            if _e471 {
+                phi_1152_ = u32();
             } else {
-                phi_1145_ = select(((bitcast<u32>(_e454) << bitcast<u32>(23i)) | (_e458 & 8388607u)), 2139095039u, (_e454 >= 255i));
+                phi_1152_ = select(((bitcast<u32>(_e460) << bitcast<u32>(23i)) | (_e464 & 8388607u)), 2139095039u, (_e460 >= 255i));
             }
-            let _e469 = phi_1145_;
-            phi_1146_ = _e469;
-            phi_1147_ = _e465;
+            let _e475 = phi_1152_;
+            phi_1153_ = _e475;
+            phi_1154_ = _e471;
         }
-        let _e471 = phi_1146_;
-        let _e473 = phi_1147_;
-        let _e484 = ((_e198 & 8388607u) | (select(0u, 1u, ((_e198 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e487 = bitcast<i32>((_e198 >> bitcast<u32>(23i)));
-        let _e494 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e484)), 32u, (_e484 == 0u))) - 8i);
-        if (_e487 == 255i) {
-            phi_1181_ = 255i;
+        let _e477 = phi_1153_;
+        let _e479 = phi_1154_;
+        let _e490 = ((_e204 & 8388607u) | (select(0u, 1u, ((_e204 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e493 = bitcast<i32>((_e204 >> bitcast<u32>(23i)));
+        let _e500 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e490)), 32u, (_e490 == 0u))) - 8i);
+        if (_e493 == 255i) {
+            phi_1188_ = 255i;
         } else {
-            phi_1181_ = (((_e487 + select(0i, 1i, (_e487 == 0i))) - _e494) + _e292);
+            phi_1188_ = (((_e493 + select(0i, 1i, (_e493 == 0i))) - _e500) + _e298);
         }
-        let _e502 = phi_1181_;
-        let _e506 = (_e484 << bitcast<u32>(((_e494 & 31i) & 31i)));
-        if (_e502 <= 0i) {
-            phi_1204_ = u32();
-            phi_1205_ = true;
+        let _e508 = phi_1188_;
+        let _e512 = (_e490 << bitcast<u32>(((_e500 & 31i) & 31i)));
+        if (_e508 <= 0i) {
+            phi_1211_ = u32();
+            phi_1212_ = true;
         } else {
-            let _e513 = (_e506 == 0u);
-            if _e513 {
-                phi_1203_ = u32();
+            let _e519 = (_e512 == 0u);
+            if _e519 {
+                phi_1210_ = u32();
             } else {
-                phi_1203_ = select(((bitcast<u32>(_e502) << bitcast<u32>(23i)) | (_e506 & 8388607u)), 2139095039u, (_e502 >= 255i));
+                phi_1210_ = select(((bitcast<u32>(_e508) << bitcast<u32>(23i)) | (_e512 & 8388607u)), 2139095039u, (_e508 >= 255i));
             }
-            let _e517 = phi_1203_;
-            phi_1204_ = _e517;
-            phi_1205_ = _e513;
+            let _e523 = phi_1210_;
+            phi_1211_ = _e523;
+            phi_1212_ = _e519;
         }
-        let _e519 = phi_1204_;
-        let _e521 = phi_1205_;
-        phi_1215_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e231, _e311) * _e302) * select(0.00000011920929f, 1f, _e311)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e235, _e328) * _e302) * select(0.00000011920929f, 1f, _e328)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e238, _e345) * _e302) * select(0.00000011920929f, 1f, _e345)) * _e308)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e240, _e380) * _e371) * select(0.00000011920929f, 1f, _e380)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e242, _e397) * _e371) * select(0.00000011920929f, 1f, _e397)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e244, _e414) * _e371) * select(0.00000011920929f, 1f, _e414)) * _e377)), bitcast<f32>(((_e189 & 2147483648u) | select(_e471, 0u, _e473))), bitcast<f32>(((_e197 & 2147483648u) | select(_e519, 0u, _e521))), _e291);
+        let _e525 = phi_1211_;
+        let _e527 = phi_1212_;
+        phi_1222_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e237, _e317) * _e308) * select(0.00000011920929f, 1f, _e317)) * _e314), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e241, _e334) * _e308) * select(0.00000011920929f, 1f, _e334)) * _e314), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e349 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e349 & 2147483648u))), _e244, _e351) * _e308) * select(0.00000011920929f, 1f, _e351)) * _e314)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e246, _e386) * _e377) * select(0.00000011920929f, 1f, _e386)) * _e383), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e248, _e403) * _e377) * select(0.00000011920929f, 1f, _e403)) * _e383), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e418 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e418 & 2147483648u))), _e250, _e420) * _e377) * select(0.00000011920929f, 1f, _e420)) * _e383)), bitcast<f32>(((_e195 & 2147483648u) | select(_e477, 0u, _e479))), bitcast<f32>(((_e203 & 2147483648u) | select(_e525, 0u, _e527))), _e297);
     }
-    let _e612 = phi_1215_;
-    let _e627 = (bitcast<f32>((bitcast<u32>(_e612.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e630 = bitcast<f32>((bitcast<u32>(_e612.member[0]) & 2147483647u));
-    let _e631 = (_e630 * 0.00000011920929f);
-    let _e634 = select(select(0.00000000000011368684f, _e631, (_e631 > 0.00000000000011368684f)), 0f, _e627);
-    let _e635 = select(0f, _e612.member_1[0], _e627);
-    let _e636 = (_e612.member[0] + _e634);
-    let _e637 = (_e612.member[0] - _e634);
-    let _e639 = select(38685626000000000000000000f, (1f / _e612.member_1[0]), _e627);
-    let _e643 = (bitcast<f32>((bitcast<u32>(_e612.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e646 = bitcast<f32>((bitcast<u32>(_e612.member[1]) & 2147483647u));
-    let _e647 = (_e646 * 0.00000011920929f);
-    let _e650 = select(select(0.00000000000011368684f, _e647, (_e647 > 0.00000000000011368684f)), 0f, _e643);
-    let _e651 = select(0f, _e612.member_1[1], _e643);
-    let _e652 = (_e612.member[1] + _e650);
-    let _e653 = (_e612.member[1] - _e650);
-    let _e655 = select(38685626000000000000000000f, (1f / _e612.member_1[1]), _e643);
-    let _e659 = (bitcast<f32>((bitcast<u32>(_e612.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e662 = bitcast<f32>((bitcast<u32>(_e612.member[2]) & 2147483647u));
-    let _e663 = (_e662 * 0.00000011920929f);
-    let _e666 = select(select(0.00000000000011368684f, _e663, (_e663 > 0.00000000000011368684f)), 0f, _e659);
-    let _e667 = select(0f, _e612.member_1[2], _e659);
-    let _e668 = (_e612.member[2] + _e666);
-    let _e669 = (_e612.member[2] - _e666);
-    let _e671 = select(38685626000000000000000000f, (1f / _e612.member_1[2]), _e659);
-    let _e673 = select(_e646, _e630, (_e630 > _e646));
-    let _e677 = (_e215 && (select(_e662, _e673, (_e673 > _e662)) <= 1099511600000f));
-    let _e678 = select(0f, _e612.member_3, _e677);
-    let _e679 = select(1f, _e612.member_2, _e677);
-    let _e683 = slimbvh_question.member[1u];
-    let _e684 = slimbvh_lane.member;
-    if (_e684 < 64u) {
-        let _e686 = (_e684 % 64u);
-        let _e689 = slimbvh_question.member[0u];
-        if (_e689 == 1u) {
-            phi_1461_ = SlimbvhTypeQ(SlimbvhTypeI(_e109, _e678), true);
+    let _e618 = phi_1222_;
+    let _e633 = (bitcast<f32>((bitcast<u32>(_e618.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e636 = bitcast<f32>((bitcast<u32>(_e618.member[0]) & 2147483647u));
+    let _e637 = (_e636 * 0.00000011920929f);
+    let _e640 = select(select(0.00000000000011368684f, _e637, (_e637 > 0.00000000000011368684f)), 0f, _e633);
+    let _e641 = select(0f, _e618.member_1[0], _e633);
+    let _e642 = (_e618.member[0] + _e640);
+    let _e643 = (_e618.member[0] - _e640);
+    let _e645 = select(38685626000000000000000000f, (1f / _e618.member_1[0]), _e633);
+    let _e649 = (bitcast<f32>((bitcast<u32>(_e618.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e652 = bitcast<f32>((bitcast<u32>(_e618.member[1]) & 2147483647u));
+    let _e653 = (_e652 * 0.00000011920929f);
+    let _e656 = select(select(0.00000000000011368684f, _e653, (_e653 > 0.00000000000011368684f)), 0f, _e649);
+    let _e657 = select(0f, _e618.member_1[1], _e649);
+    let _e658 = (_e618.member[1] + _e656);
+    let _e659 = (_e618.member[1] - _e656);
+    let _e661 = select(38685626000000000000000000f, (1f / _e618.member_1[1]), _e649);
+    let _e665 = (bitcast<f32>((bitcast<u32>(_e618.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e668 = bitcast<f32>((bitcast<u32>(_e618.member[2]) & 2147483647u));
+    let _e669 = (_e668 * 0.00000011920929f);
+    let _e672 = select(select(0.00000000000011368684f, _e669, (_e669 > 0.00000000000011368684f)), 0f, _e665);
+    let _e673 = select(0f, _e618.member_1[2], _e665);
+    let _e674 = (_e618.member[2] + _e672);
+    let _e675 = (_e618.member[2] - _e672);
+    let _e677 = select(38685626000000000000000000f, (1f / _e618.member_1[2]), _e665);
+    let _e679 = select(_e652, _e636, (_e636 > _e652));
+    let _e683 = (_e221 && (select(_e668, _e679, (_e679 > _e668)) <= 1099511600000f));
+    let _e684 = select(0f, _e618.member_3, _e683);
+    let _e685 = select(1f, _e618.member_2, _e683);
+    let _e689 = slimbvh_question.member[1u];
+    let _e690 = slimbvh_lane.member;
+    if (_e690 < 64u) {
+        let _e692 = (_e690 % 64u);
+        let _e695 = slimbvh_question.member[0u];
+        if (_e695 == 1u) {
+            phi_1468_ = SlimbvhTypeQ(SlimbvhTypeI(_e109, _e684), true);
         } else {
-            phi_1461_ = SlimbvhTypeQ(SlimbvhTypeI(_e109, _e678), false);
+            phi_1468_ = SlimbvhTypeQ(SlimbvhTypeI(_e109, _e684), false);
         }
-        let _e696 = phi_1461_;
-        let _e701 = (_e224 & 3u);
-        let _e702 = (_e228 & 3u);
-        let _e703 = (_e220 & 3u);
-        let _e706 = (bitcast<u32>(_e639) >> bitcast<u32>(31i));
-        let _e709 = (bitcast<u32>(_e655) >> bitcast<u32>(31i));
-        let _e712 = (bitcast<u32>(_e671) >> bitcast<u32>(31i));
-        let _e716 = (f32(bitcast<i32>(_e128)) * _e164);
-        let _e718 = (f32(bitcast<i32>(_e132)) * _e164);
-        let _e720 = (f32(bitcast<i32>(_e136)) * _e164);
-        let _e721 = (_e701 == 0u);
-        if _e721 {
-            phi_1525_ = array<f32, 3>(_e716, _e718, _e720);
+        let _e702 = phi_1468_;
+        let _e707 = (_e230 & 3u);
+        let _e708 = (_e234 & 3u);
+        let _e709 = (_e226 & 3u);
+        let _e712 = (bitcast<u32>(_e645) >> bitcast<u32>(31i));
+        let _e715 = (bitcast<u32>(_e661) >> bitcast<u32>(31i));
+        let _e718 = (bitcast<u32>(_e677) >> bitcast<u32>(31i));
+        let _e722 = (f32(bitcast<i32>(_e128)) * _e164);
+        let _e724 = (f32(bitcast<i32>(_e132)) * _e164);
+        let _e726 = (f32(bitcast<i32>(_e136)) * _e164);
+        let _e727 = (_e707 == 0u);
+        if _e727 {
+            phi_1532_ = array<f32, 3>(_e722, _e724, _e726);
         } else {
-            if (_e701 == 1u) {
-                phi_1524_ = array<f32, 3>(_e718, _e720, _e716);
+            if (_e707 == 1u) {
+                phi_1531_ = array<f32, 3>(_e724, _e726, _e722);
             } else {
-                phi_1524_ = array<f32, 3>(_e720, _e716, _e718);
+                phi_1531_ = array<f32, 3>(_e726, _e722, _e724);
             }
-            let _e726 = phi_1524_;
-            phi_1525_ = _e726;
+            let _e732 = phi_1531_;
+            phi_1532_ = _e732;
         }
-        let _e729 = phi_1525_;
-        let _e731 = (f32(bitcast<i32>(_e144)) * _e164);
-        let _e733 = (f32(bitcast<i32>(_e148)) * _e164);
-        let _e735 = (f32(bitcast<i32>(_e152)) * _e164);
-        if _e721 {
-            phi_1544_ = array<f32, 3>(_e731, _e733, _e735);
+        let _e735 = phi_1532_;
+        let _e737 = (f32(bitcast<i32>(_e144)) * _e164);
+        let _e739 = (f32(bitcast<i32>(_e148)) * _e164);
+        let _e741 = (f32(bitcast<i32>(_e152)) * _e164);
+        if _e727 {
+            phi_1551_ = array<f32, 3>(_e737, _e739, _e741);
         } else {
-            if (_e701 == 1u) {
-                phi_1543_ = array<f32, 3>(_e733, _e735, _e731);
+            if (_e707 == 1u) {
+                phi_1550_ = array<f32, 3>(_e739, _e741, _e737);
             } else {
-                phi_1543_ = array<f32, 3>(_e735, _e731, _e733);
+                phi_1550_ = array<f32, 3>(_e741, _e737, _e739);
             }
-            let _e740 = phi_1543_;
-            phi_1544_ = _e740;
+            let _e746 = phi_1550_;
+            phi_1551_ = _e746;
         }
-        let _e743 = phi_1544_;
-        let _e754 = ((_e729[0] - _e636) * _e639);
-        let _e755 = ((_e743[0] - _e637) * _e639);
-        let _e756 = vec4<f32>(_e754, f32(), _e755, f32());
-        let _e759 = ((_e729[1] - _e652) * _e655);
-        let _e760 = ((_e743[1] - _e653) * _e655);
-        let _e761 = vec4<f32>(_e759, f32(), _e760, f32());
-        let _e764 = ((_e729[2] - _e668) * _e671);
-        let _e765 = ((_e743[2] - _e669) * _e671);
-        let _e766 = vec4<f32>(_e764, f32(), _e765, f32());
-        let _e767 = vec4<f32>(_e755, f32(), _e754, f32());
-        let _e769 = vec4<f32>(_e760, f32(), _e759, f32());
-        let _e771 = vec4<f32>(_e765, f32(), _e764, f32());
-        phi_1717_ = _e696;
-        phi_1720_ = select(4294967295u, select(4294967295u, 0u, (_e679 <= _e678)), (max(max(max(min(_e756, _e767).x, min(_e761, _e769).x), min(_e766, _e771).x), _e679) <= min((min(min(max(_e756, _e767).x, max(_e761, _e769).x), max(_e766, _e771).x) + (max(max(_e766, _e771).x, -(min(_e766, _e771).x)) * 0.0000019073523f)), _e696.member.member_1)));
-        phi_1722_ = select(0u, 4294967295u, (_e113 == 0u));
-        phi_1724_ = (_e113 + 1u);
+        let _e749 = phi_1551_;
+        let _e760 = ((_e735[0] - _e642) * _e645);
+        let _e761 = ((_e749[0] - _e643) * _e645);
+        let _e762 = vec4<f32>(_e760, f32(), _e761, f32());
+        let _e765 = ((_e735[1] - _e658) * _e661);
+        let _e766 = ((_e749[1] - _e659) * _e661);
+        let _e767 = vec4<f32>(_e765, f32(), _e766, f32());
+        let _e770 = ((_e735[2] - _e674) * _e677);
+        let _e771 = ((_e749[2] - _e675) * _e677);
+        let _e772 = vec4<f32>(_e770, f32(), _e771, f32());
+        let _e773 = vec4<f32>(_e761, f32(), _e760, f32());
+        let _e775 = vec4<f32>(_e766, f32(), _e765, f32());
+        let _e777 = vec4<f32>(_e771, f32(), _e770, f32());
+        phi_1724_ = _e702;
+        phi_1727_ = select(4294967295u, select(4294967295u, 0u, (_e685 <= _e684)), (max(max(max(min(_e762, _e773).x, min(_e767, _e775).x), min(_e772, _e777).x), _e685) <= min((min(min(max(_e762, _e773).x, max(_e767, _e775).x), max(_e772, _e777).x) + (max(max(_e772, _e777).x, -(min(_e772, _e777).x)) * 0.0000019073523f)), _e702.member.member_1)));
+        phi_1729_ = select(0u, 4294967295u, (_e113 == 0u));
+        phi_1731_ = (_e113 + 1u);
         loop {
-            let _e795 = phi_1717_;
-            let _e797 = phi_1720_;
-            let _e799 = phi_1722_;
             let _e801 = phi_1724_;
-            local_5 = _e797;
-            local_6 = _e795;
-            let _e802 = (_e797 <= 32u);
-            if _e802 {
-                phi_1733_ = _e797;
-                phi_1736_ = _e799;
-                phi_1738_ = _e801;
+            let _e803 = phi_1727_;
+            let _e805 = phi_1729_;
+            let _e807 = phi_1731_;
+            local_5 = _e803;
+            local_6 = _e801;
+            let _e808 = (_e803 <= 32u);
+            if _e808 {
+                phi_1740_ = _e803;
+                phi_1743_ = _e805;
+                phi_1745_ = _e807;
                 loop {
-                    let _e804 = phi_1733_;
-                    let _e806 = phi_1736_;
-                    let _e808 = phi_1738_;
-                    local_1 = _e806;
-                    local_2 = _e804;
-                    local_3 = _e804;
-                    local_8 = _e804;
-                    local_9 = _e806;
-                    local_10 = _e808;
-                    let _e809 = (_e804 <= 32u);
-                    let _e812 = (_e809 && !((_e806 >= _e113)));
-                    local = _e809;
-                    if _e812 {
-                        let _e818 = slimbvh_nodes.member[_e806].member[select(_e701, 2u, (2u < _e701))];
-                        let _e824 = slimbvh_nodes.member[_e806].member[select(_e702, 2u, (2u < _e702))];
-                        let _e830 = slimbvh_nodes.member[_e806].member[select(_e703, 2u, (2u < _e703))];
-                        let _e833 = bitcast<u32>(_e164);
-                        let _e838 = bitcast<f32>(_e818.x);
-                        let _e843 = (_e838 + (f32((_e818.w >> bitcast<u32>(5u))) * _e164));
-                        if (_e706 == 0u) {
-                            phi_1840_ = SlimbvhTypeL(_e818.z, _e843);
-                            phi_1841_ = SlimbvhTypeL(_e818.y, _e838);
-                        } else {
-                            phi_1840_ = SlimbvhTypeL(_e818.y, _e838);
-                            phi_1841_ = SlimbvhTypeL(_e818.z, _e843);
-                        }
-                        let _e854 = phi_1840_;
-                        let _e856 = phi_1841_;
-                        let _e860 = bitcast<f32>(((_e833 + ((_e818.w & 31u) << bitcast<u32>(23i))) ^ (_e706 << bitcast<u32>(31i))));
-                        let _e900 = bitcast<f32>(_e824.x);
-                        let _e905 = (_e900 + (f32((_e824.w >> bitcast<u32>(5u))) * _e164));
-                        if (_e709 == 0u) {
-                            phi_1900_ = SlimbvhTypeL(_e824.z, _e905);
-                            phi_1901_ = SlimbvhTypeL(_e824.y, _e900);
-                        } else {
-                            phi_1900_ = SlimbvhTypeL(_e824.y, _e900);
-                            phi_1901_ = SlimbvhTypeL(_e824.z, _e905);
-                        }
-                        let _e916 = phi_1900_;
-                        let _e918 = phi_1901_;
-                        let _e922 = bitcast<f32>(((_e833 + ((_e824.w & 31u) << bitcast<u32>(23i))) ^ (_e709 << bitcast<u32>(31i))));
-                        let _e962 = bitcast<f32>(_e830.x);
-                        let _e967 = (_e962 + (f32((_e830.w >> bitcast<u32>(5u))) * _e164));
+                    let _e810 = phi_1740_;
+                    let _e812 = phi_1743_;
+                    let _e814 = phi_1745_;
+                    local_1 = _e812;
+                    local_2 = _e810;
+                    local_3 = _e810;
+                    local_8 = _e810;
+                    local_9 = _e812;
+                    local_10 = _e814;
+                    let _e815 = (_e810 <= 32u);
+                    let _e817 = (_e812 + _e167);
+                    let _e821 = (_e815 && !(((_e812 >= _e113) || (_e817 >= _e113))));
+                    local = _e815;
+                    if _e821 {
+                        let _e827 = slimbvh_nodes.member[_e817].member[select(_e707, 2u, (2u < _e707))];
+                        let _e833 = slimbvh_nodes.member[_e817].member[select(_e708, 2u, (2u < _e708))];
+                        let _e839 = slimbvh_nodes.member[_e817].member[select(_e709, 2u, (2u < _e709))];
+                        let _e842 = bitcast<u32>(_e164);
+                        let _e847 = bitcast<f32>(_e827.x);
+                        let _e852 = (_e847 + (f32((_e827.w >> bitcast<u32>(5u))) * _e164));
                         if (_e712 == 0u) {
-                            phi_1960_ = SlimbvhTypeL(_e830.z, _e967);
-                            phi_1961_ = SlimbvhTypeL(_e830.y, _e962);
+                            phi_1851_ = SlimbvhTypeL(_e827.z, _e852);
+                            phi_1852_ = SlimbvhTypeL(_e827.y, _e847);
                         } else {
-                            phi_1960_ = SlimbvhTypeL(_e830.y, _e962);
-                            phi_1961_ = SlimbvhTypeL(_e830.z, _e967);
+                            phi_1851_ = SlimbvhTypeL(_e827.y, _e847);
+                            phi_1852_ = SlimbvhTypeL(_e827.z, _e852);
                         }
-                        let _e978 = phi_1960_;
-                        let _e980 = phi_1961_;
-                        let _e984 = bitcast<f32>(((_e833 + ((_e830.w & 31u) << bitcast<u32>(23i))) ^ (_e712 << bitcast<u32>(31i))));
-                        let _e1020 = (_e860 * _e639);
-                        let _e1027 = (((_e856.member_1 - _e636) * _e639) + (bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u)) * -0.00012207031f));
-                        let _e1036 = (-(_e860) * _e639);
-                        let _e1043 = (((_e854.member_1 - _e637) * _e639) + (bitcast<f32>((bitcast<u32>(_e1036) & 2147483647u)) * 0.00012207031f));
-                        let _e1052 = (_e922 * _e655);
-                        let _e1059 = (((_e918.member_1 - _e652) * _e655) + (bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u)) * -0.00012207031f));
-                        let _e1068 = (-(_e922) * _e655);
-                        let _e1075 = (((_e916.member_1 - _e653) * _e655) + (bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) * 0.00012207031f));
-                        let _e1084 = (_e984 * _e671);
-                        let _e1091 = (((_e980.member_1 - _e668) * _e671) + (bitcast<f32>((bitcast<u32>(_e1084) & 2147483647u)) * -0.00012207031f));
-                        let _e1096 = ((f32((_e980.member & 255u)) * _e1084) + _e1091);
-                        let _e1097 = ((f32(((_e980.member >> bitcast<u32>(8u)) & 255u)) * _e1084) + _e1091);
-                        let _e1098 = ((f32(((_e980.member >> bitcast<u32>(16u)) & 255u)) * _e1084) + _e1091);
-                        let _e1099 = ((f32(((_e980.member >> bitcast<u32>(24u)) & 255u)) * _e1084) + _e1091);
-                        let _e1100 = (-(_e984) * _e671);
-                        let _e1107 = (((_e978.member_1 - _e669) * _e671) + (bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u)) * 0.00012207031f));
-                        let _e1112 = ((f32((_e978.member & 255u)) * _e1100) + _e1107);
-                        let _e1113 = ((f32(((_e978.member >> bitcast<u32>(8u)) & 255u)) * _e1100) + _e1107);
-                        let _e1114 = ((f32(((_e978.member >> bitcast<u32>(16u)) & 255u)) * _e1100) + _e1107);
-                        let _e1115 = ((f32(((_e978.member >> bitcast<u32>(24u)) & 255u)) * _e1100) + _e1107);
-                        let _e1148 = max(max(max(((f32((_e856.member & 255u)) * _e1020) + _e1027), ((f32((_e918.member & 255u)) * _e1052) + _e1059)), _e1096), _e679);
-                        let _e1149 = max(max(max(((f32(((_e856.member >> bitcast<u32>(8u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(8u)) & 255u)) * _e1052) + _e1059)), _e1097), _e679);
-                        let _e1150 = max(max(max(((f32(((_e856.member >> bitcast<u32>(16u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(16u)) & 255u)) * _e1052) + _e1059)), _e1098), _e679);
-                        let _e1151 = max(max(max(((f32(((_e856.member >> bitcast<u32>(24u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(24u)) & 255u)) * _e1052) + _e1059)), _e1099), _e679);
-                        let _e1156 = (_e795.member.member_1 + (bitcast<f32>((bitcast<u32>(_e795.member.member_1) & 2147483647u)) * 0.0000004768374f));
-                        if (_e1148 <= min((min(min(((f32((_e854.member & 255u)) * _e1036) + _e1043), ((f32((_e916.member & 255u)) * _e1068) + _e1075)), _e1112) + (max(_e1112, -(_e1096)) * 0.0000023841915f)), _e1156)) {
-                            phi_2445_ = (((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u);
+                        let _e863 = phi_1851_;
+                        let _e865 = phi_1852_;
+                        let _e869 = bitcast<f32>(((_e842 + ((_e827.w & 31u) << bitcast<u32>(23i))) ^ (_e712 << bitcast<u32>(31i))));
+                        let _e909 = bitcast<f32>(_e833.x);
+                        let _e914 = (_e909 + (f32((_e833.w >> bitcast<u32>(5u))) * _e164));
+                        if (_e715 == 0u) {
+                            phi_1911_ = SlimbvhTypeL(_e833.z, _e914);
+                            phi_1912_ = SlimbvhTypeL(_e833.y, _e909);
                         } else {
-                            phi_2445_ = 4294967288u;
+                            phi_1911_ = SlimbvhTypeL(_e833.y, _e909);
+                            phi_1912_ = SlimbvhTypeL(_e833.z, _e914);
                         }
-                        let _e1171 = phi_2445_;
-                        if (_e1149 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(8u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(8u)) & 255u)) * _e1068) + _e1075)), _e1113) + (max(_e1113, -(_e1097)) * 0.0000023841915f)), _e1156)) {
-                            phi_2458_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u) | 1u);
+                        let _e925 = phi_1911_;
+                        let _e927 = phi_1912_;
+                        let _e931 = bitcast<f32>(((_e842 + ((_e833.w & 31u) << bitcast<u32>(23i))) ^ (_e715 << bitcast<u32>(31i))));
+                        let _e971 = bitcast<f32>(_e839.x);
+                        let _e976 = (_e971 + (f32((_e839.w >> bitcast<u32>(5u))) * _e164));
+                        if (_e718 == 0u) {
+                            phi_1971_ = SlimbvhTypeL(_e839.z, _e976);
+                            phi_1972_ = SlimbvhTypeL(_e839.y, _e971);
                         } else {
-                            phi_2458_ = 4294967288u;
+                            phi_1971_ = SlimbvhTypeL(_e839.y, _e971);
+                            phi_1972_ = SlimbvhTypeL(_e839.z, _e976);
                         }
-                        let _e1179 = phi_2458_;
-                        if (_e1150 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(16u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(16u)) & 255u)) * _e1068) + _e1075)), _e1114) + (max(_e1114, -(_e1098)) * 0.0000023841915f)), _e1156)) {
-                            phi_2471_ = ((((bitcast<u32>(_e1150) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u) | 2u);
+                        let _e987 = phi_1971_;
+                        let _e989 = phi_1972_;
+                        let _e993 = bitcast<f32>(((_e842 + ((_e839.w & 31u) << bitcast<u32>(23i))) ^ (_e718 << bitcast<u32>(31i))));
+                        let _e1029 = (_e869 * _e645);
+                        let _e1036 = (((_e865.member_1 - _e642) * _e645) + (bitcast<f32>((bitcast<u32>(_e1029) & 2147483647u)) * -0.00012207031f));
+                        let _e1045 = (-(_e869) * _e645);
+                        let _e1052 = (((_e863.member_1 - _e643) * _e645) + (bitcast<f32>((bitcast<u32>(_e1045) & 2147483647u)) * 0.00012207031f));
+                        let _e1061 = (_e931 * _e661);
+                        let _e1068 = (((_e927.member_1 - _e658) * _e661) + (bitcast<f32>((bitcast<u32>(_e1061) & 2147483647u)) * -0.00012207031f));
+                        let _e1077 = (-(_e931) * _e661);
+                        let _e1084 = (((_e925.member_1 - _e659) * _e661) + (bitcast<f32>((bitcast<u32>(_e1077) & 2147483647u)) * 0.00012207031f));
+                        let _e1093 = (_e993 * _e677);
+                        let _e1100 = (((_e989.member_1 - _e674) * _e677) + (bitcast<f32>((bitcast<u32>(_e1093) & 2147483647u)) * -0.00012207031f));
+                        let _e1105 = ((f32((_e989.member & 255u)) * _e1093) + _e1100);
+                        let _e1106 = ((f32(((_e989.member >> bitcast<u32>(8u)) & 255u)) * _e1093) + _e1100);
+                        let _e1107 = ((f32(((_e989.member >> bitcast<u32>(16u)) & 255u)) * _e1093) + _e1100);
+                        let _e1108 = ((f32(((_e989.member >> bitcast<u32>(24u)) & 255u)) * _e1093) + _e1100);
+                        let _e1109 = (-(_e993) * _e677);
+                        let _e1116 = (((_e987.member_1 - _e675) * _e677) + (bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u)) * 0.00012207031f));
+                        let _e1121 = ((f32((_e987.member & 255u)) * _e1109) + _e1116);
+                        let _e1122 = ((f32(((_e987.member >> bitcast<u32>(8u)) & 255u)) * _e1109) + _e1116);
+                        let _e1123 = ((f32(((_e987.member >> bitcast<u32>(16u)) & 255u)) * _e1109) + _e1116);
+                        let _e1124 = ((f32(((_e987.member >> bitcast<u32>(24u)) & 255u)) * _e1109) + _e1116);
+                        let _e1157 = max(max(max(((f32((_e865.member & 255u)) * _e1029) + _e1036), ((f32((_e927.member & 255u)) * _e1061) + _e1068)), _e1105), _e685);
+                        let _e1158 = max(max(max(((f32(((_e865.member >> bitcast<u32>(8u)) & 255u)) * _e1029) + _e1036), ((f32(((_e927.member >> bitcast<u32>(8u)) & 255u)) * _e1061) + _e1068)), _e1106), _e685);
+                        let _e1159 = max(max(max(((f32(((_e865.member >> bitcast<u32>(16u)) & 255u)) * _e1029) + _e1036), ((f32(((_e927.member >> bitcast<u32>(16u)) & 255u)) * _e1061) + _e1068)), _e1107), _e685);
+                        let _e1160 = max(max(max(((f32(((_e865.member >> bitcast<u32>(24u)) & 255u)) * _e1029) + _e1036), ((f32(((_e927.member >> bitcast<u32>(24u)) & 255u)) * _e1061) + _e1068)), _e1108), _e685);
+                        let _e1165 = (_e801.member.member_1 + (bitcast<f32>((bitcast<u32>(_e801.member.member_1) & 2147483647u)) * 0.0000004768374f));
+                        if (_e1157 <= min((min(min(((f32((_e863.member & 255u)) * _e1045) + _e1052), ((f32((_e925.member & 255u)) * _e1077) + _e1084)), _e1121) + (max(_e1121, -(_e1105)) * 0.0000023841915f)), _e1165)) {
+                            phi_2456_ = (((bitcast<u32>(_e1157) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u);
                         } else {
-                            phi_2471_ = 4294967288u;
+                            phi_2456_ = 4294967288u;
                         }
-                        let _e1187 = phi_2471_;
-                        if (_e1151 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(24u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1068) + _e1075)), _e1115) + (max(_e1115, -(_e1099)) * 0.0000023841915f)), _e1156)) {
-                            phi_2484_ = ((((bitcast<u32>(_e1151) ^ select(0u, 4294967288u, _e696.member_1)) & 2147483640u) | 4u) | 3u);
+                        let _e1180 = phi_2456_;
+                        if (_e1158 <= min((min(min(((f32(((_e863.member >> bitcast<u32>(8u)) & 255u)) * _e1045) + _e1052), ((f32(((_e925.member >> bitcast<u32>(8u)) & 255u)) * _e1077) + _e1084)), _e1122) + (max(_e1122, -(_e1106)) * 0.0000023841915f)), _e1165)) {
+                            phi_2469_ = ((((bitcast<u32>(_e1158) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 1u);
                         } else {
-                            phi_2484_ = 4294967288u;
+                            phi_2469_ = 4294967288u;
                         }
-                        let _e1195 = phi_2484_;
-                        if (_e1171 < _e1179) {
-                            phi_5147_ = SlimbvhTypeD(_e1171, _e1179);
+                        let _e1188 = phi_2469_;
+                        if (_e1159 <= min((min(min(((f32(((_e863.member >> bitcast<u32>(16u)) & 255u)) * _e1045) + _e1052), ((f32(((_e925.member >> bitcast<u32>(16u)) & 255u)) * _e1077) + _e1084)), _e1123) + (max(_e1123, -(_e1107)) * 0.0000023841915f)), _e1165)) {
+                            phi_2482_ = ((((bitcast<u32>(_e1159) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 2u);
                         } else {
-                            phi_5147_ = SlimbvhTypeD(_e1179, _e1171);
+                            phi_2482_ = 4294967288u;
                         }
-                        let _e1200 = phi_5147_;
-                        if (_e1187 < _e1195) {
-                            phi_5159_ = SlimbvhTypeD(_e1187, _e1195);
+                        let _e1196 = phi_2482_;
+                        if (_e1160 <= min((min(min(((f32(((_e863.member >> bitcast<u32>(24u)) & 255u)) * _e1045) + _e1052), ((f32(((_e925.member >> bitcast<u32>(24u)) & 255u)) * _e1077) + _e1084)), _e1124) + (max(_e1124, -(_e1108)) * 0.0000023841915f)), _e1165)) {
+                            phi_2495_ = ((((bitcast<u32>(_e1160) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 3u);
                         } else {
-                            phi_5159_ = SlimbvhTypeD(_e1195, _e1187);
+                            phi_2495_ = 4294967288u;
                         }
-                        let _e1207 = phi_5159_;
-                        if (_e1200.member < _e1207.member) {
-                            phi_5171_ = SlimbvhTypeD(_e1200.member, _e1207.member);
+                        let _e1204 = phi_2495_;
+                        if (_e1180 < _e1188) {
+                            phi_5158_ = SlimbvhTypeD(_e1180, _e1188);
                         } else {
-                            phi_5171_ = SlimbvhTypeD(_e1207.member, _e1200.member);
+                            phi_5158_ = SlimbvhTypeD(_e1188, _e1180);
                         }
-                        let _e1214 = phi_5171_;
-                        if (_e1200.member_1 < _e1207.member_1) {
-                            phi_5183_ = SlimbvhTypeD(_e1200.member_1, _e1207.member_1);
+                        let _e1209 = phi_5158_;
+                        if (_e1196 < _e1204) {
+                            phi_5170_ = SlimbvhTypeD(_e1196, _e1204);
                         } else {
-                            phi_5183_ = SlimbvhTypeD(_e1207.member_1, _e1200.member_1);
+                            phi_5170_ = SlimbvhTypeD(_e1204, _e1196);
                         }
-                        let _e1221 = phi_5183_;
-                        if (_e1221.member < _e1214.member_1) {
-                            phi_5195_ = SlimbvhTypeD(_e1221.member, _e1214.member_1);
+                        let _e1216 = phi_5170_;
+                        if (_e1209.member < _e1216.member) {
+                            phi_5182_ = SlimbvhTypeD(_e1209.member, _e1216.member);
                         } else {
-                            phi_5195_ = SlimbvhTypeD(_e1214.member_1, _e1221.member);
+                            phi_5182_ = SlimbvhTypeD(_e1216.member, _e1209.member);
                         }
-                        let _e1228 = phi_5195_;
-                        let _e1243 = (((_e1214.member & 7u) | ((_e1228.member & 7u) << bitcast<u32>(3u))) | (((_e1228.member_1 & 7u) | ((_e1221.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                        if (_e1243 == 0u) {
-                            let _e1263 = (_e804 - 1u);
-                            let _e1268 = slimbvh_stacks[(((_e1263 % 32u) * 64u) + _e686)];
-                            let _e1269 = (_e1268 & 511u);
-                            let _e1271 = (_e1269 >> bitcast<u32>(3u));
-                            let _e1274 = ((_e1271 == 0u) || (_e1263 == 4294967295u));
-                            if _e1274 {
+                        let _e1223 = phi_5182_;
+                        if (_e1209.member_1 < _e1216.member_1) {
+                            phi_5194_ = SlimbvhTypeD(_e1209.member_1, _e1216.member_1);
+                        } else {
+                            phi_5194_ = SlimbvhTypeD(_e1216.member_1, _e1209.member_1);
+                        }
+                        let _e1230 = phi_5194_;
+                        if (_e1230.member < _e1223.member_1) {
+                            phi_5206_ = SlimbvhTypeD(_e1230.member, _e1223.member_1);
+                        } else {
+                            phi_5206_ = SlimbvhTypeD(_e1223.member_1, _e1230.member);
+                        }
+                        let _e1237 = phi_5206_;
+                        let _e1252 = (((_e1223.member & 7u) | ((_e1237.member & 7u) << bitcast<u32>(3u))) | (((_e1237.member_1 & 7u) | ((_e1230.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                        if (_e1252 == 0u) {
+                            let _e1272 = (_e810 - 1u);
+                            let _e1277 = slimbvh_stacks[(((_e1272 % 32u) * 64u) + _e692)];
+                            let _e1278 = (_e1277 & 511u);
+                            let _e1280 = (_e1278 >> bitcast<u32>(3u));
+                            let _e1283 = ((_e1280 == 0u) || (_e1272 == 4294967295u));
+                            if _e1283 {
                             } else {
-                                slimbvh_stacks[(((_e1263 % 32u) * 64u) + _e686)] = (((_e1268 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1271);
+                                slimbvh_stacks[(((_e1272 % 32u) * 64u) + _e692)] = (((_e1277 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1280);
                             }
-                            phi_2573_ = select(_e804, _e1263, _e1274);
-                            phi_2574_ = (((_e1268 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1269 & 3u) & 3u));
+                            phi_2584_ = select(_e810, _e1272, _e1283);
+                            phi_2585_ = (((_e1277 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1278 & 3u) & 3u));
                         } else {
-                            let _e1246 = (_e1243 >> bitcast<u32>(3u));
-                            if (_e1246 == 0u) {
-                                phi_2568_ = _e804;
+                            let _e1255 = (_e1252 >> bitcast<u32>(3u));
+                            if (_e1255 == 0u) {
+                                phi_2579_ = _e810;
                             } else {
-                                slimbvh_stacks[(((_e804 % 32u) * 64u) + _e686)] = ((_e806 << bitcast<u32>(9u)) | _e1246);
-                                phi_2568_ = (_e804 + 1u);
+                                slimbvh_stacks[(((_e810 % 32u) * 64u) + _e692)] = ((_e817 << bitcast<u32>(9u)) | _e1255);
+                                phi_2579_ = (_e810 + 1u);
                             }
-                            let _e1257 = phi_2568_;
-                            phi_2573_ = _e1257;
-                            phi_2574_ = ((_e806 << bitcast<u32>(2i)) | ((_e1243 & 3u) & 3u));
+                            let _e1266 = phi_2579_;
+                            phi_2584_ = _e1266;
+                            phi_2585_ = ((_e817 << bitcast<u32>(2i)) | ((_e1252 & 3u) & 3u));
                         }
-                        let _e1289 = phi_2573_;
-                        let _e1291 = phi_2574_;
-                        let _e1293 = (_e1291 >> bitcast<u32>(2i));
-                        if (_e1293 < _e113) {
-                            let _e1299 = slimbvh_nodes.member[_e1293].member_1[(_e1291 & 3u)];
-                            if ((_e1299 & 2147483648u) != 0u) {
-                                phi_2604_ = (2147483648u | _e1291);
+                        let _e1298 = phi_2584_;
+                        let _e1300 = phi_2585_;
+                        let _e1302 = (_e1300 >> bitcast<u32>(2i));
+                        if (_e1302 < _e113) {
+                            let _e1308 = slimbvh_nodes.member[_e1302].member_1[(_e1300 & 3u)];
+                            if ((_e1308 & 2147483648u) != 0u) {
+                                phi_2615_ = (2147483648u | _e1300);
                             } else {
-                                phi_2604_ = _e1299;
+                                phi_2615_ = _e1308;
                             }
-                            let _e1304 = phi_2604_;
-                            phi_2605_ = _e1304;
+                            let _e1313 = phi_2615_;
+                            phi_2616_ = _e1313;
                         } else {
-                            phi_2605_ = 4294967295u;
+                            phi_2616_ = 4294967295u;
                         }
-                        let _e1306 = phi_2605_;
-                        let _e1307 = (_e808 - 1u);
-                        phi_1734_ = select(_e1289, 4294967295u, (_e1307 == 0u));
-                        phi_1737_ = _e1306;
-                        phi_1739_ = _e1307;
+                        let _e1315 = phi_2616_;
+                        let _e1316 = (_e814 - 1u);
+                        phi_1741_ = select(_e1298, 4294967295u, (_e1316 == 0u));
+                        phi_1744_ = _e1315;
+                        phi_1746_ = _e1316;
                     } else {
-                        phi_1734_ = u32();
-                        phi_1737_ = u32();
-                        phi_1739_ = u32();
+                        phi_1741_ = u32();
+                        phi_1744_ = u32();
+                        phi_1746_ = u32();
                     }
-                    let _e1311 = phi_1734_;
-                    let _e1313 = phi_1737_;
-                    let _e1315 = phi_1739_;
+                    let _e1320 = phi_1741_;
+                    let _e1322 = phi_1744_;
+                    let _e1324 = phi_1746_;
                     continue;
                     continuing {
-                        phi_1733_ = _e1311;
-                        phi_1736_ = _e1313;
-                        phi_1738_ = _e1315;
-                        break if !(_e812);
+                        phi_1740_ = _e1320;
+                        phi_1743_ = _e1322;
+                        phi_1745_ = _e1324;
+                        break if !(_e821);
                     }
                 }
-                let _e1318 = local;
-                if _e1318 {
-                    let _e1320 = local_1;
-                    let _e1321 = (_e1320 & 2147483647u);
-                    let _e1323 = (_e1321 >> bitcast<u32>(2i));
-                    if (_e1323 >= _e113) {
-                        phi_2819_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+                let _e1327 = local;
+                if _e1327 {
+                    let _e1329 = local_1;
+                    let _e1330 = (_e1329 & 2147483647u);
+                    let _e1332 = (_e1330 >> bitcast<u32>(2i));
+                    if (_e1332 >= _e113) {
+                        phi_2830_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                     } else {
-                        let _e1330 = slimbvh_nodes.member[_e1323].member[select(_e701, 2u, (2u < _e701))];
-                        let _e1341 = slimbvh_nodes.member[_e1323].member[select(_e702, 2u, (2u < _e702))];
-                        let _e1352 = slimbvh_nodes.member[_e1323].member[select(_e703, 2u, (2u < _e703))];
-                        let _e1358 = (_e1321 & 3u);
-                        let _e1361 = (((8u * _e1358) & 31u) & 31u);
-                        let _e1369 = ((_e1330.w & 31u) & 31u);
-                        let _e1371 = (((_e1330.y >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1369));
-                        let _e1385 = ((_e1341.w & 31u) & 31u);
-                        let _e1387 = (((_e1341.y >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1385));
-                        let _e1401 = ((_e1352.w & 31u) & 31u);
-                        let _e1403 = (((_e1352.y >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1401));
-                        let _e1411 = (((((_e1330.w >> bitcast<u32>(5u)) - (((_e1330.z >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1369))) - _e1371) | (((_e1341.w >> bitcast<u32>(5u)) - (((_e1341.z >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1385))) - _e1387)) | (((_e1352.w >> bitcast<u32>(5u)) - (((_e1352.z >> bitcast<u32>(_e1361)) & 255u) << bitcast<u32>(_e1401))) - _e1403));
-                        if (_e1411 < 1024u) {
-                            phi_2755_ = 0u;
+                        let _e1339 = slimbvh_nodes.member[_e1332].member[select(_e707, 2u, (2u < _e707))];
+                        let _e1350 = slimbvh_nodes.member[_e1332].member[select(_e708, 2u, (2u < _e708))];
+                        let _e1361 = slimbvh_nodes.member[_e1332].member[select(_e709, 2u, (2u < _e709))];
+                        let _e1367 = (_e1330 & 3u);
+                        let _e1370 = (((8u * _e1367) & 31u) & 31u);
+                        let _e1378 = ((_e1339.w & 31u) & 31u);
+                        let _e1380 = (((_e1339.y >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1378));
+                        let _e1394 = ((_e1350.w & 31u) & 31u);
+                        let _e1396 = (((_e1350.y >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1394));
+                        let _e1410 = ((_e1361.w & 31u) & 31u);
+                        let _e1412 = (((_e1361.y >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1410));
+                        let _e1420 = (((((_e1339.w >> bitcast<u32>(5u)) - (((_e1339.z >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1378))) - _e1380) | (((_e1350.w >> bitcast<u32>(5u)) - (((_e1350.z >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1394))) - _e1396)) | (((_e1361.w >> bitcast<u32>(5u)) - (((_e1361.z >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1410))) - _e1412));
+                        if (_e1420 < 1024u) {
+                            phi_2766_ = 0u;
                         } else {
-                            phi_2755_ = select(2u, 1u, (_e1411 < 2097152u));
+                            phi_2766_ = select(2u, 1u, (_e1420 < 2097152u));
                         }
-                        let _e1416 = phi_2755_;
-                        let _e1431 = slimbvh_nodes.member[_e1323].member_1[_e1358];
-                        if ((_e1431 & 2147483648u) != 0u) {
-                            phi_2816_ = ((_e1431 >> bitcast<u32>(28u)) & 7u);
+                        let _e1425 = phi_2766_;
+                        let _e1440 = slimbvh_nodes.member[_e1332].member_1[_e1367];
+                        if ((_e1440 & 2147483648u) != 0u) {
+                            phi_2827_ = ((_e1440 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_2816_ = 0u;
+                            phi_2827_ = 0u;
                         }
-                        let _e1438 = phi_2816_;
-                        phi_2819_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1330.x) + (f32(_e1371) * _e164)), (bitcast<f32>(_e1341.x) + (f32(_e1387) * _e164)), (bitcast<f32>(_e1352.x) + (f32(_e1403) * _e164)), 0f), _e1416), (_e1431 & 268435455u), _e1438);
+                        let _e1447 = phi_2827_;
+                        phi_2830_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1339.x) + (f32(_e1380) * _e164)), (bitcast<f32>(_e1350.x) + (f32(_e1396) * _e164)), (bitcast<f32>(_e1361.x) + (f32(_e1412) * _e164)), 0f), _e1425), (_e1440 & 268435455u), _e1447);
                     }
-                    let _e1442 = phi_2819_;
-                    phi_2823_ = _e795;
-                    phi_2826_ = SlimbvhTypeD(0u, _e1442.member_2);
+                    let _e1451 = phi_2830_;
+                    let _e1453 = (_e1451.member_1 + _e170);
+                    phi_2837_ = _e801;
+                    phi_2840_ = SlimbvhTypeD(0u, _e1451.member_2);
                     loop {
-                        let _e1446 = phi_2823_;
-                        let _e1448 = phi_2826_;
-                        local_4 = _e1446;
-                        local_7 = _e1446;
-                        if (_e1448.member < _e1448.member_1) {
-                            phi_2827_ = SlimbvhTypeD((_e1448.member + 1u), _e1448.member_1);
-                            phi_2849_ = SlimbvhTypeD(1u, _e1448.member);
+                        let _e1458 = phi_2837_;
+                        let _e1460 = phi_2840_;
+                        local_4 = _e1458;
+                        local_7 = _e1458;
+                        if (_e1460.member < _e1460.member_1) {
+                            phi_2841_ = SlimbvhTypeD((_e1460.member + 1u), _e1460.member_1);
+                            phi_2863_ = SlimbvhTypeD(1u, _e1460.member);
                         } else {
-                            phi_2827_ = _e1448;
-                            phi_2849_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                            phi_2841_ = _e1460;
+                            phi_2863_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                         }
-                        let _e1461 = phi_2827_;
-                        let _e1463 = phi_2849_;
-                        let _e1467 = (bitcast<i32>(_e1463.member) != 0i);
-                        if _e1467 {
-                            switch bitcast<i32>(_e1442.member.member_1) {
-                                case 0: {
-                                    phi_2867_ = 1u;
-                                    break;
-                                }
-                                case 1: {
-                                    phi_2867_ = 2u;
-                                    break;
-                                }
-                                case 2: {
-                                    phi_2867_ = 3u;
-                                    break;
-                                }
-                                default: {
-                                    phi_2867_ = u32();
-                                    break;
-                                }
-                            }
-                            let _e1473 = phi_2867_;
-                            switch bitcast<i32>(_e1442.member.member_1) {
+                        let _e1473 = phi_2841_;
+                        let _e1475 = phi_2863_;
+                        let _e1479 = (bitcast<i32>(_e1475.member) != 0i);
+                        if _e1479 {
+                            switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
                                     phi_2878_ = 1u;
                                     break;
@@ -829,36 +814,35 @@ fn slimbvh_trace_in_group() {
                                     break;
                                 }
                             }
-                            let _e1480 = phi_2878_;
-                            let _e1482 = ((_e1442.member_1 + (_e1463.member_1 * ((3u * _e1473) + 1u))) + (3u * _e1480));
-                            if (_e1482 < _e116) {
-                                let _e1485 = slimbvh_triangles.member[_e1482];
-                                phi_2894_ = _e1485;
-                            } else {
-                                phi_2894_ = 4294967295u;
-                            }
-                            let _e1487 = phi_2894_;
-                            switch bitcast<i32>(_e1442.member.member_1) {
+                            let _e1483 = phi_2878_;
+                            switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
-                                    phi_2907_ = 1u;
+                                    phi_2889_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2907_ = 2u;
+                                    phi_2889_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2907_ = 3u;
+                                    phi_2889_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2907_ = u32();
+                                    phi_2889_ = u32();
                                     break;
                                 }
                             }
-                            let _e1490 = phi_2907_;
-                            let _e1494 = (_e1442.member_1 + (_e1463.member_1 * ((3u * _e1490) + 1u)));
-                            switch bitcast<i32>(_e1442.member.member_1) {
+                            let _e1490 = phi_2889_;
+                            let _e1492 = ((_e1453 + (_e1475.member_1 * ((3u * _e1483) + 1u))) + (3u * _e1490));
+                            if (_e1492 < _e116) {
+                                let _e1495 = slimbvh_triangles.member[_e1492];
+                                phi_2905_ = _e1495;
+                            } else {
+                                phi_2905_ = 4294967295u;
+                            }
+                            let _e1497 = phi_2905_;
+                            switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
                                     phi_2918_ = 1u;
                                     break;
@@ -876,747 +860,767 @@ fn slimbvh_trace_in_group() {
                                     break;
                                 }
                             }
-                            let _e1497 = phi_2918_;
-                            let _e1498 = (_e1494 + _e1497);
-                            let _e1500 = (_e1494 + (2u * _e1497));
-                            switch bitcast<i32>(_e1442.member.member_1) {
+                            let _e1500 = phi_2918_;
+                            let _e1504 = (_e1453 + (_e1475.member_1 * ((3u * _e1500) + 1u)));
+                            switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
-                                    if (_e1494 < _e116) {
-                                        let _e1777 = slimbvh_triangles.member[_e1494];
-                                        phi_2945_ = _e1777;
-                                    } else {
-                                        phi_2945_ = 0u;
-                                    }
-                                    let _e1779 = phi_2945_;
-                                    let _e1782 = ((10u * _e224) & 31u);
-                                    let _e1793 = ((10u * _e228) & 31u);
-                                    let _e1804 = ((10u * _e220) & 31u);
-                                    if (_e1498 < _e116) {
-                                        let _e1816 = slimbvh_triangles.member[_e1498];
-                                        phi_2991_ = _e1816;
-                                    } else {
-                                        phi_2991_ = 0u;
-                                    }
-                                    let _e1818 = phi_2991_;
-                                    if (_e1500 < _e116) {
-                                        let _e1846 = slimbvh_triangles.member[_e1500];
-                                        phi_3037_ = _e1846;
-                                    } else {
-                                        phi_3037_ = 0u;
-                                    }
-                                    let _e1848 = phi_3037_;
-                                    phi_3504_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | ((_e1779 >> bitcast<u32>(_e1782)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | ((_e1779 >> bitcast<u32>(_e1793)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | ((_e1779 >> bitcast<u32>(_e1804)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | ((_e1818 >> bitcast<u32>(_e1782)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | ((_e1818 >> bitcast<u32>(_e1793)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | ((_e1818 >> bitcast<u32>(_e1804)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | ((_e1848 >> bitcast<u32>(_e1782)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | ((_e1848 >> bitcast<u32>(_e1793)) & 1023u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | ((_e1848 >> bitcast<u32>(_e1804)) & 1023u))) - 8388608f) * _e164))));
+                                    phi_2929_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    if (_e1494 < _e116) {
-                                        let _e1590 = slimbvh_triangles.member[_e1494];
-                                        phi_3084_ = _e1590;
-                                    } else {
-                                        phi_3084_ = 0u;
-                                    }
-                                    let _e1592 = phi_3084_;
-                                    let _e1593 = (_e1494 + 1u);
-                                    if (_e1593 < _e116) {
-                                        let _e1596 = slimbvh_triangles.member[_e1593];
-                                        phi_3097_ = _e1596;
-                                    } else {
-                                        phi_3097_ = 0u;
-                                    }
-                                    let _e1598 = phi_3097_;
-                                    let _e1600 = (_e224 == 1u);
-                                    if _e1600 {
-                                        phi_3107_ = ((_e1592 >> bitcast<u32>(21i)) | (_e1598 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3107_ = (_e1598 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1609 = phi_3107_;
-                                    let _e1618 = (_e228 == 1u);
-                                    if _e1618 {
-                                        phi_3128_ = ((_e1592 >> bitcast<u32>(21i)) | (_e1598 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3128_ = (_e1598 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1627 = phi_3128_;
-                                    let _e1636 = (_e220 == 1u);
-                                    if _e1636 {
-                                        phi_3149_ = ((_e1592 >> bitcast<u32>(21i)) | (_e1598 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3149_ = (_e1598 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1645 = phi_3149_;
-                                    if (_e1498 < _e116) {
-                                        let _e1656 = slimbvh_triangles.member[_e1498];
-                                        phi_3176_ = _e1656;
-                                    } else {
-                                        phi_3176_ = 0u;
-                                    }
-                                    let _e1658 = phi_3176_;
-                                    let _e1659 = (_e1498 + 1u);
-                                    if (_e1659 < _e116) {
-                                        let _e1662 = slimbvh_triangles.member[_e1659];
-                                        phi_3189_ = _e1662;
-                                    } else {
-                                        phi_3189_ = 0u;
-                                    }
-                                    let _e1664 = phi_3189_;
-                                    if _e1600 {
-                                        phi_3199_ = ((_e1658 >> bitcast<u32>(21i)) | (_e1664 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3199_ = (_e1664 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1673 = phi_3199_;
-                                    if _e1618 {
-                                        phi_3220_ = ((_e1658 >> bitcast<u32>(21i)) | (_e1664 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3220_ = (_e1664 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1689 = phi_3220_;
-                                    if _e1636 {
-                                        phi_3241_ = ((_e1658 >> bitcast<u32>(21i)) | (_e1664 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3241_ = (_e1664 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1705 = phi_3241_;
-                                    if (_e1500 < _e116) {
-                                        let _e1716 = slimbvh_triangles.member[_e1500];
-                                        phi_3268_ = _e1716;
-                                    } else {
-                                        phi_3268_ = 0u;
-                                    }
-                                    let _e1718 = phi_3268_;
-                                    let _e1719 = (_e1500 + 1u);
-                                    if (_e1719 < _e116) {
-                                        let _e1722 = slimbvh_triangles.member[_e1719];
-                                        phi_3281_ = _e1722;
-                                    } else {
-                                        phi_3281_ = 0u;
-                                    }
-                                    let _e1724 = phi_3281_;
-                                    if _e1600 {
-                                        phi_3291_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3291_ = (_e1724 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1733 = phi_3291_;
-                                    if _e1618 {
-                                        phi_3312_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3312_ = (_e1724 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1749 = phi_3312_;
-                                    if _e1636 {
-                                        phi_3333_ = ((_e1718 >> bitcast<u32>(21i)) | (_e1724 << bitcast<u32>(11i)));
-                                    } else {
-                                        phi_3333_ = (_e1724 >> bitcast<u32>(10i));
-                                    }
-                                    let _e1765 = phi_3333_;
-                                    phi_3504_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1609, _e1592, _e229) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1627, _e1592, _e232) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1645, _e1592, _e236) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1673, _e1658, _e229) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1689, _e1658, _e232) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1705, _e1658, _e236) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1442.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1733, _e1718, _e229) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1749, _e1718, _e232) & 2097151u))) - 8388608f) * _e164)), (_e1442.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1765, _e1718, _e236) & 2097151u))) - 8388608f) * _e164))));
+                                    phi_2929_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    let _e1503 = (_e1494 + _e224);
-                                    if (_e1503 < _e116) {
-                                        let _e1506 = slimbvh_triangles.member[_e1503];
-                                        phi_3362_ = _e1506;
-                                    } else {
-                                        phi_3362_ = 0u;
-                                    }
-                                    let _e1508 = phi_3362_;
-                                    let _e1509 = (_e1494 + _e228);
-                                    if (_e1509 < _e116) {
-                                        let _e1512 = slimbvh_triangles.member[_e1509];
-                                        phi_3375_ = _e1512;
-                                    } else {
-                                        phi_3375_ = 0u;
-                                    }
-                                    let _e1514 = phi_3375_;
-                                    let _e1515 = (_e1494 + _e220);
-                                    if (_e1515 < _e116) {
-                                        let _e1518 = slimbvh_triangles.member[_e1515];
-                                        phi_3388_ = _e1518;
-                                    } else {
-                                        phi_3388_ = 0u;
-                                    }
-                                    let _e1520 = phi_3388_;
-                                    let _e1531 = (_e1498 + _e224);
-                                    if (_e1531 < _e116) {
-                                        let _e1534 = slimbvh_triangles.member[_e1531];
-                                        phi_3414_ = _e1534;
-                                    } else {
-                                        phi_3414_ = 0u;
-                                    }
-                                    let _e1536 = phi_3414_;
-                                    let _e1537 = (_e1498 + _e228);
-                                    if (_e1537 < _e116) {
-                                        let _e1540 = slimbvh_triangles.member[_e1537];
-                                        phi_3427_ = _e1540;
-                                    } else {
-                                        phi_3427_ = 0u;
-                                    }
-                                    let _e1542 = phi_3427_;
-                                    let _e1543 = (_e1498 + _e220);
-                                    if (_e1543 < _e116) {
-                                        let _e1546 = slimbvh_triangles.member[_e1543];
-                                        phi_3440_ = _e1546;
-                                    } else {
-                                        phi_3440_ = 0u;
-                                    }
-                                    let _e1548 = phi_3440_;
-                                    let _e1559 = (_e1500 + _e224);
-                                    if (_e1559 < _e116) {
-                                        let _e1562 = slimbvh_triangles.member[_e1559];
-                                        phi_3466_ = _e1562;
-                                    } else {
-                                        phi_3466_ = 0u;
-                                    }
-                                    let _e1564 = phi_3466_;
-                                    let _e1565 = (_e1500 + _e228);
-                                    if (_e1565 < _e116) {
-                                        let _e1568 = slimbvh_triangles.member[_e1565];
-                                        phi_3479_ = _e1568;
-                                    } else {
-                                        phi_3479_ = 0u;
-                                    }
-                                    let _e1570 = phi_3479_;
-                                    let _e1571 = (_e1500 + _e220);
-                                    if (_e1571 < _e116) {
-                                        let _e1574 = slimbvh_triangles.member[_e1571];
-                                        phi_3492_ = _e1574;
-                                    } else {
-                                        phi_3492_ = 0u;
-                                    }
-                                    let _e1576 = phi_3492_;
-                                    phi_3504_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1508)) * _e164), (f32(bitcast<i32>(_e1514)) * _e164), (f32(bitcast<i32>(_e1520)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1536)) * _e164), (f32(bitcast<i32>(_e1542)) * _e164), (f32(bitcast<i32>(_e1548)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1564)) * _e164), (f32(bitcast<i32>(_e1570)) * _e164), (f32(bitcast<i32>(_e1576)) * _e164)));
+                                    phi_2929_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_3504_ = array<array<f32, 3>, 3>();
+                                    phi_2929_ = u32();
                                     break;
                                 }
                             }
-                            let _e1876 = phi_3504_;
-                            let _e1893 = (_e1876[0][2] - _e612.member[2]);
-                            let _e1896 = (((_e1876[0][0] - _e612.member[0]) * _e667) - (_e1893 * _e635));
-                            let _e1899 = (((_e1876[0][1] - _e612.member[1]) * _e667) - (_e1893 * _e651));
-                            let _e1902 = (_e1876[1][2] - _e612.member[2]);
-                            let _e1905 = (((_e1876[1][0] - _e612.member[0]) * _e667) - (_e1902 * _e635));
-                            let _e1908 = (((_e1876[1][1] - _e612.member[1]) * _e667) - (_e1902 * _e651));
-                            let _e1911 = (_e1876[2][2] - _e612.member[2]);
-                            let _e1914 = (((_e1876[2][0] - _e612.member[0]) * _e667) - (_e1911 * _e635));
-                            let _e1917 = (((_e1876[2][1] - _e612.member[1]) * _e667) - (_e1911 * _e651));
-                            let _e1918 = (_e1914 * _e1908);
-                            let _e1919 = (_e1917 * _e1905);
-                            let _e1920 = (_e1896 * _e1917);
-                            let _e1921 = (_e1899 * _e1914);
-                            let _e1922 = (_e1905 * _e1899);
-                            let _e1923 = (_e1908 * _e1896);
-                            let _e1928 = (((_e1918 >= _e1919) && (_e1920 >= _e1921)) && (_e1922 >= _e1923));
-                            let _e1934 = (_e1928 || (((_e1918 <= _e1919) && (_e1920 <= _e1921)) && (_e1922 <= _e1923)));
-                            if _e1934 {
-                                let _e1936 = select(-1f, 1f, _e1928);
-                                let _e1938 = ((_e1918 - _e1919) * _e1936);
-                                let _e1940 = select(0f, _e1938, (_e1938 > 0f));
-                                let _e1942 = ((_e1920 - _e1921) * _e1936);
-                                let _e1944 = select(0f, _e1942, (_e1942 > 0f));
-                                let _e1946 = ((_e1922 - _e1923) * _e1936);
-                                let _e1948 = select(0f, _e1946, (_e1946 > 0f));
-                                let _e1950 = ((_e1940 + _e1944) + _e1948);
-                                let _e1965 = ((min(min(_e1876[0][0], _e1876[1][0]), _e1876[2][0]) - _e636) * _e639);
-                                let _e1966 = ((max(max(_e1876[0][0], _e1876[1][0]), _e1876[2][0]) - _e637) * _e639);
-                                let _e1967 = vec4<f32>(_e1965, f32(), _e1966, f32());
-                                let _e1970 = ((min(min(_e1876[0][1], _e1876[1][1]), _e1876[2][1]) - _e652) * _e655);
-                                let _e1971 = ((max(max(_e1876[0][1], _e1876[1][1]), _e1876[2][1]) - _e653) * _e655);
-                                let _e1972 = vec4<f32>(_e1970, f32(), _e1971, f32());
-                                let _e1975 = ((min(min(_e1876[0][2], _e1876[1][2]), _e1876[2][2]) - _e668) * _e671);
-                                let _e1976 = ((max(max(_e1876[0][2], _e1876[1][2]), _e1876[2][2]) - _e669) * _e671);
+                            let _e1507 = phi_2929_;
+                            let _e1508 = (_e1504 + _e1507);
+                            let _e1510 = (_e1504 + (2u * _e1507));
+                            switch bitcast<i32>(_e1451.member.member_1) {
+                                case 0: {
+                                    if (_e1504 < _e116) {
+                                        let _e1787 = slimbvh_triangles.member[_e1504];
+                                        phi_2956_ = _e1787;
+                                    } else {
+                                        phi_2956_ = 0u;
+                                    }
+                                    let _e1789 = phi_2956_;
+                                    let _e1792 = ((10u * _e230) & 31u);
+                                    let _e1803 = ((10u * _e234) & 31u);
+                                    let _e1814 = ((10u * _e226) & 31u);
+                                    if (_e1508 < _e116) {
+                                        let _e1826 = slimbvh_triangles.member[_e1508];
+                                        phi_3002_ = _e1826;
+                                    } else {
+                                        phi_3002_ = 0u;
+                                    }
+                                    let _e1828 = phi_3002_;
+                                    if (_e1510 < _e116) {
+                                        let _e1856 = slimbvh_triangles.member[_e1510];
+                                        phi_3048_ = _e1856;
+                                    } else {
+                                        phi_3048_ = 0u;
+                                    }
+                                    let _e1858 = phi_3048_;
+                                    phi_3515_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))));
+                                    break;
+                                }
+                                case 1: {
+                                    if (_e1504 < _e116) {
+                                        let _e1600 = slimbvh_triangles.member[_e1504];
+                                        phi_3095_ = _e1600;
+                                    } else {
+                                        phi_3095_ = 0u;
+                                    }
+                                    let _e1602 = phi_3095_;
+                                    let _e1603 = (_e1504 + 1u);
+                                    if (_e1603 < _e116) {
+                                        let _e1606 = slimbvh_triangles.member[_e1603];
+                                        phi_3108_ = _e1606;
+                                    } else {
+                                        phi_3108_ = 0u;
+                                    }
+                                    let _e1608 = phi_3108_;
+                                    let _e1610 = (_e230 == 1u);
+                                    if _e1610 {
+                                        phi_3118_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3118_ = (_e1608 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1619 = phi_3118_;
+                                    let _e1628 = (_e234 == 1u);
+                                    if _e1628 {
+                                        phi_3139_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3139_ = (_e1608 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1637 = phi_3139_;
+                                    let _e1646 = (_e226 == 1u);
+                                    if _e1646 {
+                                        phi_3160_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3160_ = (_e1608 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1655 = phi_3160_;
+                                    if (_e1508 < _e116) {
+                                        let _e1666 = slimbvh_triangles.member[_e1508];
+                                        phi_3187_ = _e1666;
+                                    } else {
+                                        phi_3187_ = 0u;
+                                    }
+                                    let _e1668 = phi_3187_;
+                                    let _e1669 = (_e1508 + 1u);
+                                    if (_e1669 < _e116) {
+                                        let _e1672 = slimbvh_triangles.member[_e1669];
+                                        phi_3200_ = _e1672;
+                                    } else {
+                                        phi_3200_ = 0u;
+                                    }
+                                    let _e1674 = phi_3200_;
+                                    if _e1610 {
+                                        phi_3210_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3210_ = (_e1674 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1683 = phi_3210_;
+                                    if _e1628 {
+                                        phi_3231_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3231_ = (_e1674 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1699 = phi_3231_;
+                                    if _e1646 {
+                                        phi_3252_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3252_ = (_e1674 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1715 = phi_3252_;
+                                    if (_e1510 < _e116) {
+                                        let _e1726 = slimbvh_triangles.member[_e1510];
+                                        phi_3279_ = _e1726;
+                                    } else {
+                                        phi_3279_ = 0u;
+                                    }
+                                    let _e1728 = phi_3279_;
+                                    let _e1729 = (_e1510 + 1u);
+                                    if (_e1729 < _e116) {
+                                        let _e1732 = slimbvh_triangles.member[_e1729];
+                                        phi_3292_ = _e1732;
+                                    } else {
+                                        phi_3292_ = 0u;
+                                    }
+                                    let _e1734 = phi_3292_;
+                                    if _e1610 {
+                                        phi_3302_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3302_ = (_e1734 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1743 = phi_3302_;
+                                    if _e1628 {
+                                        phi_3323_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3323_ = (_e1734 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1759 = phi_3323_;
+                                    if _e1646 {
+                                        phi_3344_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
+                                    } else {
+                                        phi_3344_ = (_e1734 >> bitcast<u32>(10i));
+                                    }
+                                    let _e1775 = phi_3344_;
+                                    phi_3515_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1619, _e1602, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1637, _e1602, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1655, _e1602, _e242) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1683, _e1668, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1699, _e1668, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1715, _e1668, _e242) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1743, _e1728, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1759, _e1728, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1775, _e1728, _e242) & 2097151u))) - 8388608f) * _e164))));
+                                    break;
+                                }
+                                case 2: {
+                                    let _e1513 = (_e1504 + _e230);
+                                    if (_e1513 < _e116) {
+                                        let _e1516 = slimbvh_triangles.member[_e1513];
+                                        phi_3373_ = _e1516;
+                                    } else {
+                                        phi_3373_ = 0u;
+                                    }
+                                    let _e1518 = phi_3373_;
+                                    let _e1519 = (_e1504 + _e234);
+                                    if (_e1519 < _e116) {
+                                        let _e1522 = slimbvh_triangles.member[_e1519];
+                                        phi_3386_ = _e1522;
+                                    } else {
+                                        phi_3386_ = 0u;
+                                    }
+                                    let _e1524 = phi_3386_;
+                                    let _e1525 = (_e1504 + _e226);
+                                    if (_e1525 < _e116) {
+                                        let _e1528 = slimbvh_triangles.member[_e1525];
+                                        phi_3399_ = _e1528;
+                                    } else {
+                                        phi_3399_ = 0u;
+                                    }
+                                    let _e1530 = phi_3399_;
+                                    let _e1541 = (_e1508 + _e230);
+                                    if (_e1541 < _e116) {
+                                        let _e1544 = slimbvh_triangles.member[_e1541];
+                                        phi_3425_ = _e1544;
+                                    } else {
+                                        phi_3425_ = 0u;
+                                    }
+                                    let _e1546 = phi_3425_;
+                                    let _e1547 = (_e1508 + _e234);
+                                    if (_e1547 < _e116) {
+                                        let _e1550 = slimbvh_triangles.member[_e1547];
+                                        phi_3438_ = _e1550;
+                                    } else {
+                                        phi_3438_ = 0u;
+                                    }
+                                    let _e1552 = phi_3438_;
+                                    let _e1553 = (_e1508 + _e226);
+                                    if (_e1553 < _e116) {
+                                        let _e1556 = slimbvh_triangles.member[_e1553];
+                                        phi_3451_ = _e1556;
+                                    } else {
+                                        phi_3451_ = 0u;
+                                    }
+                                    let _e1558 = phi_3451_;
+                                    let _e1569 = (_e1510 + _e230);
+                                    if (_e1569 < _e116) {
+                                        let _e1572 = slimbvh_triangles.member[_e1569];
+                                        phi_3477_ = _e1572;
+                                    } else {
+                                        phi_3477_ = 0u;
+                                    }
+                                    let _e1574 = phi_3477_;
+                                    let _e1575 = (_e1510 + _e234);
+                                    if (_e1575 < _e116) {
+                                        let _e1578 = slimbvh_triangles.member[_e1575];
+                                        phi_3490_ = _e1578;
+                                    } else {
+                                        phi_3490_ = 0u;
+                                    }
+                                    let _e1580 = phi_3490_;
+                                    let _e1581 = (_e1510 + _e226);
+                                    if (_e1581 < _e116) {
+                                        let _e1584 = slimbvh_triangles.member[_e1581];
+                                        phi_3503_ = _e1584;
+                                    } else {
+                                        phi_3503_ = 0u;
+                                    }
+                                    let _e1586 = phi_3503_;
+                                    phi_3515_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1518)) * _e164), (f32(bitcast<i32>(_e1524)) * _e164), (f32(bitcast<i32>(_e1530)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1546)) * _e164), (f32(bitcast<i32>(_e1552)) * _e164), (f32(bitcast<i32>(_e1558)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1574)) * _e164), (f32(bitcast<i32>(_e1580)) * _e164), (f32(bitcast<i32>(_e1586)) * _e164)));
+                                    break;
+                                }
+                                default: {
+                                    phi_3515_ = array<array<f32, 3>, 3>();
+                                    break;
+                                }
+                            }
+                            let _e1886 = phi_3515_;
+                            let _e1903 = (_e1886[0][2] - _e618.member[2]);
+                            let _e1906 = (((_e1886[0][0] - _e618.member[0]) * _e673) - (_e1903 * _e641));
+                            let _e1909 = (((_e1886[0][1] - _e618.member[1]) * _e673) - (_e1903 * _e657));
+                            let _e1912 = (_e1886[1][2] - _e618.member[2]);
+                            let _e1915 = (((_e1886[1][0] - _e618.member[0]) * _e673) - (_e1912 * _e641));
+                            let _e1918 = (((_e1886[1][1] - _e618.member[1]) * _e673) - (_e1912 * _e657));
+                            let _e1921 = (_e1886[2][2] - _e618.member[2]);
+                            let _e1924 = (((_e1886[2][0] - _e618.member[0]) * _e673) - (_e1921 * _e641));
+                            let _e1927 = (((_e1886[2][1] - _e618.member[1]) * _e673) - (_e1921 * _e657));
+                            let _e1928 = (_e1924 * _e1918);
+                            let _e1929 = (_e1927 * _e1915);
+                            let _e1930 = (_e1906 * _e1927);
+                            let _e1931 = (_e1909 * _e1924);
+                            let _e1932 = (_e1915 * _e1909);
+                            let _e1933 = (_e1918 * _e1906);
+                            let _e1938 = (((_e1928 >= _e1929) && (_e1930 >= _e1931)) && (_e1932 >= _e1933));
+                            let _e1944 = (_e1938 || (((_e1928 <= _e1929) && (_e1930 <= _e1931)) && (_e1932 <= _e1933)));
+                            if _e1944 {
+                                let _e1946 = select(-1f, 1f, _e1938);
+                                let _e1948 = ((_e1928 - _e1929) * _e1946);
+                                let _e1950 = select(0f, _e1948, (_e1948 > 0f));
+                                let _e1952 = ((_e1930 - _e1931) * _e1946);
+                                let _e1954 = select(0f, _e1952, (_e1952 > 0f));
+                                let _e1956 = ((_e1932 - _e1933) * _e1946);
+                                let _e1958 = select(0f, _e1956, (_e1956 > 0f));
+                                let _e1960 = ((_e1950 + _e1954) + _e1958);
+                                let _e1975 = ((min(min(_e1886[0][0], _e1886[1][0]), _e1886[2][0]) - _e642) * _e645);
+                                let _e1976 = ((max(max(_e1886[0][0], _e1886[1][0]), _e1886[2][0]) - _e643) * _e645);
                                 let _e1977 = vec4<f32>(_e1975, f32(), _e1976, f32());
-                                let _e1978 = vec4<f32>(_e1966, f32(), _e1965, f32());
-                                let _e1980 = vec4<f32>(_e1971, f32(), _e1970, f32());
-                                let _e1982 = vec4<f32>(_e1976, f32(), _e1975, f32());
-                                let _e1991 = max(max(min(_e1967, _e1978).x, min(_e1972, _e1980).x), min(_e1977, _e1982).x);
-                                let _e1996 = min(min(max(_e1967, _e1978).x, max(_e1972, _e1980).x), max(_e1977, _e1982).x);
-                                let _e2001 = max(_e1991, _e679);
-                                let _e2023 = (((((_e1934 && (_e1950 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1896, _e1905), _e1914) <= 0f) && (max(max(_e1896, _e1905), _e1914) >= 0f))) && ((min(min(_e1899, _e1908), _e1917) <= 0f) && (max(max(_e1899, _e1908), _e1917) >= 0f))) && (_e2001 <= (_e1996 + (max(max(_e1977, _e1982).x, -(min(_e1977, _e1982).x)) * 0.0000019073523f)))) && (_e2001 <= _e1446.member.member_1));
-                                if _e2023 {
-                                    let _e2028 = (_e1876[1][0] - _e1876[0][0]);
-                                    let _e2029 = (_e1876[1][1] - _e1876[0][1]);
-                                    let _e2030 = (_e1876[1][2] - _e1876[0][2]);
-                                    let _e2031 = vec3<f32>(_e2028, _e2029, _e2030);
-                                    let _e2032 = (_e1876[2][0] - _e1876[1][0]);
-                                    let _e2033 = (_e1876[2][1] - _e1876[1][1]);
-                                    let _e2034 = (_e1876[2][2] - _e1876[1][2]);
-                                    let _e2035 = vec3<f32>(_e2032, _e2033, _e2034);
-                                    let _e2036 = (_e1876[0][0] - _e1876[2][0]);
-                                    let _e2037 = (_e1876[0][1] - _e1876[2][1]);
-                                    let _e2038 = (_e1876[0][2] - _e1876[2][2]);
-                                    let _e2039 = vec3<f32>(_e2036, _e2037, _e2038);
-                                    let _e2050 = max(max(bitcast<f32>((bitcast<u32>(_e2028) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2029) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2030) & 2147483647u)));
-                                    let _e2061 = max(max(bitcast<f32>((bitcast<u32>(_e2032) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2033) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2034) & 2147483647u)));
-                                    let _e2074 = max(max(_e2050, _e2061), max(max(bitcast<f32>((bitcast<u32>(_e2036) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2037) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2038) & 2147483647u))));
-                                    if (_e2050 == _e2074) {
-                                        phi_3869_ = _e1908;
-                                        phi_3870_ = _e1905;
-                                        phi_3871_ = _e1899;
-                                        phi_3872_ = _e1896;
-                                        phi_3873_ = vec3<f32>(_e1876[0][0], _e1876[0][1], _e1876[0][2]);
-                                        phi_3874_ = _e2039;
-                                        phi_3875_ = _e2035;
-                                        phi_3876_ = _e2031;
+                                let _e1980 = ((min(min(_e1886[0][1], _e1886[1][1]), _e1886[2][1]) - _e658) * _e661);
+                                let _e1981 = ((max(max(_e1886[0][1], _e1886[1][1]), _e1886[2][1]) - _e659) * _e661);
+                                let _e1982 = vec4<f32>(_e1980, f32(), _e1981, f32());
+                                let _e1985 = ((min(min(_e1886[0][2], _e1886[1][2]), _e1886[2][2]) - _e674) * _e677);
+                                let _e1986 = ((max(max(_e1886[0][2], _e1886[1][2]), _e1886[2][2]) - _e675) * _e677);
+                                let _e1987 = vec4<f32>(_e1985, f32(), _e1986, f32());
+                                let _e1988 = vec4<f32>(_e1976, f32(), _e1975, f32());
+                                let _e1990 = vec4<f32>(_e1981, f32(), _e1980, f32());
+                                let _e1992 = vec4<f32>(_e1986, f32(), _e1985, f32());
+                                let _e2001 = max(max(min(_e1977, _e1988).x, min(_e1982, _e1990).x), min(_e1987, _e1992).x);
+                                let _e2006 = min(min(max(_e1977, _e1988).x, max(_e1982, _e1990).x), max(_e1987, _e1992).x);
+                                let _e2011 = max(_e2001, _e685);
+                                let _e2033 = (((((_e1944 && (_e1960 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1906, _e1915), _e1924) <= 0f) && (max(max(_e1906, _e1915), _e1924) >= 0f))) && ((min(min(_e1909, _e1918), _e1927) <= 0f) && (max(max(_e1909, _e1918), _e1927) >= 0f))) && (_e2011 <= (_e2006 + (max(max(_e1987, _e1992).x, -(min(_e1987, _e1992).x)) * 0.0000019073523f)))) && (_e2011 <= _e1458.member.member_1));
+                                if _e2033 {
+                                    let _e2038 = (_e1886[1][0] - _e1886[0][0]);
+                                    let _e2039 = (_e1886[1][1] - _e1886[0][1]);
+                                    let _e2040 = (_e1886[1][2] - _e1886[0][2]);
+                                    let _e2041 = vec3<f32>(_e2038, _e2039, _e2040);
+                                    let _e2042 = (_e1886[2][0] - _e1886[1][0]);
+                                    let _e2043 = (_e1886[2][1] - _e1886[1][1]);
+                                    let _e2044 = (_e1886[2][2] - _e1886[1][2]);
+                                    let _e2045 = vec3<f32>(_e2042, _e2043, _e2044);
+                                    let _e2046 = (_e1886[0][0] - _e1886[2][0]);
+                                    let _e2047 = (_e1886[0][1] - _e1886[2][1]);
+                                    let _e2048 = (_e1886[0][2] - _e1886[2][2]);
+                                    let _e2049 = vec3<f32>(_e2046, _e2047, _e2048);
+                                    let _e2060 = max(max(bitcast<f32>((bitcast<u32>(_e2038) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2039) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2040) & 2147483647u)));
+                                    let _e2071 = max(max(bitcast<f32>((bitcast<u32>(_e2042) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2043) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2044) & 2147483647u)));
+                                    let _e2084 = max(max(_e2060, _e2071), max(max(bitcast<f32>((bitcast<u32>(_e2046) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2047) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2048) & 2147483647u))));
+                                    if (_e2060 == _e2084) {
+                                        phi_3880_ = _e1918;
+                                        phi_3881_ = _e1915;
+                                        phi_3882_ = _e1909;
+                                        phi_3883_ = _e1906;
+                                        phi_3884_ = vec3<f32>(_e1886[0][0], _e1886[0][1], _e1886[0][2]);
+                                        phi_3885_ = _e2049;
+                                        phi_3886_ = _e2045;
+                                        phi_3887_ = _e2041;
                                     } else {
-                                        let _e2076 = (_e2061 == _e2074);
-                                        let _e2081 = vec3(_e2076);
-                                        phi_3869_ = select(_e1899, _e1917, _e2076);
-                                        phi_3870_ = select(_e1896, _e1914, _e2076);
-                                        phi_3871_ = select(_e1917, _e1908, _e2076);
-                                        phi_3872_ = select(_e1914, _e1905, _e2076);
-                                        phi_3873_ = select(vec3<f32>(_e1876[2][0], _e1876[2][1], _e1876[2][2]), vec3<f32>(_e1876[1][0], _e1876[1][1], _e1876[1][2]), _e2081);
-                                        phi_3874_ = select(_e2035, _e2031, _e2081);
-                                        phi_3875_ = select(_e2031, _e2039, _e2081);
-                                        phi_3876_ = select(_e2039, _e2035, _e2081);
+                                        let _e2086 = (_e2071 == _e2084);
+                                        let _e2091 = vec3(_e2086);
+                                        phi_3880_ = select(_e1909, _e1927, _e2086);
+                                        phi_3881_ = select(_e1906, _e1924, _e2086);
+                                        phi_3882_ = select(_e1927, _e1918, _e2086);
+                                        phi_3883_ = select(_e1924, _e1915, _e2086);
+                                        phi_3884_ = select(vec3<f32>(_e1886[2][0], _e1886[2][1], _e1886[2][2]), vec3<f32>(_e1886[1][0], _e1886[1][1], _e1886[1][2]), _e2091);
+                                        phi_3885_ = select(_e2045, _e2041, _e2091);
+                                        phi_3886_ = select(_e2041, _e2049, _e2091);
+                                        phi_3887_ = select(_e2049, _e2045, _e2091);
                                     }
-                                    let _e2087 = phi_3869_;
-                                    let _e2089 = phi_3870_;
-                                    let _e2091 = phi_3871_;
-                                    let _e2093 = phi_3872_;
-                                    let _e2095 = phi_3873_;
-                                    let _e2097 = phi_3874_;
-                                    let _e2099 = phi_3875_;
-                                    let _e2101 = phi_3876_;
-                                    let _e2108 = ((_e2099.y * _e2097.z) - (_e2097.y * _e2099.z));
-                                    let _e2113 = ((_e2099.z * _e2097.x) - (_e2097.z * _e2099.x));
-                                    let _e2116 = ((_e2099.x * _e2097.y) - (_e2097.x * _e2099.y));
-                                    let _e2119 = ((_e1940 >= _e1944) && (_e1940 >= _e1948));
-                                    let _e2120 = (_e1944 >= _e1948);
-                                    let _e2134 = (((_e2108 * (select(select(_e1876[2][0], _e1876[1][0], _e2120), _e1876[0][0], _e2119) - _e612.member[0])) + (_e2113 * (select(select(_e1876[2][1], _e1876[1][1], _e2120), _e1876[0][1], _e2119) - _e612.member[1]))) + (_e2116 * (select(select(_e1876[2][2], _e1876[1][2], _e2120), _e1876[0][2], _e2119) - _e612.member[2])));
-                                    let _e2139 = (((_e2108 * _e635) + (_e2113 * _e651)) + (_e2116 * _e667));
-                                    let _e2140 = (_e2089 - _e2093);
-                                    let _e2141 = (_e2087 - _e2091);
-                                    let _e2144 = ((_e2140 * _e2140) + (_e2141 * _e2141));
-                                    let _e2151 = (-(((_e2093 * _e2140) + (_e2091 * _e2141))) / select(0.000000000000000000000000000000000000011754944f, _e2144, (_e2144 > 0.000000000000000000000000000000000000011754944f)));
-                                    let _e2153 = select(1f, _e2151, (_e2151 < 1f));
-                                    let _e2155 = select(0f, _e2153, (_e2153 > 0f));
-                                    let _e2164 = ((_e2095.x + (_e2101.x * _e2155)) - _e612.member[0]);
-                                    let _e2167 = ((_e2095.y + (_e2101.y * _e2155)) - _e612.member[1]);
-                                    let _e2170 = ((_e2095.z + (_e2101.z * _e2155)) - _e612.member[2]);
-                                    let _e2235 = ((bitcast<f32>((bitcast<u32>(((((_e2108 * _e2164) + (_e2113 * _e2167)) + (_e2116 * _e2170)) - _e2134)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2164) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2167) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2170) & 2147483647u))), _e2074)) * max(max(bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2113) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2116) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2139) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2099.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2099.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2099.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2097.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2097.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2097.z) & 2147483647u)))))));
-                                    let _e2236 = (_e2134 / _e2139);
-                                    if (_e2023 && !(_e2235)) {
-                                        let _e2239 = (_e2170 / _e667);
-                                        let _e2247 = (((_e2108 * (_e2164 - (_e635 * _e2239))) + (_e2113 * (_e2167 - (_e651 * _e2239)))) / _e2139);
-                                        phi_4055_ = select(select(_e2239, (_e2239 + _e2247), (bitcast<f32>((bitcast<u32>(_e2247) & 2147483647u)) <= _e2074)), _e2236, _e2235);
+                                    let _e2097 = phi_3880_;
+                                    let _e2099 = phi_3881_;
+                                    let _e2101 = phi_3882_;
+                                    let _e2103 = phi_3883_;
+                                    let _e2105 = phi_3884_;
+                                    let _e2107 = phi_3885_;
+                                    let _e2109 = phi_3886_;
+                                    let _e2111 = phi_3887_;
+                                    let _e2118 = ((_e2109.y * _e2107.z) - (_e2107.y * _e2109.z));
+                                    let _e2123 = ((_e2109.z * _e2107.x) - (_e2107.z * _e2109.x));
+                                    let _e2126 = ((_e2109.x * _e2107.y) - (_e2107.x * _e2109.y));
+                                    let _e2129 = ((_e1950 >= _e1954) && (_e1950 >= _e1958));
+                                    let _e2130 = (_e1954 >= _e1958);
+                                    let _e2144 = (((_e2118 * (select(select(_e1886[2][0], _e1886[1][0], _e2130), _e1886[0][0], _e2129) - _e618.member[0])) + (_e2123 * (select(select(_e1886[2][1], _e1886[1][1], _e2130), _e1886[0][1], _e2129) - _e618.member[1]))) + (_e2126 * (select(select(_e1886[2][2], _e1886[1][2], _e2130), _e1886[0][2], _e2129) - _e618.member[2])));
+                                    let _e2149 = (((_e2118 * _e641) + (_e2123 * _e657)) + (_e2126 * _e673));
+                                    let _e2150 = (_e2099 - _e2103);
+                                    let _e2151 = (_e2097 - _e2101);
+                                    let _e2154 = ((_e2150 * _e2150) + (_e2151 * _e2151));
+                                    let _e2161 = (-(((_e2103 * _e2150) + (_e2101 * _e2151))) / select(0.000000000000000000000000000000000000011754944f, _e2154, (_e2154 > 0.000000000000000000000000000000000000011754944f)));
+                                    let _e2163 = select(1f, _e2161, (_e2161 < 1f));
+                                    let _e2165 = select(0f, _e2163, (_e2163 > 0f));
+                                    let _e2174 = ((_e2105.x + (_e2111.x * _e2165)) - _e618.member[0]);
+                                    let _e2177 = ((_e2105.y + (_e2111.y * _e2165)) - _e618.member[1]);
+                                    let _e2180 = ((_e2105.z + (_e2111.z * _e2165)) - _e618.member[2]);
+                                    let _e2245 = ((bitcast<f32>((bitcast<u32>(((((_e2118 * _e2174) + (_e2123 * _e2177)) + (_e2126 * _e2180)) - _e2144)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2174) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2177) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2180) & 2147483647u))), _e2084)) * max(max(bitcast<f32>((bitcast<u32>(_e2118) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2123) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2126) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2149) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2109.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2109.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2109.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2107.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2107.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2107.z) & 2147483647u)))))));
+                                    let _e2246 = (_e2144 / _e2149);
+                                    if (_e2033 && !(_e2245)) {
+                                        let _e2249 = (_e2180 / _e673);
+                                        let _e2257 = (((_e2118 * (_e2174 - (_e641 * _e2249))) + (_e2123 * (_e2177 - (_e657 * _e2249)))) / _e2149);
+                                        phi_4066_ = select(select(_e2249, (_e2249 + _e2257), (bitcast<f32>((bitcast<u32>(_e2257) & 2147483647u)) <= _e2084)), _e2246, _e2245);
                                     } else {
-                                        phi_4055_ = _e2236;
+                                        phi_4066_ = _e2246;
                                     }
-                                    let _e2256 = phi_4055_;
-                                    let _e2258 = select(_e1996, _e2256, (_e2256 < _e1996));
-                                    let _e2260 = select(_e1991, _e2258, (_e2258 > _e1991));
-                                    let _e2263 = select(_e2260, 0f, (bitcast<u32>(_e2260) == 2147483648u));
-                                    let _e2264 = (1f / _e1950);
-                                    phi_4081_ = SlimbvhTypeE(_e2263, (_e1944 * _e2264), (_e1948 * _e2264), ((_e2023 && (_e2263 >= _e679)) && (_e2263 <= _e1446.member.member_1)));
-                                    phi_4082_ = SlimbvhTypeE();
+                                    let _e2266 = phi_4066_;
+                                    let _e2268 = select(_e2006, _e2266, (_e2266 < _e2006));
+                                    let _e2270 = select(_e2001, _e2268, (_e2268 > _e2001));
+                                    let _e2273 = select(_e2270, 0f, (bitcast<u32>(_e2270) == 2147483648u));
+                                    let _e2274 = (1f / _e1960);
+                                    phi_4092_ = SlimbvhTypeE(_e2273, (_e1954 * _e2274), (_e1958 * _e2274), ((_e2033 && (_e2273 >= _e685)) && (_e2273 <= _e1458.member.member_1)));
+                                    phi_4093_ = SlimbvhTypeE();
                                 } else {
-                                    phi_4081_ = SlimbvhTypeE();
-                                    phi_4082_ = SlimbvhTypeE(0f, 0f, 0f, _e2023);
+                                    phi_4092_ = SlimbvhTypeE();
+                                    phi_4093_ = SlimbvhTypeE(0f, 0f, 0f, _e2033);
                                 }
-                                let _e2273 = phi_4081_;
-                                let _e2275 = phi_4082_;
-                                phi_4085_ = _e2273;
-                                phi_4086_ = _e2275;
-                                phi_4087_ = select(true, false, _e2023);
+                                let _e2283 = phi_4092_;
+                                let _e2285 = phi_4093_;
+                                phi_4096_ = _e2283;
+                                phi_4097_ = _e2285;
+                                phi_4098_ = select(true, false, _e2033);
                             } else {
-                                phi_4085_ = SlimbvhTypeE();
-                                phi_4086_ = SlimbvhTypeE(0f, 0f, 0f, _e1934);
-                                phi_4087_ = true;
+                                phi_4096_ = SlimbvhTypeE();
+                                phi_4097_ = SlimbvhTypeE(0f, 0f, 0f, _e1944);
+                                phi_4098_ = true;
                             }
-                            let _e2278 = phi_4085_;
-                            let _e2280 = phi_4086_;
-                            let _e2282 = phi_4087_;
-                            if _e2282 {
-                                phi_4091_ = _e2280;
+                            let _e2288 = phi_4096_;
+                            let _e2290 = phi_4097_;
+                            let _e2292 = phi_4098_;
+                            if _e2292 {
+                                phi_4102_ = _e2290;
                             } else {
-                                phi_4091_ = _e2278;
+                                phi_4102_ = _e2288;
                             }
-                            let _e2284 = phi_4091_;
-                            if _e2284.member_3 {
-                                phi_4100_ = SlimbvhTypeF(_e2284.member, _e2284.member_1, _e2284.member_2, _e1487);
+                            let _e2294 = phi_4102_;
+                            if _e2294.member_3 {
+                                phi_4111_ = SlimbvhTypeF(_e2294.member, _e2294.member_1, _e2294.member_2, _e1497);
                             } else {
-                                phi_4100_ = _e109;
+                                phi_4111_ = _e109;
                             }
-                            let _e2291 = phi_4100_;
-                            if (_e2291.member_3 != 4294967295u) {
-                                let _e2297 = slimbvh_target.member[0u][0u];
-                                let _e2301 = slimbvh_target.member[0u][1u];
-                                let _e2305 = slimbvh_target.member[0u][2u];
-                                let _e2309 = slimbvh_target.member[0u][3u];
-                                let _e2313 = slimbvh_target.member[1u][0u];
-                                let _e2317 = slimbvh_target.member[1u][1u];
-                                let _e2321 = slimbvh_target.member[1u][2u];
-                                let _e2325 = slimbvh_target.member[1u][3u];
-                                let _e2326 = bitcast<f32>(_e2297);
-                                let _e2327 = bitcast<f32>(_e2301);
-                                let _e2328 = bitcast<f32>(_e2305);
-                                let _e2330 = bitcast<f32>(_e2313);
-                                let _e2331 = array<u32, 3>(_e2317, _e2321, _e2325);
-                                if (_e182 < -126i) {
-                                    phi_4153_ = -126i;
+                            let _e2301 = phi_4111_;
+                            if (_e2301.member_3 != 4294967295u) {
+                                let _e2307 = slimbvh_target.member[0u][0u];
+                                let _e2311 = slimbvh_target.member[0u][1u];
+                                let _e2315 = slimbvh_target.member[0u][2u];
+                                let _e2319 = slimbvh_target.member[0u][3u];
+                                let _e2323 = slimbvh_target.member[1u][0u];
+                                let _e2327 = slimbvh_target.member[1u][1u];
+                                let _e2331 = slimbvh_target.member[1u][2u];
+                                let _e2335 = slimbvh_target.member[1u][3u];
+                                let _e2336 = bitcast<f32>(_e2307);
+                                let _e2337 = bitcast<f32>(_e2311);
+                                let _e2338 = bitcast<f32>(_e2315);
+                                let _e2340 = bitcast<f32>(_e2323);
+                                let _e2341 = array<u32, 3>(_e2327, _e2331, _e2335);
+                                if (_e188 < -126i) {
+                                    phi_4164_ = -126i;
                                 } else {
-                                    phi_4153_ = select(_e182, 127i, (_e182 > 127i));
+                                    phi_4164_ = select(_e188, 127i, (_e188 > 127i));
                                 }
-                                let _e2337 = phi_4153_;
-                                let _e2342 = bitcast<f32>((bitcast<u32>((_e2337 + 127i)) << bitcast<u32>(23i)));
-                                let _e2348 = bitcast<f32>((bitcast<u32>(((_e182 - _e2337) + 127i)) << bitcast<u32>(23i)));
-                                if (_e2309 == 0u) {
-                                    phi_4293_ = SlimbvhTypeH(array<f32, 3>(_e2326, _e2327, _e2328), _e2309, _e2330, _e2331);
+                                let _e2347 = phi_4164_;
+                                let _e2352 = bitcast<f32>((bitcast<u32>((_e2347 + 127i)) << bitcast<u32>(23i)));
+                                let _e2358 = bitcast<f32>((bitcast<u32>(((_e188 - _e2347) + 127i)) << bitcast<u32>(23i)));
+                                if (_e2319 == 0u) {
+                                    phi_4304_ = SlimbvhTypeH(array<f32, 3>(_e2336, _e2337, _e2338), _e2319, _e2340, _e2341);
                                 } else {
-                                    let _e2350 = bitcast<u32>(_e2326);
-                                    let _e2352 = ((_e2350 & 2139095040u) != 0u);
-                                    let _e2367 = bitcast<u32>(_e2327);
-                                    let _e2369 = ((_e2367 & 2139095040u) != 0u);
-                                    let _e2384 = bitcast<u32>(_e2328);
-                                    let _e2386 = ((_e2384 & 2139095040u) != 0u);
-                                    let _e2402 = bitcast<u32>(_e2330);
-                                    let _e2404 = ((_e2402 & 2139095040u) != 0u);
-                                    phi_4293_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2350 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2350 & 2147483648u))), _e2326, _e2352) * _e2342) * select(0.00000011920929f, 1f, _e2352)) * _e2348), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2367 & 2147483648u))), _e2327, _e2369) * _e2342) * select(0.00000011920929f, 1f, _e2369)) * _e2348), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2384 & 2147483648u))), _e2328, _e2386) * _e2342) * select(0.00000011920929f, 1f, _e2386)) * _e2348)), _e2309, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2402 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2402 & 2147483648u))), _e2330, _e2404) * _e2342) * select(0.00000011920929f, 1f, _e2404)) * _e2348), _e2331);
+                                    let _e2360 = bitcast<u32>(_e2336);
+                                    let _e2362 = ((_e2360 & 2139095040u) != 0u);
+                                    let _e2377 = bitcast<u32>(_e2337);
+                                    let _e2379 = ((_e2377 & 2139095040u) != 0u);
+                                    let _e2394 = bitcast<u32>(_e2338);
+                                    let _e2396 = ((_e2394 & 2139095040u) != 0u);
+                                    let _e2412 = bitcast<u32>(_e2340);
+                                    let _e2414 = ((_e2412 & 2139095040u) != 0u);
+                                    phi_4304_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2360 & 2147483648u))), _e2336, _e2362) * _e2352) * select(0.00000011920929f, 1f, _e2362)) * _e2358), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2377 & 2147483648u))), _e2337, _e2379) * _e2352) * select(0.00000011920929f, 1f, _e2379)) * _e2358), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2394 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2394 & 2147483648u))), _e2338, _e2396) * _e2352) * select(0.00000011920929f, 1f, _e2396)) * _e2358)), _e2319, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2412 & 2147483648u))), _e2340, _e2414) * _e2352) * select(0.00000011920929f, 1f, _e2414)) * _e2358), _e2341);
                                 }
-                                let _e2421 = phi_4293_;
-                                if (_e1487 == _e683) {
-                                    phi_4622_ = false;
+                                let _e2431 = phi_4304_;
+                                if (_e1497 == _e689) {
+                                    phi_4633_ = false;
                                 } else {
-                                    let _e2423 = (_e1487 / 16u);
-                                    if (_e2423 < arrayLength((&slimbvh_sides.member))) {
-                                        let _e2426 = slimbvh_sides.member[_e2423];
-                                        phi_4317_ = _e2426;
+                                    let _e2433 = (_e1497 / 16u);
+                                    if (_e2433 < arrayLength((&slimbvh_sides.member))) {
+                                        let _e2436 = slimbvh_sides.member[_e2433];
+                                        phi_4328_ = _e2436;
                                     } else {
-                                        phi_4317_ = 0u;
+                                        phi_4328_ = 0u;
                                     }
-                                    let _e2428 = phi_4317_;
-                                    let _e2437 = (bitcast<i32>((_e2428 << bitcast<u32>(((30u - ((_e1487 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                    let _e2438 = (_e2437 == 0i);
-                                    if _e2438 {
-                                        phi_4621_ = true;
+                                    let _e2438 = phi_4328_;
+                                    let _e2447 = (bitcast<i32>((_e2438 << bitcast<u32>(((30u - ((_e1497 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                    let _e2448 = (_e2447 == 0i);
+                                    if _e2448 {
+                                        phi_4632_ = true;
                                     } else {
-                                        if _e229 {
-                                            phi_4347_ = vec3<f32>(_e1876[0][0], _e1876[0][1], _e1876[0][2]);
+                                        if _e235 {
+                                            phi_4358_ = vec3<f32>(_e1886[0][0], _e1886[0][1], _e1886[0][2]);
                                         } else {
-                                            if (_e224 == 1u) {
-                                                phi_4346_ = vec3<f32>(_e1876[0][2], _e1876[0][0], _e1876[0][1]);
+                                            if (_e230 == 1u) {
+                                                phi_4357_ = vec3<f32>(_e1886[0][2], _e1886[0][0], _e1886[0][1]);
                                             } else {
-                                                phi_4346_ = vec3<f32>(_e1876[0][1], _e1876[0][2], _e1876[0][0]);
+                                                phi_4357_ = vec3<f32>(_e1886[0][1], _e1886[0][2], _e1886[0][0]);
                                             }
-                                            let _e2443 = phi_4346_;
-                                            phi_4347_ = _e2443;
+                                            let _e2453 = phi_4357_;
+                                            phi_4358_ = _e2453;
                                         }
-                                        let _e2446 = phi_4347_;
-                                        if _e229 {
-                                            phi_4366_ = vec3<f32>(_e1876[1][0], _e1876[1][1], _e1876[1][2]);
+                                        let _e2456 = phi_4358_;
+                                        if _e235 {
+                                            phi_4377_ = vec3<f32>(_e1886[1][0], _e1886[1][1], _e1886[1][2]);
                                         } else {
-                                            if (_e224 == 1u) {
-                                                phi_4365_ = vec3<f32>(_e1876[1][2], _e1876[1][0], _e1876[1][1]);
+                                            if (_e230 == 1u) {
+                                                phi_4376_ = vec3<f32>(_e1886[1][2], _e1886[1][0], _e1886[1][1]);
                                             } else {
-                                                phi_4365_ = vec3<f32>(_e1876[1][1], _e1876[1][2], _e1876[1][0]);
+                                                phi_4376_ = vec3<f32>(_e1886[1][1], _e1886[1][2], _e1886[1][0]);
                                             }
-                                            let _e2451 = phi_4365_;
-                                            phi_4366_ = _e2451;
+                                            let _e2461 = phi_4376_;
+                                            phi_4377_ = _e2461;
                                         }
-                                        let _e2454 = phi_4366_;
-                                        if _e229 {
-                                            phi_4385_ = vec3<f32>(_e1876[2][0], _e1876[2][1], _e1876[2][2]);
+                                        let _e2464 = phi_4377_;
+                                        if _e235 {
+                                            phi_4396_ = vec3<f32>(_e1886[2][0], _e1886[2][1], _e1886[2][2]);
                                         } else {
-                                            if (_e224 == 1u) {
-                                                phi_4384_ = vec3<f32>(_e1876[2][2], _e1876[2][0], _e1876[2][1]);
+                                            if (_e230 == 1u) {
+                                                phi_4395_ = vec3<f32>(_e1886[2][2], _e1886[2][0], _e1886[2][1]);
                                             } else {
-                                                phi_4384_ = vec3<f32>(_e1876[2][1], _e1876[2][2], _e1876[2][0]);
+                                                phi_4395_ = vec3<f32>(_e1886[2][1], _e1886[2][2], _e1886[2][0]);
                                             }
-                                            let _e2459 = phi_4384_;
-                                            phi_4385_ = _e2459;
+                                            let _e2469 = phi_4395_;
+                                            phi_4396_ = _e2469;
                                         }
-                                        let _e2462 = phi_4385_;
-                                        let _e2465 = (_e2454.x - _e2446.x);
-                                        let _e2468 = (_e2454.y - _e2446.y);
-                                        let _e2471 = (_e2454.z - _e2446.z);
-                                        let _e2473 = (_e2462.x - _e2446.x);
-                                        let _e2475 = (_e2462.y - _e2446.y);
-                                        let _e2477 = (_e2462.z - _e2446.z);
-                                        if (_e2421.member_1 == 1u) {
-                                            phi_4421_ = (vec3<f32>(_e2421.member[0], _e2421.member[1], _e2421.member[2]) - _e2446);
+                                        let _e2472 = phi_4396_;
+                                        let _e2475 = (_e2464.x - _e2456.x);
+                                        let _e2478 = (_e2464.y - _e2456.y);
+                                        let _e2481 = (_e2464.z - _e2456.z);
+                                        let _e2483 = (_e2472.x - _e2456.x);
+                                        let _e2485 = (_e2472.y - _e2456.y);
+                                        let _e2487 = (_e2472.z - _e2456.z);
+                                        if (_e2431.member_1 == 1u) {
+                                            phi_4432_ = (vec3<f32>(_e2431.member[0], _e2431.member[1], _e2431.member[2]) - _e2456);
                                         } else {
-                                            phi_4421_ = vec3<f32>(_e2421.member[0], _e2421.member[1], _e2421.member[2]);
+                                            phi_4432_ = vec3<f32>(_e2431.member[0], _e2431.member[1], _e2431.member[2]);
                                         }
-                                        let _e2492 = phi_4421_;
-                                        let _e2498 = bitcast<f32>((bitcast<u32>((_e2465 * _e2475)) ^ _e2421.member_3[0]));
-                                        let _e2502 = bitcast<f32>((bitcast<u32>((_e2468 * _e2473)) ^ _e2421.member_3[0]));
-                                        let _e2506 = bitcast<f32>((bitcast<u32>((_e2468 * _e2477)) ^ _e2421.member_3[0]));
-                                        let _e2510 = bitcast<f32>((bitcast<u32>((_e2471 * _e2475)) ^ _e2421.member_3[0]));
-                                        let _e2514 = bitcast<f32>((bitcast<u32>((_e2471 * _e2473)) ^ _e2421.member_3[0]));
-                                        let _e2518 = bitcast<f32>((bitcast<u32>((_e2465 * _e2477)) ^ _e2421.member_3[0]));
-                                        let _e2519 = (_e2506 - _e2510);
-                                        let _e2520 = (_e2514 - _e2518);
-                                        let _e2521 = (_e2498 - _e2502);
-                                        let _e2545 = (bitcast<f32>((bitcast<u32>(_e2506) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2510) & 2147483647u)));
-                                        let _e2552 = (bitcast<f32>((bitcast<u32>(_e2514) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2518) & 2147483647u)));
-                                        let _e2559 = (bitcast<f32>((bitcast<u32>(_e2498) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2502) & 2147483647u)));
-                                        if (_e2421.member_2 == 0f) {
-                                            phi_4603_ = 0f;
+                                        let _e2502 = phi_4432_;
+                                        let _e2508 = bitcast<f32>((bitcast<u32>((_e2475 * _e2485)) ^ _e2431.member_3[0]));
+                                        let _e2512 = bitcast<f32>((bitcast<u32>((_e2478 * _e2483)) ^ _e2431.member_3[0]));
+                                        let _e2516 = bitcast<f32>((bitcast<u32>((_e2478 * _e2487)) ^ _e2431.member_3[0]));
+                                        let _e2520 = bitcast<f32>((bitcast<u32>((_e2481 * _e2485)) ^ _e2431.member_3[0]));
+                                        let _e2524 = bitcast<f32>((bitcast<u32>((_e2481 * _e2483)) ^ _e2431.member_3[0]));
+                                        let _e2528 = bitcast<f32>((bitcast<u32>((_e2475 * _e2487)) ^ _e2431.member_3[0]));
+                                        let _e2529 = (_e2516 - _e2520);
+                                        let _e2530 = (_e2524 - _e2528);
+                                        let _e2531 = (_e2508 - _e2512);
+                                        let _e2555 = (bitcast<f32>((bitcast<u32>(_e2516) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2520) & 2147483647u)));
+                                        let _e2562 = (bitcast<f32>((bitcast<u32>(_e2524) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2528) & 2147483647u)));
+                                        let _e2569 = (bitcast<f32>((bitcast<u32>(_e2508) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2512) & 2147483647u)));
+                                        if (_e2431.member_2 == 0f) {
+                                            phi_4614_ = 0f;
                                         } else {
-                                            let _e2589 = bitcast<f32>((bitcast<u32>(_e2519) & 2147483647u));
-                                            let _e2592 = bitcast<f32>((bitcast<u32>(_e2520) & 2147483647u));
-                                            let _e2595 = bitcast<f32>((bitcast<u32>(_e2521) & 2147483647u));
-                                            let _e2597 = select(_e2595, _e2592, (_e2592 > _e2595));
-                                            let _e2601 = select(_e2595, _e2592, (_e2592 < _e2595));
-                                            let _e2605 = select(_e2592, _e2589, (_e2589 < _e2592));
-                                            let _e2607 = select(_e2592, _e2589, (_e2589 > _e2592));
-                                            let _e2609 = select(_e2595, _e2607, (_e2607 < _e2595));
-                                            phi_4603_ = bitcast<f32>((bitcast<u32>((_e2421.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2597, _e2589, (_e2589 > _e2597)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2609, _e2605, (_e2605 > _e2609)))) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2601, _e2589, (_e2589 < _e2601)))) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2545 + _e2552) + _e2559))) ^ _e2421.member_3[0]))) * 1.0000005f)) ^ _e2421.member_3[0])))) ^ _e2421.member_3[0]));
+                                            let _e2599 = bitcast<f32>((bitcast<u32>(_e2529) & 2147483647u));
+                                            let _e2602 = bitcast<f32>((bitcast<u32>(_e2530) & 2147483647u));
+                                            let _e2605 = bitcast<f32>((bitcast<u32>(_e2531) & 2147483647u));
+                                            let _e2607 = select(_e2605, _e2602, (_e2602 > _e2605));
+                                            let _e2611 = select(_e2605, _e2602, (_e2602 < _e2605));
+                                            let _e2615 = select(_e2602, _e2599, (_e2599 < _e2602));
+                                            let _e2617 = select(_e2602, _e2599, (_e2599 > _e2602));
+                                            let _e2619 = select(_e2605, _e2617, (_e2617 < _e2605));
+                                            phi_4614_ = bitcast<f32>((bitcast<u32>((_e2431.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2607, _e2599, (_e2599 > _e2607)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2619, _e2615, (_e2615 > _e2619)))) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2611, _e2599, (_e2599 < _e2611)))) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2555 + _e2562) + _e2569))) ^ _e2431.member_3[0]))) * 1.0000005f)) ^ _e2431.member_3[0])))) ^ _e2431.member_3[0]));
                                         }
-                                        let _e2636 = phi_4603_;
-                                        phi_4621_ = (_e2438 || !(((((bitcast<f32>((bitcast<u32>((_e2492.x * _e2519)) ^ _e2421.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2492.y * _e2520)) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2492.z * _e2521)) ^ _e2421.member_3[0]))) * f32(-(_e2437))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2492.x) & 2147483647u)) * _e2545)) ^ _e2421.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2492.y) & 2147483647u)) * _e2552)) ^ _e2421.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2492.z) & 2147483647u)) * _e2559)) ^ _e2421.member_3[0]))))) ^ _e2421.member_3[0])) + _e2636) + 0.0000000000000000000000000000000000001880791f))));
+                                        let _e2646 = phi_4614_;
+                                        phi_4632_ = (_e2448 || !(((((bitcast<f32>((bitcast<u32>((_e2502.x * _e2529)) ^ _e2431.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2502.y * _e2530)) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2502.z * _e2531)) ^ _e2431.member_3[0]))) * f32(-(_e2447))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.x) & 2147483647u)) * _e2555)) ^ _e2431.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.y) & 2147483647u)) * _e2562)) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.z) & 2147483647u)) * _e2569)) ^ _e2431.member_3[0]))))) ^ _e2431.member_3[0])) + _e2646) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e2650 = phi_4621_;
-                                    phi_4622_ = _e2650;
+                                    let _e2660 = phi_4632_;
+                                    phi_4633_ = _e2660;
                                 }
-                                let _e2652 = phi_4622_;
-                                if _e2652 {
-                                    if (_e2291.member < _e1446.member.member.member) {
-                                        phi_4642_ = true;
+                                let _e2662 = phi_4633_;
+                                if _e2662 {
+                                    if (_e2301.member < _e1458.member.member.member) {
+                                        phi_4653_ = true;
                                     } else {
-                                        if (_e2291.member == _e1446.member.member.member) {
-                                            phi_4641_ = (_e2291.member_3 < _e1446.member.member.member_3);
+                                        if (_e2301.member == _e1458.member.member.member) {
+                                            phi_4652_ = (_e2301.member_3 < _e1458.member.member.member_3);
                                         } else {
-                                            phi_4641_ = false;
+                                            phi_4652_ = false;
                                         }
-                                        let _e2664 = phi_4641_;
-                                        phi_4642_ = _e2664;
+                                        let _e2674 = phi_4652_;
+                                        phi_4653_ = _e2674;
                                     }
-                                    let _e2666 = phi_4642_;
-                                    if _e2666 {
-                                        phi_4649_ = SlimbvhTypeQ(SlimbvhTypeI(_e2291, _e2291.member), _e1446.member_1);
+                                    let _e2676 = phi_4653_;
+                                    if _e2676 {
+                                        phi_4660_ = SlimbvhTypeQ(SlimbvhTypeI(_e2301, _e2301.member), _e1458.member_1);
                                     } else {
-                                        phi_4649_ = _e1446;
+                                        phi_4660_ = _e1458;
                                     }
-                                    let _e2672 = phi_4649_;
-                                    if _e2672.member_1 {
-                                        phi_4655_ = SlimbvhTypeQ(SlimbvhTypeI(_e2672.member.member, bitcast<f32>(4286578687u)), _e2672.member_1);
+                                    let _e2682 = phi_4660_;
+                                    if _e2682.member_1 {
+                                        phi_4666_ = SlimbvhTypeQ(SlimbvhTypeI(_e2682.member.member, bitcast<f32>(4286578687u)), _e2682.member_1);
                                     } else {
-                                        phi_4655_ = _e2672;
+                                        phi_4666_ = _e2682;
                                     }
-                                    let _e2681 = phi_4655_;
-                                    phi_4656_ = _e2681;
+                                    let _e2691 = phi_4666_;
+                                    phi_4667_ = _e2691;
                                 } else {
-                                    phi_4656_ = _e1446;
+                                    phi_4667_ = _e1458;
                                 }
-                                let _e2683 = phi_4656_;
-                                phi_4657_ = _e2683;
+                                let _e2693 = phi_4667_;
+                                phi_4668_ = _e2693;
                             } else {
-                                phi_4657_ = _e1446;
+                                phi_4668_ = _e1458;
                             }
-                            let _e2685 = phi_4657_;
-                            phi_2824_ = _e2685;
+                            let _e2695 = phi_4668_;
+                            phi_2838_ = _e2695;
                         } else {
-                            phi_2824_ = SlimbvhTypeQ();
+                            phi_2838_ = SlimbvhTypeQ();
                         }
-                        let _e2687 = phi_2824_;
+                        let _e2697 = phi_2838_;
                         continue;
                         continuing {
-                            phi_2823_ = _e2687;
-                            phi_2826_ = _e1461;
-                            break if !(_e1467);
+                            phi_2837_ = _e2697;
+                            phi_2840_ = _e1473;
+                            break if !(_e1479);
                         }
                     }
-                    let _e2690 = local_2;
-                    let _e2691 = (_e2690 - 1u);
-                    let _e2696 = slimbvh_stacks[(((_e2691 % 32u) * 64u) + _e686)];
-                    let _e2697 = (_e2696 & 511u);
-                    let _e2699 = (_e2697 >> bitcast<u32>(3u));
-                    let _e2702 = ((_e2699 == 0u) || (_e2691 == 4294967295u));
-                    if _e2702 {
+                    let _e2700 = local_2;
+                    let _e2701 = (_e2700 - 1u);
+                    let _e2706 = slimbvh_stacks[(((_e2701 % 32u) * 64u) + _e692)];
+                    let _e2707 = (_e2706 & 511u);
+                    let _e2709 = (_e2707 >> bitcast<u32>(3u));
+                    let _e2712 = ((_e2709 == 0u) || (_e2701 == 4294967295u));
+                    if _e2712 {
                     } else {
-                        slimbvh_stacks[(((_e2691 % 32u) * 64u) + _e686)] = (((_e2696 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2699);
+                        slimbvh_stacks[(((_e2701 % 32u) * 64u) + _e692)] = (((_e2706 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2709);
                     }
-                    let _e2709 = local_3;
-                    let _e2717 = (((_e2696 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2697 & 3u) & 3u));
-                    let _e2719 = (_e2717 >> bitcast<u32>(2i));
-                    if (_e2719 < _e113) {
-                        let _e2725 = slimbvh_nodes.member[_e2719].member_1[(_e2717 & 3u)];
-                        if ((_e2725 & 2147483648u) != 0u) {
-                            phi_4724_ = (2147483648u | _e2717);
+                    let _e2719 = local_3;
+                    let _e2727 = (((_e2706 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2707 & 3u) & 3u));
+                    let _e2729 = (_e2727 >> bitcast<u32>(2i));
+                    if (_e2729 < _e113) {
+                        let _e2735 = slimbvh_nodes.member[_e2729].member_1[(_e2727 & 3u)];
+                        if ((_e2735 & 2147483648u) != 0u) {
+                            phi_4735_ = (2147483648u | _e2727);
                         } else {
-                            phi_4724_ = _e2725;
+                            phi_4735_ = _e2735;
                         }
-                        let _e2730 = phi_4724_;
-                        phi_4725_ = _e2730;
+                        let _e2740 = phi_4735_;
+                        phi_4736_ = _e2740;
                     } else {
-                        phi_4725_ = 4294967295u;
+                        phi_4736_ = 4294967295u;
                     }
-                    let _e2732 = phi_4725_;
-                    let _e2734 = local_4;
-                    let _e3046 = local_7;
-                    phi_4734_ = _e3046;
-                    phi_4735_ = select(select(_e2709, _e2691, _e2702), 4294967295u, (_e679 > _e2734.member.member_1));
-                    phi_4736_ = _e2732;
+                    let _e2742 = phi_4736_;
+                    let _e2744 = local_4;
+                    let _e3056 = local_7;
+                    phi_4745_ = _e3056;
+                    phi_4746_ = select(select(_e2719, _e2701, _e2712), 4294967295u, (_e685 > _e2744.member.member_1));
+                    phi_4747_ = _e2742;
                 } else {
-                    phi_4734_ = _e795;
-                    let _e3049 = local_8;
-                    phi_4735_ = _e3049;
-                    let _e3052 = local_9;
-                    phi_4736_ = _e3052;
+                    phi_4745_ = _e801;
+                    let _e3059 = local_8;
+                    phi_4746_ = _e3059;
+                    let _e3062 = local_9;
+                    phi_4747_ = _e3062;
                 }
-                let _e2740 = phi_4734_;
-                let _e2742 = phi_4735_;
-                let _e2744 = phi_4736_;
-                phi_1718_ = _e2740;
-                phi_1721_ = _e2742;
-                phi_1723_ = _e2744;
-                let _e3058 = local_10;
-                phi_1725_ = _e3058;
+                let _e2750 = phi_4745_;
+                let _e2752 = phi_4746_;
+                let _e2754 = phi_4747_;
+                phi_1725_ = _e2750;
+                phi_1728_ = _e2752;
+                phi_1730_ = _e2754;
+                let _e3068 = local_10;
+                phi_1732_ = _e3068;
             } else {
-                phi_1718_ = SlimbvhTypeQ();
-                phi_1721_ = u32();
-                phi_1723_ = u32();
-                phi_1725_ = u32();
+                phi_1725_ = SlimbvhTypeQ();
+                phi_1728_ = u32();
+                phi_1730_ = u32();
+                phi_1732_ = u32();
             }
-            let _e2746 = phi_1718_;
-            let _e2748 = phi_1721_;
-            let _e2750 = phi_1723_;
-            let _e2752 = phi_1725_;
+            let _e2756 = phi_1725_;
+            let _e2758 = phi_1728_;
+            let _e2760 = phi_1730_;
+            let _e2762 = phi_1732_;
             continue;
             continuing {
-                phi_1717_ = _e2746;
-                phi_1720_ = _e2748;
-                phi_1722_ = _e2750;
-                phi_1724_ = _e2752;
-                break if !(_e802);
+                phi_1724_ = _e2756;
+                phi_1727_ = _e2758;
+                phi_1729_ = _e2760;
+                phi_1731_ = _e2762;
+                break if !(_e808);
             }
         }
-        let _e2755 = local_5;
-        let _e2756 = (_e2755 == 4294967295u);
-        let _e2758 = local_6;
-        if (_e2758.member.member.member_3 != 4294967295u) {
-            let _e2764 = -((_e182 + _e612.member_4));
-            let _e2765 = bitcast<u32>(_e2758.member.member.member);
-            let _e2769 = (bitcast<i32>((_e2765 >> bitcast<u32>(23i))) & 255i);
-            let _e2770 = (_e2769 + _e2764);
-            if (_e2769 == 255i) {
-                phi_4794_ = _e2758.member.member.member;
+        let _e2765 = local_5;
+        let _e2766 = (_e2765 == 4294967295u);
+        let _e2768 = local_6;
+        if (_e2768.member.member.member_3 != 4294967295u) {
+            let _e2774 = -((_e188 + _e618.member_4));
+            let _e2775 = bitcast<u32>(_e2768.member.member.member);
+            let _e2779 = (bitcast<i32>((_e2775 >> bitcast<u32>(23i))) & 255i);
+            let _e2780 = (_e2779 + _e2774);
+            if (_e2779 == 255i) {
+                phi_4805_ = _e2768.member.member.member;
             } else {
-                if (_e2769 > 0i) {
-                    if (_e2770 > 0i) {
-                        let _e2774 = (_e2770 < 255i);
-                        if _e2774 {
-                            phi_4773_ = bitcast<f32>((_e2765 + bitcast<u32>((_e2764 << bitcast<u32>(23i)))));
+                if (_e2779 > 0i) {
+                    if (_e2780 > 0i) {
+                        let _e2784 = (_e2780 < 255i);
+                        if _e2784 {
+                            phi_4784_ = bitcast<f32>((_e2775 + bitcast<u32>((_e2774 << bitcast<u32>(23i)))));
                         } else {
-                            phi_4773_ = f32();
+                            phi_4784_ = f32();
                         }
-                        let _e2781 = phi_4773_;
-                        phi_4775_ = _e2781;
-                        phi_4776_ = select(true, false, _e2774);
+                        let _e2791 = phi_4784_;
+                        phi_4786_ = _e2791;
+                        phi_4787_ = select(true, false, _e2784);
                     } else {
-                        phi_4775_ = f32();
-                        phi_4776_ = true;
+                        phi_4786_ = f32();
+                        phi_4787_ = true;
                     }
-                    let _e2784 = phi_4775_;
-                    let _e2786 = phi_4776_;
-                    phi_4777_ = _e2784;
-                    phi_4778_ = _e2786;
+                    let _e2794 = phi_4786_;
+                    let _e2796 = phi_4787_;
+                    phi_4788_ = _e2794;
+                    phi_4789_ = _e2796;
                 } else {
-                    phi_4777_ = f32();
-                    phi_4778_ = true;
+                    phi_4788_ = f32();
+                    phi_4789_ = true;
                 }
-                let _e2788 = phi_4777_;
-                let _e2790 = phi_4778_;
-                if _e2790 {
-                    let _e2791 = (_e2765 & 2147483648u);
-                    let _e2798 = ((_e2765 & 8388607u) | (select(0u, 1u, ((_e2765 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                    let _e2802 = (_e2798 == 0u);
-                    if _e2802 {
-                        phi_5476_ = bitcast<f32>(_e2791);
+                let _e2798 = phi_4788_;
+                let _e2800 = phi_4789_;
+                if _e2800 {
+                    let _e2801 = (_e2775 & 2147483648u);
+                    let _e2808 = ((_e2775 & 8388607u) | (select(0u, 1u, ((_e2775 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                    let _e2812 = (_e2808 == 0u);
+                    if _e2812 {
+                        phi_5487_ = bitcast<f32>(_e2801);
                     } else {
-                        let _e2807 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2798)), 32u, _e2802) - 8u);
-                        let _e2810 = (_e2798 << bitcast<u32>((_e2807 & 31u)));
-                        let _e2812 = ((_e2770 + select(0i, 1i, (_e2769 == 0i))) - bitcast<i32>(_e2807));
-                        if (_e2812 >= 255i) {
-                            phi_5466_ = bitcast<f32>((_e2791 | 2139095040u));
-                            phi_5467_ = f32();
-                            phi_5468_ = true;
+                        let _e2817 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2808)), 32u, _e2812) - 8u);
+                        let _e2820 = (_e2808 << bitcast<u32>((_e2817 & 31u)));
+                        let _e2822 = ((_e2780 + select(0i, 1i, (_e2779 == 0i))) - bitcast<i32>(_e2817));
+                        if (_e2822 >= 255i) {
+                            phi_5477_ = bitcast<f32>((_e2801 | 2139095040u));
+                            phi_5478_ = f32();
+                            phi_5479_ = true;
                         } else {
-                            let _e2814 = (_e2812 > 0i);
-                            if _e2814 {
-                                phi_5460_ = bitcast<f32>(((_e2791 | (bitcast<u32>(_e2812) << bitcast<u32>(23i))) | (_e2810 & 8388607u)));
-                                phi_5461_ = f32();
+                            let _e2824 = (_e2822 > 0i);
+                            if _e2824 {
+                                phi_5471_ = bitcast<f32>(((_e2801 | (bitcast<u32>(_e2822) << bitcast<u32>(23i))) | (_e2820 & 8388607u)));
+                                phi_5472_ = f32();
                             } else {
-                                if (_e2812 < -24i) {
-                                    phi_5426_ = 26u;
+                                if (_e2822 < -24i) {
+                                    phi_5437_ = 26u;
                                 } else {
-                                    phi_5426_ = bitcast<u32>((1i - _e2812));
+                                    phi_5437_ = bitcast<u32>((1i - _e2822));
                                 }
-                                let _e2819 = phi_5426_;
-                                let _e2820 = (_e2819 & 31u);
-                                let _e2822 = (_e2810 >> bitcast<u32>(_e2820));
-                                let _e2826 = (_e2810 & ((1u << bitcast<u32>(_e2820)) - 1u));
-                                let _e2830 = (1u << bitcast<u32>(((_e2819 - 1u) & 31u)));
-                                if (_e2826 > _e2830) {
-                                    phi_5447_ = true;
+                                let _e2829 = phi_5437_;
+                                let _e2830 = (_e2829 & 31u);
+                                let _e2832 = (_e2820 >> bitcast<u32>(_e2830));
+                                let _e2836 = (_e2820 & ((1u << bitcast<u32>(_e2830)) - 1u));
+                                let _e2840 = (1u << bitcast<u32>(((_e2829 - 1u) & 31u)));
+                                if (_e2836 > _e2840) {
+                                    phi_5458_ = true;
                                 } else {
-                                    if (_e2826 == _e2830) {
-                                        phi_5444_ = ((_e2822 & 1u) == 1u);
+                                    if (_e2836 == _e2840) {
+                                        phi_5455_ = ((_e2832 & 1u) == 1u);
                                     } else {
-                                        phi_5444_ = false;
+                                        phi_5455_ = false;
                                     }
-                                    let _e2836 = phi_5444_;
-                                    phi_5447_ = _e2836;
+                                    let _e2846 = phi_5455_;
+                                    phi_5458_ = _e2846;
                                 }
-                                let _e2838 = phi_5447_;
-                                phi_5460_ = f32();
-                                phi_5461_ = bitcast<f32>((_e2791 | (_e2822 + select(0u, 1u, _e2838))));
+                                let _e2848 = phi_5458_;
+                                phi_5471_ = f32();
+                                phi_5472_ = bitcast<f32>((_e2801 | (_e2832 + select(0u, 1u, _e2848))));
                             }
-                            let _e2851 = phi_5460_;
-                            let _e2853 = phi_5461_;
-                            phi_5466_ = _e2851;
-                            phi_5467_ = _e2853;
-                            phi_5468_ = _e2814;
+                            let _e2861 = phi_5471_;
+                            let _e2863 = phi_5472_;
+                            phi_5477_ = _e2861;
+                            phi_5478_ = _e2863;
+                            phi_5479_ = _e2824;
                         }
-                        let _e2857 = phi_5466_;
-                        let _e2859 = phi_5467_;
-                        let _e2861 = phi_5468_;
-                        phi_5476_ = select(_e2859, _e2857, _e2861);
+                        let _e2867 = phi_5477_;
+                        let _e2869 = phi_5478_;
+                        let _e2871 = phi_5479_;
+                        phi_5487_ = select(_e2869, _e2867, _e2871);
                     }
-                    let _e2865 = phi_5476_;
-                    phi_4793_ = _e2865;
+                    let _e2875 = phi_5487_;
+                    phi_4804_ = _e2875;
                 } else {
-                    phi_4793_ = _e2788;
+                    phi_4804_ = _e2798;
                 }
-                let _e2867 = phi_4793_;
-                phi_4794_ = _e2867;
+                let _e2877 = phi_4804_;
+                phi_4805_ = _e2877;
             }
-            let _e2869 = phi_4794_;
-            let _e2870 = bitcast<u32>(_e2869);
-            if ((_e2870 & 2147483647u) >= 2139095040u) {
-                phi_4806_ = bitcast<f32>(((_e2870 & 2147483648u) | 2139095039u));
+            let _e2879 = phi_4805_;
+            let _e2880 = bitcast<u32>(_e2879);
+            if ((_e2880 & 2147483647u) >= 2139095040u) {
+                phi_4817_ = bitcast<f32>(((_e2880 & 2147483648u) | 2139095039u));
             } else {
-                phi_4806_ = _e2869;
+                phi_4817_ = _e2879;
             }
-            let _e2877 = phi_4806_;
-            phi_4811_ = SlimbvhTypeF(_e2877, _e2758.member.member.member_1, _e2758.member.member.member_2, _e2758.member.member.member_3);
+            let _e2887 = phi_4817_;
+            phi_4822_ = SlimbvhTypeF(_e2887, _e2768.member.member.member_1, _e2768.member.member.member_2, _e2768.member.member.member_3);
         } else {
-            phi_4811_ = _e109;
+            phi_4822_ = _e109;
         }
-        let _e2882 = phi_4811_;
-        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2882.member), bitcast<u32>(_e2882.member_1), bitcast<u32>(_e2882.member_2), _e2882.member_3);
-        phi_4824_ = _e2756;
-        phi_4825_ = _e2756;
-        phi_4826_ = select(true, false, _e2756);
+        let _e2892 = phi_4822_;
+        slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2892.member), bitcast<u32>(_e2892.member_1), bitcast<u32>(_e2892.member_2), _e2892.member_3);
+        phi_4835_ = _e2766;
+        phi_4836_ = _e2766;
+        phi_4837_ = select(true, false, _e2766);
     } else {
-        phi_4824_ = bool();
-        phi_4825_ = false;
-        phi_4826_ = true;
+        phi_4835_ = bool();
+        phi_4836_ = false;
+        phi_4837_ = true;
     }
-    let _e2893 = phi_4824_;
-    let _e2895 = phi_4825_;
-    let _e2897 = phi_4826_;
-    if _e2897 {
+    let _e2903 = phi_4835_;
+    let _e2905 = phi_4836_;
+    let _e2907 = phi_4837_;
+    if _e2907 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }
-    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2893, _e2895, _e2897)));
+    slimbvh_overflowed.member = select(0u, 1u, !(select(_e2903, _e2905, _e2907)));
     return;
 }
 

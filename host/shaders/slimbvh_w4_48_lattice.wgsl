@@ -126,174 +126,174 @@ var<private> slimbvh_hit: SlimbvhTypeA;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
-    var phi_737_: u32;
-    var phi_743_: u32;
-    var phi_749_: u32;
-    var phi_1014_: i32;
-    var phi_1025_: i32;
-    var phi_1139_: i32;
-    var phi_1268_: i32;
-    var phi_1290_: u32;
-    var phi_1291_: u32;
-    var phi_1292_: bool;
-    var phi_1326_: i32;
-    var phi_1348_: u32;
-    var phi_1349_: u32;
-    var phi_1350_: bool;
-    var phi_911_: i32;
-    var phi_917_: u32;
-    var phi_936_: u32;
-    var phi_937_: u32;
-    var phi_938_: bool;
-    var phi_956_: i32;
-    var phi_962_: u32;
-    var phi_981_: u32;
-    var phi_982_: u32;
-    var phi_983_: bool;
-    var phi_1360_: SlimbvhTypeC;
-    var phi_1599_: SlimbvhTypeP;
-    var phi_1662_: array<f32, 3>;
-    var phi_1663_: array<f32, 3>;
-    var phi_1681_: array<f32, 3>;
-    var phi_1682_: array<f32, 3>;
-    var phi_1855_: SlimbvhTypeP;
-    var phi_1858_: u32;
-    var phi_1860_: u32;
-    var phi_1862_: u32;
-    var phi_1871_: u32;
-    var phi_1874_: u32;
-    var phi_1876_: u32;
-    var phi_1978_: SlimbvhTypeJ;
-    var phi_1979_: SlimbvhTypeJ;
-    var phi_2038_: SlimbvhTypeJ;
-    var phi_2039_: SlimbvhTypeJ;
-    var phi_2098_: SlimbvhTypeJ;
-    var phi_2099_: SlimbvhTypeJ;
-    var phi_2589_: u32;
-    var phi_2602_: u32;
-    var phi_2615_: u32;
-    var phi_2628_: u32;
-    var phi_5346_: SlimbvhTypeD;
-    var phi_5358_: SlimbvhTypeD;
-    var phi_5370_: SlimbvhTypeD;
-    var phi_5382_: SlimbvhTypeD;
-    var phi_5394_: SlimbvhTypeD;
-    var phi_2709_: u32;
-    var phi_2714_: u32;
-    var phi_2715_: u32;
-    var phi_2769_: u32;
-    var phi_2770_: u32;
-    var phi_1872_: u32;
-    var phi_1875_: u32;
-    var phi_1877_: u32;
+    var phi_744_: u32;
+    var phi_750_: u32;
+    var phi_756_: u32;
+    var phi_1021_: i32;
+    var phi_1032_: i32;
+    var phi_1146_: i32;
+    var phi_1275_: i32;
+    var phi_1297_: u32;
+    var phi_1298_: u32;
+    var phi_1299_: bool;
+    var phi_1333_: i32;
+    var phi_1355_: u32;
+    var phi_1356_: u32;
+    var phi_1357_: bool;
+    var phi_918_: i32;
+    var phi_924_: u32;
+    var phi_943_: u32;
+    var phi_944_: u32;
+    var phi_945_: bool;
+    var phi_963_: i32;
+    var phi_969_: u32;
+    var phi_988_: u32;
+    var phi_989_: u32;
+    var phi_990_: bool;
+    var phi_1367_: SlimbvhTypeC;
+    var phi_1606_: SlimbvhTypeP;
+    var phi_1669_: array<f32, 3>;
+    var phi_1670_: array<f32, 3>;
+    var phi_1688_: array<f32, 3>;
+    var phi_1689_: array<f32, 3>;
+    var phi_1862_: SlimbvhTypeP;
+    var phi_1865_: u32;
+    var phi_1867_: u32;
+    var phi_1869_: u32;
+    var phi_1878_: u32;
+    var phi_1881_: u32;
+    var phi_1883_: u32;
+    var phi_1989_: SlimbvhTypeJ;
+    var phi_1990_: SlimbvhTypeJ;
+    var phi_2049_: SlimbvhTypeJ;
+    var phi_2050_: SlimbvhTypeJ;
+    var phi_2109_: SlimbvhTypeJ;
+    var phi_2110_: SlimbvhTypeJ;
+    var phi_2600_: u32;
+    var phi_2613_: u32;
+    var phi_2626_: u32;
+    var phi_2639_: u32;
+    var phi_5357_: SlimbvhTypeD;
+    var phi_5369_: SlimbvhTypeD;
+    var phi_5381_: SlimbvhTypeD;
+    var phi_5393_: SlimbvhTypeD;
+    var phi_5405_: SlimbvhTypeD;
+    var phi_2720_: u32;
+    var phi_2725_: u32;
+    var phi_2726_: u32;
+    var phi_2780_: u32;
+    var phi_2781_: u32;
+    var phi_1879_: u32;
+    var phi_1882_: u32;
+    var phi_1884_: u32;
     var local_1: bool;
     var local_2: u32;
-    var phi_2955_: u32;
-    var phi_2960_: u32;
-    var phi_3003_: SlimbvhTypeM;
-    var phi_3007_: SlimbvhTypeP;
-    var phi_3010_: SlimbvhTypeD;
-    var phi_3011_: SlimbvhTypeD;
-    var phi_3033_: SlimbvhTypeD;
-    var phi_3061_: u32;
-    var phi_3084_: u32;
-    var phi_3093_: u32;
-    var phi_3103_: u32;
-    var phi_3562_: u32;
-    var phi_3575_: u32;
-    var phi_3588_: u32;
-    var phi_3614_: u32;
-    var phi_3627_: u32;
-    var phi_3640_: u32;
-    var phi_3666_: u32;
-    var phi_3679_: u32;
-    var phi_3692_: u32;
-    var phi_3284_: u32;
-    var phi_3297_: u32;
-    var phi_3307_: u32;
-    var phi_3328_: u32;
-    var phi_3349_: u32;
-    var phi_3376_: u32;
-    var phi_3389_: u32;
-    var phi_3399_: u32;
-    var phi_3420_: u32;
-    var phi_3441_: u32;
-    var phi_3468_: u32;
-    var phi_3481_: u32;
-    var phi_3491_: u32;
-    var phi_3512_: u32;
-    var phi_3533_: u32;
-    var phi_3145_: u32;
-    var phi_3191_: u32;
-    var phi_3237_: u32;
-    var phi_3704_: array<array<f32, 3>, 3>;
-    var phi_4069_: f32;
-    var phi_4070_: f32;
-    var phi_4071_: f32;
-    var phi_4072_: f32;
-    var phi_4073_: vec3<f32>;
-    var phi_4074_: vec3<f32>;
-    var phi_4075_: vec3<f32>;
-    var phi_4076_: vec3<f32>;
-    var phi_4255_: f32;
-    var phi_4281_: SlimbvhTypeE;
-    var phi_4282_: SlimbvhTypeE;
-    var phi_4285_: SlimbvhTypeE;
-    var phi_4286_: SlimbvhTypeE;
-    var phi_4287_: bool;
-    var phi_4291_: SlimbvhTypeE;
-    var phi_4300_: SlimbvhTypeF;
-    var phi_4353_: i32;
-    var phi_4493_: SlimbvhTypeH;
-    var phi_4517_: u32;
-    var phi_4546_: vec3<f32>;
-    var phi_4547_: vec3<f32>;
-    var phi_4565_: vec3<f32>;
-    var phi_4566_: vec3<f32>;
-    var phi_4584_: vec3<f32>;
-    var phi_4585_: vec3<f32>;
-    var phi_4621_: vec3<f32>;
-    var phi_4803_: f32;
-    var phi_4821_: bool;
-    var phi_4822_: bool;
-    var phi_4841_: bool;
-    var phi_4842_: bool;
-    var phi_4849_: SlimbvhTypeP;
-    var phi_4855_: SlimbvhTypeP;
-    var phi_4856_: SlimbvhTypeP;
-    var phi_4857_: SlimbvhTypeP;
-    var phi_3008_: SlimbvhTypeP;
+    var phi_2966_: u32;
+    var phi_2971_: u32;
+    var phi_3014_: SlimbvhTypeM;
+    var phi_3021_: SlimbvhTypeP;
+    var phi_3024_: SlimbvhTypeD;
+    var phi_3025_: SlimbvhTypeD;
+    var phi_3047_: SlimbvhTypeD;
+    var phi_3072_: u32;
+    var phi_3095_: u32;
+    var phi_3104_: u32;
+    var phi_3114_: u32;
+    var phi_3573_: u32;
+    var phi_3586_: u32;
+    var phi_3599_: u32;
+    var phi_3625_: u32;
+    var phi_3638_: u32;
+    var phi_3651_: u32;
+    var phi_3677_: u32;
+    var phi_3690_: u32;
+    var phi_3703_: u32;
+    var phi_3295_: u32;
+    var phi_3308_: u32;
+    var phi_3318_: u32;
+    var phi_3339_: u32;
+    var phi_3360_: u32;
+    var phi_3387_: u32;
+    var phi_3400_: u32;
+    var phi_3410_: u32;
+    var phi_3431_: u32;
+    var phi_3452_: u32;
+    var phi_3479_: u32;
+    var phi_3492_: u32;
+    var phi_3502_: u32;
+    var phi_3523_: u32;
+    var phi_3544_: u32;
+    var phi_3156_: u32;
+    var phi_3202_: u32;
+    var phi_3248_: u32;
+    var phi_3715_: array<array<f32, 3>, 3>;
+    var phi_4080_: f32;
+    var phi_4081_: f32;
+    var phi_4082_: f32;
+    var phi_4083_: f32;
+    var phi_4084_: vec3<f32>;
+    var phi_4085_: vec3<f32>;
+    var phi_4086_: vec3<f32>;
+    var phi_4087_: vec3<f32>;
+    var phi_4266_: f32;
+    var phi_4292_: SlimbvhTypeE;
+    var phi_4293_: SlimbvhTypeE;
+    var phi_4296_: SlimbvhTypeE;
+    var phi_4297_: SlimbvhTypeE;
+    var phi_4298_: bool;
+    var phi_4302_: SlimbvhTypeE;
+    var phi_4311_: SlimbvhTypeF;
+    var phi_4364_: i32;
+    var phi_4504_: SlimbvhTypeH;
+    var phi_4528_: u32;
+    var phi_4557_: vec3<f32>;
+    var phi_4558_: vec3<f32>;
+    var phi_4576_: vec3<f32>;
+    var phi_4577_: vec3<f32>;
+    var phi_4595_: vec3<f32>;
+    var phi_4596_: vec3<f32>;
+    var phi_4632_: vec3<f32>;
+    var phi_4814_: f32;
+    var phi_4832_: bool;
+    var phi_4833_: bool;
+    var phi_4852_: bool;
+    var phi_4853_: bool;
+    var phi_4860_: SlimbvhTypeP;
+    var phi_4866_: SlimbvhTypeP;
+    var phi_4867_: SlimbvhTypeP;
+    var phi_4868_: SlimbvhTypeP;
+    var phi_3022_: SlimbvhTypeP;
     var local_3: u32;
     var local_4: u32;
-    var phi_4946_: u32;
-    var phi_4947_: u32;
-    var local_5: SlimbvhTypeP;
-    var phi_4956_: SlimbvhTypeP;
     var phi_4957_: u32;
     var phi_4958_: u32;
-    var phi_1856_: SlimbvhTypeP;
-    var phi_1859_: u32;
-    var phi_1861_: u32;
-    var phi_1863_: u32;
+    var local_5: SlimbvhTypeP;
+    var phi_4967_: SlimbvhTypeP;
+    var phi_4968_: u32;
+    var phi_4969_: u32;
+    var phi_1863_: SlimbvhTypeP;
+    var phi_1866_: u32;
+    var phi_1868_: u32;
+    var phi_1870_: u32;
     var local_6: SlimbvhTypeP;
-    var phi_4994_: f32;
-    var phi_4996_: f32;
-    var phi_4997_: bool;
-    var phi_4998_: f32;
-    var phi_4999_: bool;
-    var phi_5625_: u32;
-    var phi_5643_: bool;
-    var phi_5646_: bool;
-    var phi_5659_: f32;
-    var phi_5660_: f32;
-    var phi_5665_: f32;
-    var phi_5666_: f32;
-    var phi_5667_: bool;
-    var phi_5675_: f32;
-    var phi_5014_: f32;
-    var phi_5015_: f32;
-    var phi_5027_: f32;
-    var phi_5032_: SlimbvhTypeF;
+    var phi_5005_: f32;
+    var phi_5007_: f32;
+    var phi_5008_: bool;
+    var phi_5009_: f32;
+    var phi_5010_: bool;
+    var phi_5636_: u32;
+    var phi_5654_: bool;
+    var phi_5657_: bool;
+    var phi_5670_: f32;
+    var phi_5671_: f32;
+    var phi_5676_: f32;
+    var phi_5677_: f32;
+    var phi_5678_: bool;
+    var phi_5686_: f32;
+    var phi_5025_: f32;
+    var phi_5026_: f32;
+    var phi_5038_: f32;
+    var phi_5043_: SlimbvhTypeF;
     var local_7: SlimbvhTypeP;
     var local_8: u32;
     var local_9: u32;
@@ -310,1363 +310,1367 @@ fn slimbvh_trace() {
     let _e156 = slimbvh_root.member[1u][1u];
     let _e160 = slimbvh_root.member[1u][2u];
     let _e172 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e148) + 127i)) << bitcast<u32>(23i)));
+    let _e175 = slimbvh_exponent.member[1u];
+    let _e178 = slimbvh_exponent.member[2u];
     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    let _e173 = slimbvh_origin.member;
-    let _e179 = slimbvh_origin.member[3u];
-    let _e180 = slimbvh_direction.member;
-    let _e186 = slimbvh_direction.member[3u];
-    let _e189 = slimbvh_exponent.member[0u];
-    let _e190 = bitcast<i32>(_e189);
-    let _e192 = (bitcast<u32>(_e173.x) & 2147483647u);
-    let _e194 = (bitcast<u32>(_e173.y) & 2147483647u);
-    let _e196 = (bitcast<u32>(_e173.z) & 2147483647u);
-    let _e197 = bitcast<u32>(_e179);
-    let _e198 = (_e197 & 2147483647u);
-    let _e200 = (bitcast<u32>(_e180.x) & 2147483647u);
-    let _e202 = (bitcast<u32>(_e180.y) & 2147483647u);
-    let _e204 = (bitcast<u32>(_e180.z) & 2147483647u);
-    let _e205 = bitcast<u32>(_e186);
-    let _e206 = (_e205 & 2147483647u);
-    let _e208 = select(_e202, _e200, (_e202 < _e200));
-    let _e210 = select(_e204, _e208, (_e204 < _e208));
-    let _e212 = select(_e192, _e210, (_e192 < _e210));
-    let _e214 = select(_e194, _e212, (_e194 < _e212));
-    let _e216 = select(_e196, _e214, (_e196 < _e214));
-    let _e223 = (((select(_e198, _e216, (_e198 < _e216)) < 2139095040u) && (_e206 <= 2139095040u)) && (_e210 > 0u));
-    if (_e200 == _e210) {
-        phi_737_ = 0u;
+    let _e179 = slimbvh_origin.member;
+    let _e185 = slimbvh_origin.member[3u];
+    let _e186 = slimbvh_direction.member;
+    let _e192 = slimbvh_direction.member[3u];
+    let _e195 = slimbvh_exponent.member[0u];
+    let _e196 = bitcast<i32>(_e195);
+    let _e198 = (bitcast<u32>(_e179.x) & 2147483647u);
+    let _e200 = (bitcast<u32>(_e179.y) & 2147483647u);
+    let _e202 = (bitcast<u32>(_e179.z) & 2147483647u);
+    let _e203 = bitcast<u32>(_e185);
+    let _e204 = (_e203 & 2147483647u);
+    let _e206 = (bitcast<u32>(_e186.x) & 2147483647u);
+    let _e208 = (bitcast<u32>(_e186.y) & 2147483647u);
+    let _e210 = (bitcast<u32>(_e186.z) & 2147483647u);
+    let _e211 = bitcast<u32>(_e192);
+    let _e212 = (_e211 & 2147483647u);
+    let _e214 = select(_e208, _e206, (_e208 < _e206));
+    let _e216 = select(_e210, _e214, (_e210 < _e214));
+    let _e218 = select(_e198, _e216, (_e198 < _e216));
+    let _e220 = select(_e200, _e218, (_e200 < _e218));
+    let _e222 = select(_e202, _e220, (_e202 < _e220));
+    let _e229 = (((select(_e204, _e222, (_e204 < _e222)) < 2139095040u) && (_e212 <= 2139095040u)) && (_e216 > 0u));
+    if (_e206 == _e216) {
+        phi_744_ = 0u;
     } else {
-        phi_737_ = select(2u, 1u, (_e202 == _e210));
+        phi_744_ = select(2u, 1u, (_e208 == _e216));
     }
-    let _e228 = phi_737_;
-    let _e229 = (_e228 == 2u);
-    if _e229 {
-        phi_743_ = 0u;
+    let _e234 = phi_744_;
+    let _e235 = (_e234 == 2u);
+    if _e235 {
+        phi_750_ = 0u;
     } else {
-        phi_743_ = (_e228 + 1u);
+        phi_750_ = (_e234 + 1u);
     }
-    let _e232 = phi_743_;
-    let _e233 = (_e232 == 2u);
-    if _e233 {
-        phi_749_ = 0u;
+    let _e238 = phi_750_;
+    let _e239 = (_e238 == 2u);
+    if _e239 {
+        phi_756_ = 0u;
     } else {
-        phi_749_ = (_e232 + 1u);
+        phi_756_ = (_e238 + 1u);
     }
-    let _e236 = phi_749_;
-    let _e237 = (_e232 == 0u);
-    let _e239 = select(select(_e173.y, _e173.x, _e237), _e173.z, _e233);
-    let _e240 = (_e236 == 0u);
-    let _e242 = (_e236 == 2u);
-    let _e243 = select(select(_e173.y, _e173.x, _e240), _e173.z, _e242);
-    let _e244 = (_e228 == 0u);
-    let _e246 = select(select(_e173.y, _e173.x, _e244), _e173.z, _e229);
-    let _e248 = select(select(_e180.y, _e180.x, _e237), _e180.z, _e233);
-    let _e250 = select(select(_e180.y, _e180.x, _e240), _e180.z, _e242);
-    let _e252 = select(select(_e180.y, _e180.x, _e244), _e180.z, _e229);
-    let _e253 = (_e198 - 1u);
-    let _e254 = (_e206 - 1u);
-    let _e256 = select(_e253, _e254, (_e254 < _e253));
-    let _e257 = (_e192 - 1u);
-    let _e258 = (_e194 - 1u);
-    let _e260 = select(_e257, _e258, (_e258 < _e257));
-    let _e261 = (_e196 - 1u);
-    let _e263 = select(_e260, _e261, (_e261 < _e260));
+    let _e242 = phi_756_;
+    let _e243 = (_e238 == 0u);
+    let _e245 = select(select(_e179.y, _e179.x, _e243), _e179.z, _e239);
+    let _e246 = (_e242 == 0u);
+    let _e248 = (_e242 == 2u);
+    let _e249 = select(select(_e179.y, _e179.x, _e246), _e179.z, _e248);
+    let _e250 = (_e234 == 0u);
+    let _e252 = select(select(_e179.y, _e179.x, _e250), _e179.z, _e235);
+    let _e254 = select(select(_e186.y, _e186.x, _e243), _e186.z, _e239);
+    let _e256 = select(select(_e186.y, _e186.x, _e246), _e186.z, _e248);
+    let _e258 = select(select(_e186.y, _e186.x, _e250), _e186.z, _e235);
+    let _e259 = (_e204 - 1u);
+    let _e260 = (_e212 - 1u);
+    let _e262 = select(_e259, _e260, (_e260 < _e259));
+    let _e263 = (_e198 - 1u);
     let _e264 = (_e200 - 1u);
-    let _e265 = (_e202 - 1u);
-    let _e267 = select(_e264, _e265, (_e265 < _e264));
-    let _e268 = (_e204 - 1u);
-    let _e270 = select(_e267, _e268, (_e268 < _e267));
-    let _e272 = select(_e263, _e270, (_e270 < _e263));
-    if (((select(_e272, _e256, (_e256 < _e272)) >= 8388607u) && (_e210 < 2130706432u)) && (bitcast<u32>((_e190 + 126i)) <= 253u)) {
-        let _e537 = bitcast<i32>((_e210 >> bitcast<u32>(23i)));
-        let _e538 = (_e537 - 127i);
-        let _e539 = (_e190 + _e538);
-        let _e544 = bitcast<f32>((bitcast<u32>((_e190 + 127i)) << bitcast<u32>(23i)));
-        let _e549 = bitcast<f32>((bitcast<u32>((254i - _e537)) << bitcast<u32>(23i)));
-        if (_e198 >= 2139095040u) {
-            phi_911_ = 255i;
+    let _e266 = select(_e263, _e264, (_e264 < _e263));
+    let _e267 = (_e202 - 1u);
+    let _e269 = select(_e266, _e267, (_e267 < _e266));
+    let _e270 = (_e206 - 1u);
+    let _e271 = (_e208 - 1u);
+    let _e273 = select(_e270, _e271, (_e271 < _e270));
+    let _e274 = (_e210 - 1u);
+    let _e276 = select(_e273, _e274, (_e274 < _e273));
+    let _e278 = select(_e269, _e276, (_e276 < _e269));
+    if (((select(_e278, _e262, (_e262 < _e278)) >= 8388607u) && (_e216 < 2130706432u)) && (bitcast<u32>((_e196 + 126i)) <= 253u)) {
+        let _e543 = bitcast<i32>((_e216 >> bitcast<u32>(23i)));
+        let _e544 = (_e543 - 127i);
+        let _e545 = (_e196 + _e544);
+        let _e550 = bitcast<f32>((bitcast<u32>((_e196 + 127i)) << bitcast<u32>(23i)));
+        let _e555 = bitcast<f32>((bitcast<u32>((254i - _e543)) << bitcast<u32>(23i)));
+        if (_e204 >= 2139095040u) {
+            phi_918_ = 255i;
         } else {
-            phi_911_ = (bitcast<i32>((_e198 >> bitcast<u32>(23i))) + _e539);
+            phi_918_ = (bitcast<i32>((_e204 >> bitcast<u32>(23i))) + _e545);
         }
-        let _e564 = phi_911_;
-        if (_e198 == 0u) {
-            phi_917_ = 0u;
+        let _e570 = phi_918_;
+        if (_e204 == 0u) {
+            phi_924_ = 0u;
         } else {
-            phi_917_ = (_e198 | 8388608u);
+            phi_924_ = (_e204 | 8388608u);
         }
-        let _e568 = phi_917_;
-        if (_e564 <= 0i) {
-            phi_937_ = u32();
-            phi_938_ = true;
+        let _e574 = phi_924_;
+        if (_e570 <= 0i) {
+            phi_944_ = u32();
+            phi_945_ = true;
         } else {
-            let _e575 = (_e568 == 0u);
-            if _e575 {
-                phi_936_ = u32();
+            let _e581 = (_e574 == 0u);
+            if _e581 {
+                phi_943_ = u32();
             } else {
-                phi_936_ = select(((bitcast<u32>(_e564) << bitcast<u32>(23i)) | (_e568 & 8388607u)), 2139095039u, (_e564 >= 255i));
+                phi_943_ = select(((bitcast<u32>(_e570) << bitcast<u32>(23i)) | (_e574 & 8388607u)), 2139095039u, (_e570 >= 255i));
             }
-            let _e579 = phi_936_;
-            phi_937_ = _e579;
-            phi_938_ = _e575;
+            let _e585 = phi_943_;
+            phi_944_ = _e585;
+            phi_945_ = _e581;
         }
-        let _e581 = phi_937_;
-        let _e583 = phi_938_;
-        if (_e206 >= 2139095040u) {
-            phi_956_ = 255i;
+        let _e587 = phi_944_;
+        let _e589 = phi_945_;
+        if (_e212 >= 2139095040u) {
+            phi_963_ = 255i;
         } else {
-            phi_956_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) + _e539);
+            phi_963_ = (bitcast<i32>((_e212 >> bitcast<u32>(23i))) + _e545);
         }
-        let _e594 = phi_956_;
-        if (_e206 == 0u) {
-            phi_962_ = 0u;
+        let _e600 = phi_963_;
+        if (_e212 == 0u) {
+            phi_969_ = 0u;
         } else {
-            phi_962_ = (_e206 | 8388608u);
+            phi_969_ = (_e212 | 8388608u);
         }
-        let _e598 = phi_962_;
-        if (_e594 <= 0i) {
-            phi_982_ = u32();
-            phi_983_ = true;
+        let _e604 = phi_969_;
+        if (_e600 <= 0i) {
+            phi_989_ = u32();
+            phi_990_ = true;
         } else {
-            let _e605 = (_e598 == 0u);
-            if _e605 {
-                phi_981_ = u32();
+            let _e611 = (_e604 == 0u);
+            if _e611 {
+                phi_988_ = u32();
             } else {
-                phi_981_ = select(((bitcast<u32>(_e594) << bitcast<u32>(23i)) | (_e598 & 8388607u)), 2139095039u, (_e594 >= 255i));
+                phi_988_ = select(((bitcast<u32>(_e600) << bitcast<u32>(23i)) | (_e604 & 8388607u)), 2139095039u, (_e600 >= 255i));
             }
-            let _e609 = phi_981_;
-            phi_982_ = _e609;
-            phi_983_ = _e605;
+            let _e615 = phi_988_;
+            phi_989_ = _e615;
+            phi_990_ = _e611;
         }
-        let _e611 = phi_982_;
-        let _e613 = phi_983_;
-        phi_1360_ = SlimbvhTypeC(array<f32, 3>((_e239 * _e544), (_e243 * _e544), (_e246 * _e544)), array<f32, 3>((_e248 * _e549), (_e250 * _e549), (_e252 * _e549)), bitcast<f32>(((_e197 & 2147483648u) | select(_e581, 0u, _e583))), bitcast<f32>(((_e205 & 2147483648u) | select(_e611, 0u, _e613))), _e538);
+        let _e617 = phi_989_;
+        let _e619 = phi_990_;
+        phi_1367_ = SlimbvhTypeC(array<f32, 3>((_e245 * _e550), (_e249 * _e550), (_e252 * _e550)), array<f32, 3>((_e254 * _e555), (_e256 * _e555), (_e258 * _e555)), bitcast<f32>(((_e203 & 2147483648u) | select(_e587, 0u, _e589))), bitcast<f32>(((_e211 & 2147483648u) | select(_e617, 0u, _e619))), _e544);
     } else {
-        let _e285 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e210, _e223))) & 2147483647u);
-        if (_e285 >= 8388608u) {
-            phi_1014_ = (bitcast<i32>((_e285 >> bitcast<u32>(23i))) - 127i);
+        let _e291 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e216, _e229))) & 2147483647u);
+        if (_e291 >= 8388608u) {
+            phi_1021_ = (bitcast<i32>((_e291 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_1014_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e285)), 32u, (_e285 == 0u))));
+            phi_1021_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e291)), 32u, (_e291 == 0u))));
         }
-        let _e299 = phi_1014_;
-        let _e300 = (_e190 + _e299);
-        if (_e190 < -126i) {
-            phi_1025_ = -126i;
+        let _e305 = phi_1021_;
+        let _e306 = (_e196 + _e305);
+        if (_e196 < -126i) {
+            phi_1032_ = -126i;
         } else {
-            phi_1025_ = select(_e190, 127i, (_e190 > 127i));
+            phi_1032_ = select(_e196, 127i, (_e196 > 127i));
         }
-        let _e305 = phi_1025_;
-        let _e310 = bitcast<f32>((bitcast<u32>((_e305 + 127i)) << bitcast<u32>(23i)));
-        let _e316 = bitcast<f32>((bitcast<u32>(((_e190 - _e305) + 127i)) << bitcast<u32>(23i)));
-        let _e317 = bitcast<u32>(_e239);
-        let _e319 = ((_e317 & 2139095040u) != 0u);
-        let _e334 = bitcast<u32>(_e243);
-        let _e336 = ((_e334 & 2139095040u) != 0u);
-        let _e351 = bitcast<u32>(_e246);
-        let _e353 = ((_e351 & 2139095040u) != 0u);
-        let _e369 = -(_e299);
-        if (_e369 < -126i) {
-            phi_1139_ = -126i;
+        let _e311 = phi_1032_;
+        let _e316 = bitcast<f32>((bitcast<u32>((_e311 + 127i)) << bitcast<u32>(23i)));
+        let _e322 = bitcast<f32>((bitcast<u32>(((_e196 - _e311) + 127i)) << bitcast<u32>(23i)));
+        let _e323 = bitcast<u32>(_e245);
+        let _e325 = ((_e323 & 2139095040u) != 0u);
+        let _e340 = bitcast<u32>(_e249);
+        let _e342 = ((_e340 & 2139095040u) != 0u);
+        let _e357 = bitcast<u32>(_e252);
+        let _e359 = ((_e357 & 2139095040u) != 0u);
+        let _e375 = -(_e305);
+        if (_e375 < -126i) {
+            phi_1146_ = -126i;
         } else {
-            phi_1139_ = select(_e369, 127i, (_e369 > 127i));
+            phi_1146_ = select(_e375, 127i, (_e375 > 127i));
         }
-        let _e374 = phi_1139_;
-        let _e379 = bitcast<f32>((bitcast<u32>((_e374 + 127i)) << bitcast<u32>(23i)));
-        let _e385 = bitcast<f32>((bitcast<u32>(((_e369 - _e374) + 127i)) << bitcast<u32>(23i)));
-        let _e386 = bitcast<u32>(_e248);
-        let _e388 = ((_e386 & 2139095040u) != 0u);
-        let _e403 = bitcast<u32>(_e250);
-        let _e405 = ((_e403 & 2139095040u) != 0u);
-        let _e420 = bitcast<u32>(_e252);
-        let _e422 = ((_e420 & 2139095040u) != 0u);
-        let _e444 = ((_e198 & 8388607u) | (select(0u, 1u, ((_e198 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e447 = bitcast<i32>((_e198 >> bitcast<u32>(23i)));
-        let _e454 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e444)), 32u, (_e444 == 0u))) - 8i);
-        if (_e447 == 255i) {
-            phi_1268_ = 255i;
+        let _e380 = phi_1146_;
+        let _e385 = bitcast<f32>((bitcast<u32>((_e380 + 127i)) << bitcast<u32>(23i)));
+        let _e391 = bitcast<f32>((bitcast<u32>(((_e375 - _e380) + 127i)) << bitcast<u32>(23i)));
+        let _e392 = bitcast<u32>(_e254);
+        let _e394 = ((_e392 & 2139095040u) != 0u);
+        let _e409 = bitcast<u32>(_e256);
+        let _e411 = ((_e409 & 2139095040u) != 0u);
+        let _e426 = bitcast<u32>(_e258);
+        let _e428 = ((_e426 & 2139095040u) != 0u);
+        let _e450 = ((_e204 & 8388607u) | (select(0u, 1u, ((_e204 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e453 = bitcast<i32>((_e204 >> bitcast<u32>(23i)));
+        let _e460 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e450)), 32u, (_e450 == 0u))) - 8i);
+        if (_e453 == 255i) {
+            phi_1275_ = 255i;
         } else {
-            phi_1268_ = (((_e447 + select(0i, 1i, (_e447 == 0i))) - _e454) + _e300);
+            phi_1275_ = (((_e453 + select(0i, 1i, (_e453 == 0i))) - _e460) + _e306);
         }
-        let _e462 = phi_1268_;
-        let _e466 = (_e444 << bitcast<u32>(((_e454 & 31i) & 31i)));
-        if (_e462 <= 0i) {
-            phi_1291_ = u32();
-            phi_1292_ = true;
+        let _e468 = phi_1275_;
+        let _e472 = (_e450 << bitcast<u32>(((_e460 & 31i) & 31i)));
+        if (_e468 <= 0i) {
+            phi_1298_ = u32();
+            phi_1299_ = true;
         } else {
-            let _e473 = (_e466 == 0u);
-            if _e473 {
-                phi_1290_ = u32();
+            let _e479 = (_e472 == 0u);
+            if _e479 {
+                phi_1297_ = u32();
             } else {
-                phi_1290_ = select(((bitcast<u32>(_e462) << bitcast<u32>(23i)) | (_e466 & 8388607u)), 2139095039u, (_e462 >= 255i));
+                phi_1297_ = select(((bitcast<u32>(_e468) << bitcast<u32>(23i)) | (_e472 & 8388607u)), 2139095039u, (_e468 >= 255i));
             }
-            let _e477 = phi_1290_;
-            phi_1291_ = _e477;
-            phi_1292_ = _e473;
+            let _e483 = phi_1297_;
+            phi_1298_ = _e483;
+            phi_1299_ = _e479;
         }
-        let _e479 = phi_1291_;
-        let _e481 = phi_1292_;
-        let _e492 = ((_e206 & 8388607u) | (select(0u, 1u, ((_e206 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e495 = bitcast<i32>((_e206 >> bitcast<u32>(23i)));
-        let _e502 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e492)), 32u, (_e492 == 0u))) - 8i);
-        if (_e495 == 255i) {
-            phi_1326_ = 255i;
+        let _e485 = phi_1298_;
+        let _e487 = phi_1299_;
+        let _e498 = ((_e212 & 8388607u) | (select(0u, 1u, ((_e212 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e501 = bitcast<i32>((_e212 >> bitcast<u32>(23i)));
+        let _e508 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e498)), 32u, (_e498 == 0u))) - 8i);
+        if (_e501 == 255i) {
+            phi_1333_ = 255i;
         } else {
-            phi_1326_ = (((_e495 + select(0i, 1i, (_e495 == 0i))) - _e502) + _e300);
+            phi_1333_ = (((_e501 + select(0i, 1i, (_e501 == 0i))) - _e508) + _e306);
         }
-        let _e510 = phi_1326_;
-        let _e514 = (_e492 << bitcast<u32>(((_e502 & 31i) & 31i)));
-        if (_e510 <= 0i) {
-            phi_1349_ = u32();
-            phi_1350_ = true;
+        let _e516 = phi_1333_;
+        let _e520 = (_e498 << bitcast<u32>(((_e508 & 31i) & 31i)));
+        if (_e516 <= 0i) {
+            phi_1356_ = u32();
+            phi_1357_ = true;
         } else {
-            let _e521 = (_e514 == 0u);
-            if _e521 {
-                phi_1348_ = u32();
+            let _e527 = (_e520 == 0u);
+            if _e527 {
+                phi_1355_ = u32();
             } else {
-                phi_1348_ = select(((bitcast<u32>(_e510) << bitcast<u32>(23i)) | (_e514 & 8388607u)), 2139095039u, (_e510 >= 255i));
+                phi_1355_ = select(((bitcast<u32>(_e516) << bitcast<u32>(23i)) | (_e520 & 8388607u)), 2139095039u, (_e516 >= 255i));
             }
-            let _e525 = phi_1348_;
-            phi_1349_ = _e525;
-            phi_1350_ = _e521;
+            let _e531 = phi_1355_;
+            phi_1356_ = _e531;
+            phi_1357_ = _e527;
         }
-        let _e527 = phi_1349_;
-        let _e529 = phi_1350_;
-        phi_1360_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e239, _e319) * _e310) * select(0.00000011920929f, 1f, _e319)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e243, _e336) * _e310) * select(0.00000011920929f, 1f, _e336)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e351 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e351 & 2147483648u))), _e246, _e353) * _e310) * select(0.00000011920929f, 1f, _e353)) * _e316)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e386 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e386 & 2147483648u))), _e248, _e388) * _e379) * select(0.00000011920929f, 1f, _e388)) * _e385), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e403 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e403 & 2147483648u))), _e250, _e405) * _e379) * select(0.00000011920929f, 1f, _e405)) * _e385), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e420 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e420 & 2147483648u))), _e252, _e422) * _e379) * select(0.00000011920929f, 1f, _e422)) * _e385)), bitcast<f32>(((_e197 & 2147483648u) | select(_e479, 0u, _e481))), bitcast<f32>(((_e205 & 2147483648u) | select(_e527, 0u, _e529))), _e299);
+        let _e533 = phi_1356_;
+        let _e535 = phi_1357_;
+        phi_1367_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e323 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e323 & 2147483648u))), _e245, _e325) * _e316) * select(0.00000011920929f, 1f, _e325)) * _e322), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e340 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e340 & 2147483648u))), _e249, _e342) * _e316) * select(0.00000011920929f, 1f, _e342)) * _e322), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e357 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e357 & 2147483648u))), _e252, _e359) * _e316) * select(0.00000011920929f, 1f, _e359)) * _e322)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e392 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e392 & 2147483648u))), _e254, _e394) * _e385) * select(0.00000011920929f, 1f, _e394)) * _e391), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e409 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e409 & 2147483648u))), _e256, _e411) * _e385) * select(0.00000011920929f, 1f, _e411)) * _e391), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e426 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e426 & 2147483648u))), _e258, _e428) * _e385) * select(0.00000011920929f, 1f, _e428)) * _e391)), bitcast<f32>(((_e203 & 2147483648u) | select(_e485, 0u, _e487))), bitcast<f32>(((_e211 & 2147483648u) | select(_e533, 0u, _e535))), _e305);
     }
-    let _e620 = phi_1360_;
-    let _e635 = (bitcast<f32>((bitcast<u32>(_e620.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e638 = bitcast<f32>((bitcast<u32>(_e620.member[0]) & 2147483647u));
-    let _e639 = (_e638 * 0.00000011920929f);
-    let _e642 = select(select(0.00000000000011368684f, _e639, (_e639 > 0.00000000000011368684f)), 0f, _e635);
-    let _e643 = select(0f, _e620.member_1[0], _e635);
-    let _e644 = (_e620.member[0] + _e642);
-    let _e645 = (_e620.member[0] - _e642);
-    let _e647 = select(38685626000000000000000000f, (1f / _e620.member_1[0]), _e635);
-    let _e651 = (bitcast<f32>((bitcast<u32>(_e620.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e654 = bitcast<f32>((bitcast<u32>(_e620.member[1]) & 2147483647u));
-    let _e655 = (_e654 * 0.00000011920929f);
-    let _e658 = select(select(0.00000000000011368684f, _e655, (_e655 > 0.00000000000011368684f)), 0f, _e651);
-    let _e659 = select(0f, _e620.member_1[1], _e651);
-    let _e660 = (_e620.member[1] + _e658);
-    let _e661 = (_e620.member[1] - _e658);
-    let _e663 = select(38685626000000000000000000f, (1f / _e620.member_1[1]), _e651);
-    let _e667 = (bitcast<f32>((bitcast<u32>(_e620.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e670 = bitcast<f32>((bitcast<u32>(_e620.member[2]) & 2147483647u));
-    let _e671 = (_e670 * 0.00000011920929f);
-    let _e674 = select(select(0.00000000000011368684f, _e671, (_e671 > 0.00000000000011368684f)), 0f, _e667);
-    let _e675 = select(0f, _e620.member_1[2], _e667);
-    let _e676 = (_e620.member[2] + _e674);
-    let _e677 = (_e620.member[2] - _e674);
-    let _e679 = select(38685626000000000000000000f, (1f / _e620.member_1[2]), _e667);
-    let _e681 = select(_e654, _e638, (_e638 > _e654));
-    let _e685 = (_e223 && (select(_e670, _e681, (_e681 > _e670)) <= 1099511600000f));
-    let _e686 = select(0f, _e620.member_3, _e685);
-    let _e687 = select(1f, _e620.member_2, _e685);
-    let _e691 = slimbvh_question.member[1u];
-    let _e694 = slimbvh_question.member[0u];
-    if (_e694 == 1u) {
-        phi_1599_ = SlimbvhTypeP(SlimbvhTypeI(_e119, _e686), true);
+    let _e626 = phi_1367_;
+    let _e641 = (bitcast<f32>((bitcast<u32>(_e626.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e644 = bitcast<f32>((bitcast<u32>(_e626.member[0]) & 2147483647u));
+    let _e645 = (_e644 * 0.00000011920929f);
+    let _e648 = select(select(0.00000000000011368684f, _e645, (_e645 > 0.00000000000011368684f)), 0f, _e641);
+    let _e649 = select(0f, _e626.member_1[0], _e641);
+    let _e650 = (_e626.member[0] + _e648);
+    let _e651 = (_e626.member[0] - _e648);
+    let _e653 = select(38685626000000000000000000f, (1f / _e626.member_1[0]), _e641);
+    let _e657 = (bitcast<f32>((bitcast<u32>(_e626.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e660 = bitcast<f32>((bitcast<u32>(_e626.member[1]) & 2147483647u));
+    let _e661 = (_e660 * 0.00000011920929f);
+    let _e664 = select(select(0.00000000000011368684f, _e661, (_e661 > 0.00000000000011368684f)), 0f, _e657);
+    let _e665 = select(0f, _e626.member_1[1], _e657);
+    let _e666 = (_e626.member[1] + _e664);
+    let _e667 = (_e626.member[1] - _e664);
+    let _e669 = select(38685626000000000000000000f, (1f / _e626.member_1[1]), _e657);
+    let _e673 = (bitcast<f32>((bitcast<u32>(_e626.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e676 = bitcast<f32>((bitcast<u32>(_e626.member[2]) & 2147483647u));
+    let _e677 = (_e676 * 0.00000011920929f);
+    let _e680 = select(select(0.00000000000011368684f, _e677, (_e677 > 0.00000000000011368684f)), 0f, _e673);
+    let _e681 = select(0f, _e626.member_1[2], _e673);
+    let _e682 = (_e626.member[2] + _e680);
+    let _e683 = (_e626.member[2] - _e680);
+    let _e685 = select(38685626000000000000000000f, (1f / _e626.member_1[2]), _e673);
+    let _e687 = select(_e660, _e644, (_e644 > _e660));
+    let _e691 = (_e229 && (select(_e676, _e687, (_e687 > _e676)) <= 1099511600000f));
+    let _e692 = select(0f, _e626.member_3, _e691);
+    let _e693 = select(1f, _e626.member_2, _e691);
+    let _e697 = slimbvh_question.member[1u];
+    let _e700 = slimbvh_question.member[0u];
+    if (_e700 == 1u) {
+        phi_1606_ = SlimbvhTypeP(SlimbvhTypeI(_e119, _e692), true);
     } else {
-        phi_1599_ = SlimbvhTypeP(SlimbvhTypeI(_e119, _e686), false);
+        phi_1606_ = SlimbvhTypeP(SlimbvhTypeI(_e119, _e692), false);
     }
-    let _e701 = phi_1599_;
-    let _e706 = (_e232 & 3u);
-    let _e707 = (_e236 & 3u);
-    let _e708 = (_e228 & 3u);
-    let _e721 = (f32(bitcast<i32>(_e136)) * _e172);
-    let _e723 = (f32(bitcast<i32>(_e140)) * _e172);
-    let _e725 = (f32(bitcast<i32>(_e144)) * _e172);
-    let _e726 = (_e706 == 0u);
-    if _e726 {
-        phi_1663_ = array<f32, 3>(_e721, _e723, _e725);
+    let _e707 = phi_1606_;
+    let _e712 = (_e238 & 3u);
+    let _e713 = (_e242 & 3u);
+    let _e714 = (_e234 & 3u);
+    let _e727 = (f32(bitcast<i32>(_e136)) * _e172);
+    let _e729 = (f32(bitcast<i32>(_e140)) * _e172);
+    let _e731 = (f32(bitcast<i32>(_e144)) * _e172);
+    let _e732 = (_e712 == 0u);
+    if _e732 {
+        phi_1670_ = array<f32, 3>(_e727, _e729, _e731);
     } else {
-        if (_e706 == 1u) {
-            phi_1662_ = array<f32, 3>(_e723, _e725, _e721);
+        if (_e712 == 1u) {
+            phi_1669_ = array<f32, 3>(_e729, _e731, _e727);
         } else {
-            phi_1662_ = array<f32, 3>(_e725, _e721, _e723);
+            phi_1669_ = array<f32, 3>(_e731, _e727, _e729);
         }
-        let _e731 = phi_1662_;
-        phi_1663_ = _e731;
+        let _e737 = phi_1669_;
+        phi_1670_ = _e737;
     }
-    let _e734 = phi_1663_;
-    let _e736 = (f32(bitcast<i32>(_e152)) * _e172);
-    let _e738 = (f32(bitcast<i32>(_e156)) * _e172);
-    let _e740 = (f32(bitcast<i32>(_e160)) * _e172);
-    if _e726 {
-        phi_1682_ = array<f32, 3>(_e736, _e738, _e740);
+    let _e740 = phi_1670_;
+    let _e742 = (f32(bitcast<i32>(_e152)) * _e172);
+    let _e744 = (f32(bitcast<i32>(_e156)) * _e172);
+    let _e746 = (f32(bitcast<i32>(_e160)) * _e172);
+    if _e732 {
+        phi_1689_ = array<f32, 3>(_e742, _e744, _e746);
     } else {
-        if (_e706 == 1u) {
-            phi_1681_ = array<f32, 3>(_e738, _e740, _e736);
+        if (_e712 == 1u) {
+            phi_1688_ = array<f32, 3>(_e744, _e746, _e742);
         } else {
-            phi_1681_ = array<f32, 3>(_e740, _e736, _e738);
+            phi_1688_ = array<f32, 3>(_e746, _e742, _e744);
         }
-        let _e745 = phi_1681_;
-        phi_1682_ = _e745;
+        let _e751 = phi_1688_;
+        phi_1689_ = _e751;
     }
-    let _e748 = phi_1682_;
-    let _e759 = ((_e734[0] - _e644) * _e647);
-    let _e760 = ((_e748[0] - _e645) * _e647);
-    let _e761 = vec4<f32>(_e759, f32(), _e760, f32());
-    let _e764 = ((_e734[1] - _e660) * _e663);
-    let _e765 = ((_e748[1] - _e661) * _e663);
-    let _e766 = vec4<f32>(_e764, f32(), _e765, f32());
-    let _e769 = ((_e734[2] - _e676) * _e679);
-    let _e770 = ((_e748[2] - _e677) * _e679);
-    let _e771 = vec4<f32>(_e769, f32(), _e770, f32());
-    let _e772 = vec4<f32>(_e760, f32(), _e759, f32());
-    let _e774 = vec4<f32>(_e765, f32(), _e764, f32());
-    let _e776 = vec4<f32>(_e770, f32(), _e769, f32());
-    phi_1855_ = _e701;
-    phi_1858_ = select(4294967295u, select(4294967295u, 0u, (_e687 <= _e686)), (max(max(max(min(_e761, _e772).x, min(_e766, _e774).x), min(_e771, _e776).x), _e687) <= min((min(min(max(_e761, _e772).x, max(_e766, _e774).x), max(_e771, _e776).x) + (max(max(_e771, _e776).x, -(min(_e771, _e776).x)) * 0.0000019073523f)), _e701.member.member_1)));
-    phi_1860_ = select(0u, 4294967295u, (_e123 == 0u));
-    phi_1862_ = (_e123 + 1u);
+    let _e754 = phi_1689_;
+    let _e765 = ((_e740[0] - _e650) * _e653);
+    let _e766 = ((_e754[0] - _e651) * _e653);
+    let _e767 = vec4<f32>(_e765, f32(), _e766, f32());
+    let _e770 = ((_e740[1] - _e666) * _e669);
+    let _e771 = ((_e754[1] - _e667) * _e669);
+    let _e772 = vec4<f32>(_e770, f32(), _e771, f32());
+    let _e775 = ((_e740[2] - _e682) * _e685);
+    let _e776 = ((_e754[2] - _e683) * _e685);
+    let _e777 = vec4<f32>(_e775, f32(), _e776, f32());
+    let _e778 = vec4<f32>(_e766, f32(), _e765, f32());
+    let _e780 = vec4<f32>(_e771, f32(), _e770, f32());
+    let _e782 = vec4<f32>(_e776, f32(), _e775, f32());
+    phi_1862_ = _e707;
+    phi_1865_ = select(4294967295u, select(4294967295u, 0u, (_e693 <= _e692)), (max(max(max(min(_e767, _e778).x, min(_e772, _e780).x), min(_e777, _e782).x), _e693) <= min((min(min(max(_e767, _e778).x, max(_e772, _e780).x), max(_e777, _e782).x) + (max(max(_e777, _e782).x, -(min(_e777, _e782).x)) * 0.0000019073523f)), _e707.member.member_1)));
+    phi_1867_ = select(0u, 4294967295u, (_e123 == 0u));
+    phi_1869_ = (_e123 + 1u);
     loop {
-        let _e800 = phi_1855_;
-        let _e802 = phi_1858_;
-        let _e804 = phi_1860_;
         let _e806 = phi_1862_;
-        local_6 = _e800;
-        let _e807 = (_e802 <= 2147483647u);
-        if _e807 {
-            phi_1871_ = _e802;
-            phi_1874_ = _e804;
-            phi_1876_ = _e806;
+        let _e808 = phi_1865_;
+        let _e810 = phi_1867_;
+        let _e812 = phi_1869_;
+        local_6 = _e806;
+        let _e813 = (_e808 <= 2147483647u);
+        if _e813 {
+            phi_1878_ = _e808;
+            phi_1881_ = _e810;
+            phi_1883_ = _e812;
             loop {
-                let _e809 = phi_1871_;
-                let _e811 = phi_1874_;
-                let _e813 = phi_1876_;
-                local_2 = _e811;
-                local_3 = _e809;
-                local_4 = _e809;
-                local_8 = _e809;
-                local_9 = _e811;
-                local_10 = _e813;
-                let _e814 = (_e809 <= 2147483647u);
-                let _e817 = (_e814 && !((_e811 >= _e123)));
-                local_1 = _e814;
-                if _e817 {
-                    let _e822 = slimbvh_nodes.member[_e811][select(_e706, 2u, (2u < _e706))];
-                    let _e827 = slimbvh_nodes.member[_e811][select(_e707, 2u, (2u < _e707))];
-                    let _e832 = slimbvh_nodes.member[_e811][select(_e708, 2u, (2u < _e708))];
-                    let _e835 = bitcast<u32>(_e172);
-                    let _e840 = bitcast<f32>(_e822.x);
-                    let _e841 = bitcast<f32>((_e835 + ((_e822.w & 31u) << bitcast<u32>(23i))));
-                    let _e842 = (_e840 + _e841);
-                    if ((bitcast<u32>(_e647) >> bitcast<u32>(31i)) == 0u) {
-                        phi_1978_ = SlimbvhTypeJ(_e822.z, _e842);
-                        phi_1979_ = SlimbvhTypeJ(_e822.y, _e840);
+                let _e815 = phi_1878_;
+                let _e817 = phi_1881_;
+                let _e819 = phi_1883_;
+                local_2 = _e817;
+                local_3 = _e815;
+                local_4 = _e815;
+                local_8 = _e815;
+                local_9 = _e817;
+                local_10 = _e819;
+                let _e820 = (_e815 <= 2147483647u);
+                let _e822 = (_e817 + _e175);
+                let _e826 = (_e820 && !(((_e817 >= _e123) || (_e822 >= _e123))));
+                local_1 = _e820;
+                if _e826 {
+                    let _e831 = slimbvh_nodes.member[_e822][select(_e712, 2u, (2u < _e712))];
+                    let _e836 = slimbvh_nodes.member[_e822][select(_e713, 2u, (2u < _e713))];
+                    let _e841 = slimbvh_nodes.member[_e822][select(_e714, 2u, (2u < _e714))];
+                    let _e844 = bitcast<u32>(_e172);
+                    let _e849 = bitcast<f32>(_e831.x);
+                    let _e850 = bitcast<f32>((_e844 + ((_e831.w & 31u) << bitcast<u32>(23i))));
+                    let _e851 = (_e849 + _e850);
+                    if ((bitcast<u32>(_e653) >> bitcast<u32>(31i)) == 0u) {
+                        phi_1989_ = SlimbvhTypeJ(_e831.z, _e851);
+                        phi_1990_ = SlimbvhTypeJ(_e831.y, _e849);
                     } else {
-                        phi_1978_ = SlimbvhTypeJ(_e822.y, _e840);
-                        phi_1979_ = SlimbvhTypeJ(_e822.z, _e842);
+                        phi_1989_ = SlimbvhTypeJ(_e831.y, _e849);
+                        phi_1990_ = SlimbvhTypeJ(_e831.z, _e851);
                     }
-                    let _e853 = phi_1978_;
-                    let _e855 = phi_1979_;
-                    let _e894 = bitcast<f32>(_e827.x);
-                    let _e895 = bitcast<f32>((_e835 + ((_e827.w & 31u) << bitcast<u32>(23i))));
-                    let _e896 = (_e894 + _e895);
-                    if ((bitcast<u32>(_e663) >> bitcast<u32>(31i)) == 0u) {
-                        phi_2038_ = SlimbvhTypeJ(_e827.z, _e896);
-                        phi_2039_ = SlimbvhTypeJ(_e827.y, _e894);
+                    let _e862 = phi_1989_;
+                    let _e864 = phi_1990_;
+                    let _e903 = bitcast<f32>(_e836.x);
+                    let _e904 = bitcast<f32>((_e844 + ((_e836.w & 31u) << bitcast<u32>(23i))));
+                    let _e905 = (_e903 + _e904);
+                    if ((bitcast<u32>(_e669) >> bitcast<u32>(31i)) == 0u) {
+                        phi_2049_ = SlimbvhTypeJ(_e836.z, _e905);
+                        phi_2050_ = SlimbvhTypeJ(_e836.y, _e903);
                     } else {
-                        phi_2038_ = SlimbvhTypeJ(_e827.y, _e894);
-                        phi_2039_ = SlimbvhTypeJ(_e827.z, _e896);
+                        phi_2049_ = SlimbvhTypeJ(_e836.y, _e903);
+                        phi_2050_ = SlimbvhTypeJ(_e836.z, _e905);
                     }
-                    let _e907 = phi_2038_;
-                    let _e909 = phi_2039_;
-                    let _e948 = bitcast<f32>(_e832.x);
-                    let _e949 = bitcast<f32>((_e835 + ((_e832.w & 31u) << bitcast<u32>(23i))));
-                    let _e950 = (_e948 + _e949);
-                    if ((bitcast<u32>(_e679) >> bitcast<u32>(31i)) == 0u) {
-                        phi_2098_ = SlimbvhTypeJ(_e832.z, _e950);
-                        phi_2099_ = SlimbvhTypeJ(_e832.y, _e948);
+                    let _e916 = phi_2049_;
+                    let _e918 = phi_2050_;
+                    let _e957 = bitcast<f32>(_e841.x);
+                    let _e958 = bitcast<f32>((_e844 + ((_e841.w & 31u) << bitcast<u32>(23i))));
+                    let _e959 = (_e957 + _e958);
+                    if ((bitcast<u32>(_e685) >> bitcast<u32>(31i)) == 0u) {
+                        phi_2109_ = SlimbvhTypeJ(_e841.z, _e959);
+                        phi_2110_ = SlimbvhTypeJ(_e841.y, _e957);
                     } else {
-                        phi_2098_ = SlimbvhTypeJ(_e832.y, _e948);
-                        phi_2099_ = SlimbvhTypeJ(_e832.z, _e950);
+                        phi_2109_ = SlimbvhTypeJ(_e841.y, _e957);
+                        phi_2110_ = SlimbvhTypeJ(_e841.z, _e959);
                     }
-                    let _e961 = phi_2098_;
-                    let _e963 = phi_2099_;
-                    let _e998 = (_e841 * _e647);
-                    let _e1001 = bitcast<f32>((bitcast<u32>(_e998) & 2147483647u));
-                    let _e1005 = (((_e855.member_1 - _e644) * _e647) + (_e1001 * -0.00012207031f));
-                    let _e1017 = (((_e853.member_1 - _e645) * _e647) + (_e1001 * 0.00012207031f));
-                    let _e1026 = (_e895 * _e663);
-                    let _e1029 = bitcast<f32>((bitcast<u32>(_e1026) & 2147483647u));
-                    let _e1033 = (((_e909.member_1 - _e660) * _e663) + (_e1029 * -0.00012207031f));
-                    let _e1045 = (((_e907.member_1 - _e661) * _e663) + (_e1029 * 0.00012207031f));
-                    let _e1054 = (_e949 * _e679);
-                    let _e1057 = bitcast<f32>((bitcast<u32>(_e1054) & 2147483647u));
-                    let _e1061 = (((_e963.member_1 - _e676) * _e679) + (_e1057 * -0.00012207031f));
-                    let _e1066 = ((f32((_e963.member & 255u)) * _e1054) + _e1061);
-                    let _e1067 = ((f32(((_e963.member >> bitcast<u32>(8u)) & 255u)) * _e1054) + _e1061);
-                    let _e1068 = ((f32(((_e963.member >> bitcast<u32>(16u)) & 255u)) * _e1054) + _e1061);
-                    let _e1069 = ((f32(((_e963.member >> bitcast<u32>(24u)) & 255u)) * _e1054) + _e1061);
-                    let _e1073 = (((_e961.member_1 - _e677) * _e679) + (_e1057 * 0.00012207031f));
-                    let _e1078 = ((f32((_e961.member & 255u)) * _e1054) + _e1073);
-                    let _e1079 = ((f32(((_e961.member >> bitcast<u32>(8u)) & 255u)) * _e1054) + _e1073);
-                    let _e1080 = ((f32(((_e961.member >> bitcast<u32>(16u)) & 255u)) * _e1054) + _e1073);
-                    let _e1081 = ((f32(((_e961.member >> bitcast<u32>(24u)) & 255u)) * _e1054) + _e1073);
-                    let _e1114 = max(max(max(((f32((_e855.member & 255u)) * _e998) + _e1005), ((f32((_e909.member & 255u)) * _e1026) + _e1033)), _e1066), _e687);
-                    let _e1115 = max(max(max(((f32(((_e855.member >> bitcast<u32>(8u)) & 255u)) * _e998) + _e1005), ((f32(((_e909.member >> bitcast<u32>(8u)) & 255u)) * _e1026) + _e1033)), _e1067), _e687);
-                    let _e1116 = max(max(max(((f32(((_e855.member >> bitcast<u32>(16u)) & 255u)) * _e998) + _e1005), ((f32(((_e909.member >> bitcast<u32>(16u)) & 255u)) * _e1026) + _e1033)), _e1068), _e687);
-                    let _e1117 = max(max(max(((f32(((_e855.member >> bitcast<u32>(24u)) & 255u)) * _e998) + _e1005), ((f32(((_e909.member >> bitcast<u32>(24u)) & 255u)) * _e1026) + _e1033)), _e1069), _e687);
-                    let _e1122 = (_e800.member.member_1 + (bitcast<f32>((bitcast<u32>(_e800.member.member_1) & 2147483647u)) * 0.0000004768374f));
-                    if (_e1114 <= min((min(min(((f32((_e853.member & 255u)) * _e998) + _e1017), ((f32((_e907.member & 255u)) * _e1026) + _e1045)), _e1078) + (max(_e1078, -(_e1066)) * 0.0000023841915f)), _e1122)) {
-                        phi_2589_ = (((bitcast<u32>(_e1114) ^ select(0u, 4294967288u, _e701.member_1)) & 2147483640u) | 4u);
+                    let _e970 = phi_2109_;
+                    let _e972 = phi_2110_;
+                    let _e1007 = (_e850 * _e653);
+                    let _e1010 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
+                    let _e1014 = (((_e864.member_1 - _e650) * _e653) + (_e1010 * -0.00012207031f));
+                    let _e1026 = (((_e862.member_1 - _e651) * _e653) + (_e1010 * 0.00012207031f));
+                    let _e1035 = (_e904 * _e669);
+                    let _e1038 = bitcast<f32>((bitcast<u32>(_e1035) & 2147483647u));
+                    let _e1042 = (((_e918.member_1 - _e666) * _e669) + (_e1038 * -0.00012207031f));
+                    let _e1054 = (((_e916.member_1 - _e667) * _e669) + (_e1038 * 0.00012207031f));
+                    let _e1063 = (_e958 * _e685);
+                    let _e1066 = bitcast<f32>((bitcast<u32>(_e1063) & 2147483647u));
+                    let _e1070 = (((_e972.member_1 - _e682) * _e685) + (_e1066 * -0.00012207031f));
+                    let _e1075 = ((f32((_e972.member & 255u)) * _e1063) + _e1070);
+                    let _e1076 = ((f32(((_e972.member >> bitcast<u32>(8u)) & 255u)) * _e1063) + _e1070);
+                    let _e1077 = ((f32(((_e972.member >> bitcast<u32>(16u)) & 255u)) * _e1063) + _e1070);
+                    let _e1078 = ((f32(((_e972.member >> bitcast<u32>(24u)) & 255u)) * _e1063) + _e1070);
+                    let _e1082 = (((_e970.member_1 - _e683) * _e685) + (_e1066 * 0.00012207031f));
+                    let _e1087 = ((f32((_e970.member & 255u)) * _e1063) + _e1082);
+                    let _e1088 = ((f32(((_e970.member >> bitcast<u32>(8u)) & 255u)) * _e1063) + _e1082);
+                    let _e1089 = ((f32(((_e970.member >> bitcast<u32>(16u)) & 255u)) * _e1063) + _e1082);
+                    let _e1090 = ((f32(((_e970.member >> bitcast<u32>(24u)) & 255u)) * _e1063) + _e1082);
+                    let _e1123 = max(max(max(((f32((_e864.member & 255u)) * _e1007) + _e1014), ((f32((_e918.member & 255u)) * _e1035) + _e1042)), _e1075), _e693);
+                    let _e1124 = max(max(max(((f32(((_e864.member >> bitcast<u32>(8u)) & 255u)) * _e1007) + _e1014), ((f32(((_e918.member >> bitcast<u32>(8u)) & 255u)) * _e1035) + _e1042)), _e1076), _e693);
+                    let _e1125 = max(max(max(((f32(((_e864.member >> bitcast<u32>(16u)) & 255u)) * _e1007) + _e1014), ((f32(((_e918.member >> bitcast<u32>(16u)) & 255u)) * _e1035) + _e1042)), _e1077), _e693);
+                    let _e1126 = max(max(max(((f32(((_e864.member >> bitcast<u32>(24u)) & 255u)) * _e1007) + _e1014), ((f32(((_e918.member >> bitcast<u32>(24u)) & 255u)) * _e1035) + _e1042)), _e1078), _e693);
+                    let _e1131 = (_e806.member.member_1 + (bitcast<f32>((bitcast<u32>(_e806.member.member_1) & 2147483647u)) * 0.0000004768374f));
+                    if (_e1123 <= min((min(min(((f32((_e862.member & 255u)) * _e1007) + _e1026), ((f32((_e916.member & 255u)) * _e1035) + _e1054)), _e1087) + (max(_e1087, -(_e1075)) * 0.0000023841915f)), _e1131)) {
+                        phi_2600_ = (((bitcast<u32>(_e1123) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2589_ = 4294967288u;
+                        phi_2600_ = 4294967288u;
                     }
-                    let _e1137 = phi_2589_;
-                    if (_e1115 <= min((min(min(((f32(((_e853.member >> bitcast<u32>(8u)) & 255u)) * _e998) + _e1017), ((f32(((_e907.member >> bitcast<u32>(8u)) & 255u)) * _e1026) + _e1045)), _e1079) + (max(_e1079, -(_e1067)) * 0.0000023841915f)), _e1122)) {
-                        phi_2602_ = ((((bitcast<u32>(_e1115) ^ select(0u, 4294967288u, _e701.member_1)) & 2147483640u) | 4u) | 1u);
+                    let _e1146 = phi_2600_;
+                    if (_e1124 <= min((min(min(((f32(((_e862.member >> bitcast<u32>(8u)) & 255u)) * _e1007) + _e1026), ((f32(((_e916.member >> bitcast<u32>(8u)) & 255u)) * _e1035) + _e1054)), _e1088) + (max(_e1088, -(_e1076)) * 0.0000023841915f)), _e1131)) {
+                        phi_2613_ = ((((bitcast<u32>(_e1124) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2602_ = 4294967288u;
+                        phi_2613_ = 4294967288u;
                     }
-                    let _e1145 = phi_2602_;
-                    if (_e1116 <= min((min(min(((f32(((_e853.member >> bitcast<u32>(16u)) & 255u)) * _e998) + _e1017), ((f32(((_e907.member >> bitcast<u32>(16u)) & 255u)) * _e1026) + _e1045)), _e1080) + (max(_e1080, -(_e1068)) * 0.0000023841915f)), _e1122)) {
-                        phi_2615_ = ((((bitcast<u32>(_e1116) ^ select(0u, 4294967288u, _e701.member_1)) & 2147483640u) | 4u) | 2u);
+                    let _e1154 = phi_2613_;
+                    if (_e1125 <= min((min(min(((f32(((_e862.member >> bitcast<u32>(16u)) & 255u)) * _e1007) + _e1026), ((f32(((_e916.member >> bitcast<u32>(16u)) & 255u)) * _e1035) + _e1054)), _e1089) + (max(_e1089, -(_e1077)) * 0.0000023841915f)), _e1131)) {
+                        phi_2626_ = ((((bitcast<u32>(_e1125) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_2615_ = 4294967288u;
+                        phi_2626_ = 4294967288u;
                     }
-                    let _e1153 = phi_2615_;
-                    if (_e1117 <= min((min(min(((f32(((_e853.member >> bitcast<u32>(24u)) & 255u)) * _e998) + _e1017), ((f32(((_e907.member >> bitcast<u32>(24u)) & 255u)) * _e1026) + _e1045)), _e1081) + (max(_e1081, -(_e1069)) * 0.0000023841915f)), _e1122)) {
-                        phi_2628_ = ((((bitcast<u32>(_e1117) ^ select(0u, 4294967288u, _e701.member_1)) & 2147483640u) | 4u) | 3u);
+                    let _e1162 = phi_2626_;
+                    if (_e1126 <= min((min(min(((f32(((_e862.member >> bitcast<u32>(24u)) & 255u)) * _e1007) + _e1026), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1035) + _e1054)), _e1090) + (max(_e1090, -(_e1078)) * 0.0000023841915f)), _e1131)) {
+                        phi_2639_ = ((((bitcast<u32>(_e1126) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_2628_ = 4294967288u;
+                        phi_2639_ = 4294967288u;
                     }
-                    let _e1161 = phi_2628_;
-                    if (_e1137 < _e1145) {
-                        phi_5346_ = SlimbvhTypeD(_e1137, _e1145);
+                    let _e1170 = phi_2639_;
+                    if (_e1146 < _e1154) {
+                        phi_5357_ = SlimbvhTypeD(_e1146, _e1154);
                     } else {
-                        phi_5346_ = SlimbvhTypeD(_e1145, _e1137);
+                        phi_5357_ = SlimbvhTypeD(_e1154, _e1146);
                     }
-                    let _e1166 = phi_5346_;
-                    if (_e1153 < _e1161) {
-                        phi_5358_ = SlimbvhTypeD(_e1153, _e1161);
+                    let _e1175 = phi_5357_;
+                    if (_e1162 < _e1170) {
+                        phi_5369_ = SlimbvhTypeD(_e1162, _e1170);
                     } else {
-                        phi_5358_ = SlimbvhTypeD(_e1161, _e1153);
+                        phi_5369_ = SlimbvhTypeD(_e1170, _e1162);
                     }
-                    let _e1173 = phi_5358_;
-                    if (_e1166.member < _e1173.member) {
-                        phi_5370_ = SlimbvhTypeD(_e1166.member, _e1173.member);
+                    let _e1182 = phi_5369_;
+                    if (_e1175.member < _e1182.member) {
+                        phi_5381_ = SlimbvhTypeD(_e1175.member, _e1182.member);
                     } else {
-                        phi_5370_ = SlimbvhTypeD(_e1173.member, _e1166.member);
+                        phi_5381_ = SlimbvhTypeD(_e1182.member, _e1175.member);
                     }
-                    let _e1180 = phi_5370_;
-                    if (_e1166.member_1 < _e1173.member_1) {
-                        phi_5382_ = SlimbvhTypeD(_e1166.member_1, _e1173.member_1);
+                    let _e1189 = phi_5381_;
+                    if (_e1175.member_1 < _e1182.member_1) {
+                        phi_5393_ = SlimbvhTypeD(_e1175.member_1, _e1182.member_1);
                     } else {
-                        phi_5382_ = SlimbvhTypeD(_e1173.member_1, _e1166.member_1);
+                        phi_5393_ = SlimbvhTypeD(_e1182.member_1, _e1175.member_1);
                     }
-                    let _e1187 = phi_5382_;
-                    if (_e1187.member < _e1180.member_1) {
-                        phi_5394_ = SlimbvhTypeD(_e1187.member, _e1180.member_1);
+                    let _e1196 = phi_5393_;
+                    if (_e1196.member < _e1189.member_1) {
+                        phi_5405_ = SlimbvhTypeD(_e1196.member, _e1189.member_1);
                     } else {
-                        phi_5394_ = SlimbvhTypeD(_e1180.member_1, _e1187.member);
+                        phi_5405_ = SlimbvhTypeD(_e1189.member_1, _e1196.member);
                     }
-                    let _e1194 = phi_5394_;
-                    let _e1209 = (((_e1180.member & 7u) | ((_e1194.member & 7u) << bitcast<u32>(3u))) | (((_e1194.member_1 & 7u) | ((_e1187.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                    if (_e1209 == 0u) {
-                        let _e1227 = (_e809 - 1u);
-                        let _e1230 = local[(_e1227 % 128u)];
-                        let _e1231 = (_e1230 & 511u);
-                        let _e1233 = (_e1231 >> bitcast<u32>(3u));
-                        let _e1236 = ((_e1233 == 0u) || (_e1227 == 4294967295u));
-                        if _e1236 {
+                    let _e1203 = phi_5405_;
+                    let _e1218 = (((_e1189.member & 7u) | ((_e1203.member & 7u) << bitcast<u32>(3u))) | (((_e1203.member_1 & 7u) | ((_e1196.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                    if (_e1218 == 0u) {
+                        let _e1236 = (_e815 - 1u);
+                        let _e1239 = local[(_e1236 % 128u)];
+                        let _e1240 = (_e1239 & 511u);
+                        let _e1242 = (_e1240 >> bitcast<u32>(3u));
+                        let _e1245 = ((_e1242 == 0u) || (_e1236 == 4294967295u));
+                        if _e1245 {
                         } else {
-                            local[(_e1227 % 128u)] = (((_e1230 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1233);
+                            local[(_e1236 % 128u)] = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1242);
                         }
-                        phi_2714_ = select(_e809, _e1227, _e1236);
-                        phi_2715_ = (((_e1230 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1231 & 3u) & 3u));
+                        phi_2725_ = select(_e815, _e1236, _e1245);
+                        phi_2726_ = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1240 & 3u) & 3u));
                     } else {
-                        let _e1212 = (_e1209 >> bitcast<u32>(3u));
-                        if (_e1212 == 0u) {
-                            phi_2709_ = _e809;
+                        let _e1221 = (_e1218 >> bitcast<u32>(3u));
+                        if (_e1221 == 0u) {
+                            phi_2720_ = _e815;
                         } else {
-                            local[(_e809 % 128u)] = ((_e811 << bitcast<u32>(9u)) | _e1212);
-                            phi_2709_ = (_e809 + 1u);
+                            local[(_e815 % 128u)] = ((_e822 << bitcast<u32>(9u)) | _e1221);
+                            phi_2720_ = (_e815 + 1u);
                         }
-                        let _e1221 = phi_2709_;
-                        phi_2714_ = _e1221;
-                        phi_2715_ = ((_e811 << bitcast<u32>(2i)) | ((_e1209 & 3u) & 3u));
+                        let _e1230 = phi_2720_;
+                        phi_2725_ = _e1230;
+                        phi_2726_ = ((_e822 << bitcast<u32>(2i)) | ((_e1218 & 3u) & 3u));
                     }
-                    let _e1251 = phi_2714_;
-                    let _e1253 = phi_2715_;
-                    let _e1255 = (_e1253 >> bitcast<u32>(2i));
-                    if (_e1255 < _e123) {
-                        let _e1260 = slimbvh_nodes.member[_e1255][1u][3u];
-                        let _e1264 = slimbvh_nodes.member[_e1255][2u][3u];
-                        let _e1269 = (_e1264 >> bitcast<u32>(20u));
-                        let _e1270 = (_e1253 & 3u);
-                        if (((_e1269 >> bitcast<u32>((((3u * _e1270) & 31u) & 31u))) & 7u) == 7u) {
-                            let _e1282 = ((_e1269 | (_e1269 << bitcast<u32>(10i))) & 4128831u);
-                            phi_2769_ = (((_e1260 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1282 | (_e1282 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1270) & 31u) & 31u))) & 255u));
+                    let _e1260 = phi_2725_;
+                    let _e1262 = phi_2726_;
+                    let _e1264 = (_e1262 >> bitcast<u32>(2i));
+                    if (_e1264 < _e123) {
+                        let _e1269 = slimbvh_nodes.member[_e1264][1u][3u];
+                        let _e1273 = slimbvh_nodes.member[_e1264][2u][3u];
+                        let _e1278 = (_e1273 >> bitcast<u32>(20u));
+                        let _e1279 = (_e1262 & 3u);
+                        if (((_e1278 >> bitcast<u32>((((3u * _e1279) & 31u) & 31u))) & 7u) == 7u) {
+                            let _e1291 = ((_e1278 | (_e1278 << bitcast<u32>(10i))) & 4128831u);
+                            phi_2780_ = (((_e1269 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1291 | (_e1291 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1279) & 31u) & 31u))) & 255u));
                         } else {
-                            phi_2769_ = (2147483648u | _e1253);
+                            phi_2780_ = (2147483648u | _e1262);
                         }
-                        let _e1300 = phi_2769_;
-                        phi_2770_ = _e1300;
+                        let _e1309 = phi_2780_;
+                        phi_2781_ = _e1309;
                     } else {
-                        phi_2770_ = 4294967295u;
+                        phi_2781_ = 4294967295u;
                     }
-                    let _e1302 = phi_2770_;
-                    let _e1303 = (_e813 - 1u);
-                    phi_1872_ = select(_e1251, 4294967295u, (_e1303 == 0u));
-                    phi_1875_ = _e1302;
-                    phi_1877_ = _e1303;
+                    let _e1311 = phi_2781_;
+                    let _e1312 = (_e819 - 1u);
+                    phi_1879_ = select(_e1260, 4294967295u, (_e1312 == 0u));
+                    phi_1882_ = _e1311;
+                    phi_1884_ = _e1312;
                 } else {
-                    phi_1872_ = u32();
-                    phi_1875_ = u32();
-                    phi_1877_ = u32();
+                    phi_1879_ = u32();
+                    phi_1882_ = u32();
+                    phi_1884_ = u32();
                 }
-                let _e1307 = phi_1872_;
-                let _e1309 = phi_1875_;
-                let _e1311 = phi_1877_;
+                let _e1316 = phi_1879_;
+                let _e1318 = phi_1882_;
+                let _e1320 = phi_1884_;
                 continue;
                 continuing {
-                    phi_1871_ = _e1307;
-                    phi_1874_ = _e1309;
-                    phi_1876_ = _e1311;
-                    break if !(_e817);
+                    phi_1878_ = _e1316;
+                    phi_1881_ = _e1318;
+                    phi_1883_ = _e1320;
+                    break if !(_e826);
                 }
             }
-            let _e1314 = local_1;
-            if _e1314 {
-                let _e1316 = local_2;
-                let _e1317 = (_e1316 & 2147483647u);
-                let _e1319 = (_e1317 >> bitcast<u32>(2i));
-                if (_e1319 >= _e123) {
-                    phi_3003_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+            let _e1323 = local_1;
+            if _e1323 {
+                let _e1325 = local_2;
+                let _e1326 = (_e1325 & 2147483647u);
+                let _e1328 = (_e1326 >> bitcast<u32>(2i));
+                if (_e1328 >= _e123) {
+                    phi_3014_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                 } else {
-                    let _e1325 = slimbvh_nodes.member[_e1319][select(_e706, 2u, (2u < _e706))];
-                    let _e1334 = slimbvh_nodes.member[_e1319][select(_e707, 2u, (2u < _e707))];
-                    let _e1343 = slimbvh_nodes.member[_e1319][select(_e708, 2u, (2u < _e708))];
-                    let _e1351 = slimbvh_nodes.member[_e1319][0u][3u];
-                    let _e1355 = slimbvh_nodes.member[_e1319][1u][3u];
-                    let _e1359 = slimbvh_nodes.member[_e1319][2u][3u];
-                    let _e1372 = (_e1359 >> bitcast<u32>(20u));
-                    let _e1380 = (((_e1359 >> bitcast<u32>(7u)) & 8191u) | ((_e1355 >> bitcast<u32>(29u)) << bitcast<u32>(13u)));
-                    let _e1383 = ((_e1359 >> bitcast<u32>(5u)) & 3u);
-                    let _e1384 = (_e1317 & 3u);
-                    let _e1390 = ((_e1372 >> bitcast<u32>((((3u * _e1384) & 31u) & 31u))) & 7u);
-                    if (_e1390 == 7u) {
-                        let _e1443 = ((_e1372 | (_e1372 << bitcast<u32>(10i))) & 4128831u);
-                        phi_2955_ = (((_e1355 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1443 | (_e1443 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1384) & 31u) & 31u))) & 255u));
+                    let _e1334 = slimbvh_nodes.member[_e1328][select(_e712, 2u, (2u < _e712))];
+                    let _e1343 = slimbvh_nodes.member[_e1328][select(_e713, 2u, (2u < _e713))];
+                    let _e1352 = slimbvh_nodes.member[_e1328][select(_e714, 2u, (2u < _e714))];
+                    let _e1360 = slimbvh_nodes.member[_e1328][0u][3u];
+                    let _e1364 = slimbvh_nodes.member[_e1328][1u][3u];
+                    let _e1368 = slimbvh_nodes.member[_e1328][2u][3u];
+                    let _e1381 = (_e1368 >> bitcast<u32>(20u));
+                    let _e1389 = (((_e1368 >> bitcast<u32>(7u)) & 8191u) | ((_e1364 >> bitcast<u32>(29u)) << bitcast<u32>(13u)));
+                    let _e1392 = ((_e1368 >> bitcast<u32>(5u)) & 3u);
+                    let _e1393 = (_e1326 & 3u);
+                    let _e1399 = ((_e1381 >> bitcast<u32>((((3u * _e1393) & 31u) & 31u))) & 7u);
+                    if (_e1399 == 7u) {
+                        let _e1452 = ((_e1381 | (_e1381 << bitcast<u32>(10i))) & 4128831u);
+                        phi_2966_ = (((_e1364 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1452 | (_e1452 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1393) & 31u) & 31u))) & 255u));
                     } else {
-                        let _e1395 = ((_e1372 | (_e1372 << bitcast<u32>(10i))) & 4128831u);
-                        let _e1399 = ((_e1395 | (_e1395 << bitcast<u32>(5i))) & 117901063u);
-                        let _e1405 = (_e1399 - (7u * (((_e1399 + 16843009u) >> bitcast<u32>(3i)) & 16843009u)));
-                        let _e1413 = ((_e1380 | (_e1380 << bitcast<u32>(8i))) & 16711935u);
-                        phi_2955_ = ((2147483648u | (_e1390 << bitcast<u32>(28u))) | ((((_e1351 >> bitcast<u32>(5u)) | (((_e1355 >> bitcast<u32>(28u)) & 1u) << bitcast<u32>(27u))) + (((((((((_e1413 | (_e1413 << bitcast<u32>(4i))) & 252645135u) + (3u * (((_e1405 + 117901063u) >> bitcast<u32>(3i)) & 16843009u))) * (_e1383 + 1u)) + _e1405) + ((_e1405 >> bitcast<u32>(1i)) & 50529027u)) * 16843008u) >> bitcast<u32>((((8u * _e1384) & 31u) & 31u))) & 255u)) & 268435455u));
+                        let _e1404 = ((_e1381 | (_e1381 << bitcast<u32>(10i))) & 4128831u);
+                        let _e1408 = ((_e1404 | (_e1404 << bitcast<u32>(5i))) & 117901063u);
+                        let _e1414 = (_e1408 - (7u * (((_e1408 + 16843009u) >> bitcast<u32>(3i)) & 16843009u)));
+                        let _e1422 = ((_e1389 | (_e1389 << bitcast<u32>(8i))) & 16711935u);
+                        phi_2966_ = ((2147483648u | (_e1399 << bitcast<u32>(28u))) | ((((_e1360 >> bitcast<u32>(5u)) | (((_e1364 >> bitcast<u32>(28u)) & 1u) << bitcast<u32>(27u))) + (((((((((_e1422 | (_e1422 << bitcast<u32>(4i))) & 252645135u) + (3u * (((_e1414 + 117901063u) >> bitcast<u32>(3i)) & 16843009u))) * (_e1392 + 1u)) + _e1414) + ((_e1414 >> bitcast<u32>(1i)) & 50529027u)) * 16843008u) >> bitcast<u32>((((8u * _e1393) & 31u) & 31u))) & 255u)) & 268435455u));
                     }
-                    let _e1461 = phi_2955_;
-                    switch bitcast<i32>(_e1383) {
+                    let _e1470 = phi_2966_;
+                    switch bitcast<i32>(_e1392) {
                         case 0: {
-                            phi_2960_ = 0u;
+                            phi_2971_ = 0u;
                             break;
                         }
                         case 1: {
-                            phi_2960_ = 1u;
+                            phi_2971_ = 1u;
                             break;
                         }
                         default: {
-                            phi_2960_ = 2u;
+                            phi_2971_ = 2u;
                             break;
                         }
                     }
-                    let _e1464 = phi_2960_;
-                    let _e1467 = (((8u * _e1384) & 31u) & 31u);
-                    phi_3003_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1325.x) + (f32((((_e1325.y >> bitcast<u32>(_e1467)) & 255u) << bitcast<u32>(((_e1325.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1334.x) + (f32((((_e1334.y >> bitcast<u32>(_e1467)) & 255u) << bitcast<u32>(((_e1334.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1343.x) + (f32((((_e1343.y >> bitcast<u32>(_e1467)) & 255u) << bitcast<u32>(((_e1343.w & 31u) & 31u)))) * _e172)), 0f), _e1464), (_e1461 & 268435455u), ((_e1461 >> bitcast<u32>(28u)) & 7u));
+                    let _e1473 = phi_2971_;
+                    let _e1476 = (((8u * _e1393) & 31u) & 31u);
+                    phi_3014_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1334.x) + (f32((((_e1334.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1334.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1343.x) + (f32((((_e1343.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1343.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1352.x) + (f32((((_e1352.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1352.w & 31u) & 31u)))) * _e172)), 0f), _e1473), (_e1470 & 268435455u), ((_e1470 >> bitcast<u32>(28u)) & 7u));
                 }
-                let _e1506 = phi_3003_;
-                phi_3007_ = _e800;
-                phi_3010_ = SlimbvhTypeD(0u, _e1506.member_2);
+                let _e1515 = phi_3014_;
+                let _e1517 = (_e1515.member_1 + _e178);
+                phi_3021_ = _e806;
+                phi_3024_ = SlimbvhTypeD(0u, _e1515.member_2);
                 loop {
-                    let _e1510 = phi_3007_;
-                    let _e1512 = phi_3010_;
-                    local_5 = _e1510;
-                    local_7 = _e1510;
-                    if (_e1512.member < _e1512.member_1) {
-                        phi_3011_ = SlimbvhTypeD((_e1512.member + 1u), _e1512.member_1);
-                        phi_3033_ = SlimbvhTypeD(1u, _e1512.member);
+                    let _e1522 = phi_3021_;
+                    let _e1524 = phi_3024_;
+                    local_5 = _e1522;
+                    local_7 = _e1522;
+                    if (_e1524.member < _e1524.member_1) {
+                        phi_3025_ = SlimbvhTypeD((_e1524.member + 1u), _e1524.member_1);
+                        phi_3047_ = SlimbvhTypeD(1u, _e1524.member);
                     } else {
-                        phi_3011_ = _e1512;
-                        phi_3033_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                        phi_3025_ = _e1524;
+                        phi_3047_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                     }
-                    let _e1525 = phi_3011_;
-                    let _e1527 = phi_3033_;
-                    let _e1531 = (bitcast<i32>(_e1527.member) != 0i);
-                    if _e1531 {
-                        let _e1535 = (_e1506.member_1 + (_e1506.member_2 / 2u));
-                        let _e1536 = (_e1535 + _e1527.member_1);
-                        if (_e1536 < _e126) {
-                            let _e1539 = slimbvh_triangles.member[_e1536];
-                            phi_3061_ = _e1539;
+                    let _e1537 = phi_3025_;
+                    let _e1539 = phi_3047_;
+                    let _e1543 = (bitcast<i32>(_e1539.member) != 0i);
+                    if _e1543 {
+                        let _e1545 = (_e1517 + (_e1515.member_2 / 2u));
+                        let _e1546 = (_e1545 + _e1539.member_1);
+                        if (_e1546 < _e126) {
+                            let _e1549 = slimbvh_triangles.member[_e1546];
+                            phi_3072_ = _e1549;
                         } else {
-                            phi_3061_ = 4294967295u;
+                            phi_3072_ = 4294967295u;
                         }
-                        let _e1541 = phi_3061_;
-                        let _e1542 = (_e1527.member_1 - 1u);
-                        let _e1545 = (_e1506.member_1 + (_e1542 >> bitcast<u32>(1i)));
-                        if (_e1545 < _e126) {
-                            let _e1548 = slimbvh_triangles.member[_e1545];
-                            phi_3084_ = _e1548;
+                        let _e1551 = phi_3072_;
+                        let _e1552 = (_e1539.member_1 - 1u);
+                        let _e1555 = (_e1517 + (_e1552 >> bitcast<u32>(1i)));
+                        if (_e1555 < _e126) {
+                            let _e1558 = slimbvh_triangles.member[_e1555];
+                            phi_3095_ = _e1558;
                         } else {
-                            phi_3084_ = 0u;
+                            phi_3095_ = 0u;
                         }
-                        let _e1550 = phi_3084_;
-                        if (_e1527.member_1 == 0u) {
-                            phi_3093_ = 2080u;
+                        let _e1560 = phi_3095_;
+                        if (_e1539.member_1 == 0u) {
+                            phi_3104_ = 2080u;
                         } else {
-                            phi_3093_ = (_e1550 >> bitcast<u32>(((16u * (_e1542 & 1u)) & 31u)));
+                            phi_3104_ = (_e1560 >> bitcast<u32>(((16u * (_e1552 & 1u)) & 31u)));
                         }
-                        let _e1558 = phi_3093_;
-                        let _e1559 = (_e1535 + _e1506.member_2);
-                        switch bitcast<i32>(_e1506.member.member_1) {
+                        let _e1568 = phi_3104_;
+                        let _e1569 = (_e1545 + _e1515.member_2);
+                        switch bitcast<i32>(_e1515.member.member_1) {
                             case 0: {
-                                phi_3103_ = 1u;
+                                phi_3114_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3103_ = 2u;
+                                phi_3114_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3103_ = 3u;
+                                phi_3114_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3103_ = u32();
+                                phi_3114_ = u32();
                                 break;
                             }
                         }
-                        let _e1563 = phi_3103_;
-                        let _e1566 = (_e1559 + ((_e1558 & 31u) * _e1563));
-                        let _e1571 = (_e1559 + (((_e1558 >> bitcast<u32>(5u)) & 31u) * _e1563));
-                        let _e1576 = (_e1559 + (((_e1558 >> bitcast<u32>(10u)) & 31u) * _e1563));
-                        switch bitcast<i32>(_e1506.member.member_1) {
+                        let _e1573 = phi_3114_;
+                        let _e1576 = (_e1569 + ((_e1568 & 31u) * _e1573));
+                        let _e1581 = (_e1569 + (((_e1568 >> bitcast<u32>(5u)) & 31u) * _e1573));
+                        let _e1586 = (_e1569 + (((_e1568 >> bitcast<u32>(10u)) & 31u) * _e1573));
+                        switch bitcast<i32>(_e1515.member.member_1) {
                             case 0: {
-                                if (_e1566 < _e126) {
-                                    let _e1853 = slimbvh_triangles.member[_e1566];
-                                    phi_3145_ = _e1853;
-                                } else {
-                                    phi_3145_ = 0u;
-                                }
-                                let _e1855 = phi_3145_;
-                                let _e1858 = ((10u * _e232) & 31u);
-                                let _e1869 = ((10u * _e236) & 31u);
-                                let _e1880 = ((10u * _e228) & 31u);
-                                if (_e1571 < _e126) {
-                                    let _e1892 = slimbvh_triangles.member[_e1571];
-                                    phi_3191_ = _e1892;
-                                } else {
-                                    phi_3191_ = 0u;
-                                }
-                                let _e1894 = phi_3191_;
                                 if (_e1576 < _e126) {
-                                    let _e1922 = slimbvh_triangles.member[_e1576];
-                                    phi_3237_ = _e1922;
+                                    let _e1863 = slimbvh_triangles.member[_e1576];
+                                    phi_3156_ = _e1863;
                                 } else {
-                                    phi_3237_ = 0u;
+                                    phi_3156_ = 0u;
                                 }
-                                let _e1924 = phi_3237_;
-                                phi_3704_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1506.member.member.x + ((bitcast<f32>((1258291200u | ((_e1855 >> bitcast<u32>(_e1858)) & 1023u))) - 8388608f) * _e172)), (_e1506.member.member.y + ((bitcast<f32>((1258291200u | ((_e1855 >> bitcast<u32>(_e1869)) & 1023u))) - 8388608f) * _e172)), (_e1506.member.member.z + ((bitcast<f32>((1258291200u | ((_e1855 >> bitcast<u32>(_e1880)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1506.member.member.x + ((bitcast<f32>((1258291200u | ((_e1894 >> bitcast<u32>(_e1858)) & 1023u))) - 8388608f) * _e172)), (_e1506.member.member.y + ((bitcast<f32>((1258291200u | ((_e1894 >> bitcast<u32>(_e1869)) & 1023u))) - 8388608f) * _e172)), (_e1506.member.member.z + ((bitcast<f32>((1258291200u | ((_e1894 >> bitcast<u32>(_e1880)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1506.member.member.x + ((bitcast<f32>((1258291200u | ((_e1924 >> bitcast<u32>(_e1858)) & 1023u))) - 8388608f) * _e172)), (_e1506.member.member.y + ((bitcast<f32>((1258291200u | ((_e1924 >> bitcast<u32>(_e1869)) & 1023u))) - 8388608f) * _e172)), (_e1506.member.member.z + ((bitcast<f32>((1258291200u | ((_e1924 >> bitcast<u32>(_e1880)) & 1023u))) - 8388608f) * _e172))));
+                                let _e1865 = phi_3156_;
+                                let _e1868 = ((10u * _e238) & 31u);
+                                let _e1879 = ((10u * _e242) & 31u);
+                                let _e1890 = ((10u * _e234) & 31u);
+                                if (_e1581 < _e126) {
+                                    let _e1902 = slimbvh_triangles.member[_e1581];
+                                    phi_3202_ = _e1902;
+                                } else {
+                                    phi_3202_ = 0u;
+                                }
+                                let _e1904 = phi_3202_;
+                                if (_e1586 < _e126) {
+                                    let _e1932 = slimbvh_triangles.member[_e1586];
+                                    phi_3248_ = _e1932;
+                                } else {
+                                    phi_3248_ = 0u;
+                                }
+                                let _e1934 = phi_3248_;
+                                phi_3715_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))));
                                 break;
                             }
                             case 1: {
-                                if (_e1566 < _e126) {
-                                    let _e1666 = slimbvh_triangles.member[_e1566];
-                                    phi_3284_ = _e1666;
-                                } else {
-                                    phi_3284_ = 0u;
-                                }
-                                let _e1668 = phi_3284_;
-                                let _e1669 = (_e1566 + 1u);
-                                if (_e1669 < _e126) {
-                                    let _e1672 = slimbvh_triangles.member[_e1669];
-                                    phi_3297_ = _e1672;
-                                } else {
-                                    phi_3297_ = 0u;
-                                }
-                                let _e1674 = phi_3297_;
-                                let _e1676 = (_e232 == 1u);
-                                if _e1676 {
-                                    phi_3307_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3307_ = (_e1674 >> bitcast<u32>(10i));
-                                }
-                                let _e1685 = phi_3307_;
-                                let _e1694 = (_e236 == 1u);
-                                if _e1694 {
-                                    phi_3328_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3328_ = (_e1674 >> bitcast<u32>(10i));
-                                }
-                                let _e1703 = phi_3328_;
-                                let _e1712 = (_e228 == 1u);
-                                if _e1712 {
-                                    phi_3349_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3349_ = (_e1674 >> bitcast<u32>(10i));
-                                }
-                                let _e1721 = phi_3349_;
-                                if (_e1571 < _e126) {
-                                    let _e1732 = slimbvh_triangles.member[_e1571];
-                                    phi_3376_ = _e1732;
-                                } else {
-                                    phi_3376_ = 0u;
-                                }
-                                let _e1734 = phi_3376_;
-                                let _e1735 = (_e1571 + 1u);
-                                if (_e1735 < _e126) {
-                                    let _e1738 = slimbvh_triangles.member[_e1735];
-                                    phi_3389_ = _e1738;
-                                } else {
-                                    phi_3389_ = 0u;
-                                }
-                                let _e1740 = phi_3389_;
-                                if _e1676 {
-                                    phi_3399_ = ((_e1734 >> bitcast<u32>(21i)) | (_e1740 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3399_ = (_e1740 >> bitcast<u32>(10i));
-                                }
-                                let _e1749 = phi_3399_;
-                                if _e1694 {
-                                    phi_3420_ = ((_e1734 >> bitcast<u32>(21i)) | (_e1740 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3420_ = (_e1740 >> bitcast<u32>(10i));
-                                }
-                                let _e1765 = phi_3420_;
-                                if _e1712 {
-                                    phi_3441_ = ((_e1734 >> bitcast<u32>(21i)) | (_e1740 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3441_ = (_e1740 >> bitcast<u32>(10i));
-                                }
-                                let _e1781 = phi_3441_;
                                 if (_e1576 < _e126) {
-                                    let _e1792 = slimbvh_triangles.member[_e1576];
-                                    phi_3468_ = _e1792;
+                                    let _e1676 = slimbvh_triangles.member[_e1576];
+                                    phi_3295_ = _e1676;
                                 } else {
-                                    phi_3468_ = 0u;
+                                    phi_3295_ = 0u;
                                 }
-                                let _e1794 = phi_3468_;
-                                let _e1795 = (_e1576 + 1u);
-                                if (_e1795 < _e126) {
-                                    let _e1798 = slimbvh_triangles.member[_e1795];
-                                    phi_3481_ = _e1798;
+                                let _e1678 = phi_3295_;
+                                let _e1679 = (_e1576 + 1u);
+                                if (_e1679 < _e126) {
+                                    let _e1682 = slimbvh_triangles.member[_e1679];
+                                    phi_3308_ = _e1682;
                                 } else {
-                                    phi_3481_ = 0u;
+                                    phi_3308_ = 0u;
                                 }
-                                let _e1800 = phi_3481_;
-                                if _e1676 {
-                                    phi_3491_ = ((_e1794 >> bitcast<u32>(21i)) | (_e1800 << bitcast<u32>(11i)));
+                                let _e1684 = phi_3308_;
+                                let _e1686 = (_e238 == 1u);
+                                if _e1686 {
+                                    phi_3318_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3491_ = (_e1800 >> bitcast<u32>(10i));
+                                    phi_3318_ = (_e1684 >> bitcast<u32>(10i));
                                 }
-                                let _e1809 = phi_3491_;
-                                if _e1694 {
-                                    phi_3512_ = ((_e1794 >> bitcast<u32>(21i)) | (_e1800 << bitcast<u32>(11i)));
+                                let _e1695 = phi_3318_;
+                                let _e1704 = (_e242 == 1u);
+                                if _e1704 {
+                                    phi_3339_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3512_ = (_e1800 >> bitcast<u32>(10i));
+                                    phi_3339_ = (_e1684 >> bitcast<u32>(10i));
                                 }
-                                let _e1825 = phi_3512_;
-                                if _e1712 {
-                                    phi_3533_ = ((_e1794 >> bitcast<u32>(21i)) | (_e1800 << bitcast<u32>(11i)));
+                                let _e1713 = phi_3339_;
+                                let _e1722 = (_e234 == 1u);
+                                if _e1722 {
+                                    phi_3360_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3533_ = (_e1800 >> bitcast<u32>(10i));
+                                    phi_3360_ = (_e1684 >> bitcast<u32>(10i));
                                 }
-                                let _e1841 = phi_3533_;
-                                phi_3704_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1506.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1685, _e1668, _e237) & 2097151u))) - 8388608f) * _e172)), (_e1506.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1703, _e1668, _e240) & 2097151u))) - 8388608f) * _e172)), (_e1506.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1721, _e1668, _e244) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1506.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1749, _e1734, _e237) & 2097151u))) - 8388608f) * _e172)), (_e1506.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1765, _e1734, _e240) & 2097151u))) - 8388608f) * _e172)), (_e1506.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1781, _e1734, _e244) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1506.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1809, _e1794, _e237) & 2097151u))) - 8388608f) * _e172)), (_e1506.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1825, _e1794, _e240) & 2097151u))) - 8388608f) * _e172)), (_e1506.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1841, _e1794, _e244) & 2097151u))) - 8388608f) * _e172))));
+                                let _e1731 = phi_3360_;
+                                if (_e1581 < _e126) {
+                                    let _e1742 = slimbvh_triangles.member[_e1581];
+                                    phi_3387_ = _e1742;
+                                } else {
+                                    phi_3387_ = 0u;
+                                }
+                                let _e1744 = phi_3387_;
+                                let _e1745 = (_e1581 + 1u);
+                                if (_e1745 < _e126) {
+                                    let _e1748 = slimbvh_triangles.member[_e1745];
+                                    phi_3400_ = _e1748;
+                                } else {
+                                    phi_3400_ = 0u;
+                                }
+                                let _e1750 = phi_3400_;
+                                if _e1686 {
+                                    phi_3410_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3410_ = (_e1750 >> bitcast<u32>(10i));
+                                }
+                                let _e1759 = phi_3410_;
+                                if _e1704 {
+                                    phi_3431_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3431_ = (_e1750 >> bitcast<u32>(10i));
+                                }
+                                let _e1775 = phi_3431_;
+                                if _e1722 {
+                                    phi_3452_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3452_ = (_e1750 >> bitcast<u32>(10i));
+                                }
+                                let _e1791 = phi_3452_;
+                                if (_e1586 < _e126) {
+                                    let _e1802 = slimbvh_triangles.member[_e1586];
+                                    phi_3479_ = _e1802;
+                                } else {
+                                    phi_3479_ = 0u;
+                                }
+                                let _e1804 = phi_3479_;
+                                let _e1805 = (_e1586 + 1u);
+                                if (_e1805 < _e126) {
+                                    let _e1808 = slimbvh_triangles.member[_e1805];
+                                    phi_3492_ = _e1808;
+                                } else {
+                                    phi_3492_ = 0u;
+                                }
+                                let _e1810 = phi_3492_;
+                                if _e1686 {
+                                    phi_3502_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3502_ = (_e1810 >> bitcast<u32>(10i));
+                                }
+                                let _e1819 = phi_3502_;
+                                if _e1704 {
+                                    phi_3523_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3523_ = (_e1810 >> bitcast<u32>(10i));
+                                }
+                                let _e1835 = phi_3523_;
+                                if _e1722 {
+                                    phi_3544_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3544_ = (_e1810 >> bitcast<u32>(10i));
+                                }
+                                let _e1851 = phi_3544_;
+                                phi_3715_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1695, _e1678, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1713, _e1678, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1731, _e1678, _e250) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1759, _e1744, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1775, _e1744, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1791, _e1744, _e250) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1819, _e1804, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1835, _e1804, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1851, _e1804, _e250) & 2097151u))) - 8388608f) * _e172))));
                                 break;
                             }
                             case 2: {
-                                let _e1579 = (_e1566 + _e232);
-                                if (_e1579 < _e126) {
-                                    let _e1582 = slimbvh_triangles.member[_e1579];
-                                    phi_3562_ = _e1582;
+                                let _e1589 = (_e1576 + _e238);
+                                if (_e1589 < _e126) {
+                                    let _e1592 = slimbvh_triangles.member[_e1589];
+                                    phi_3573_ = _e1592;
                                 } else {
-                                    phi_3562_ = 0u;
+                                    phi_3573_ = 0u;
                                 }
-                                let _e1584 = phi_3562_;
-                                let _e1585 = (_e1566 + _e236);
-                                if (_e1585 < _e126) {
-                                    let _e1588 = slimbvh_triangles.member[_e1585];
-                                    phi_3575_ = _e1588;
+                                let _e1594 = phi_3573_;
+                                let _e1595 = (_e1576 + _e242);
+                                if (_e1595 < _e126) {
+                                    let _e1598 = slimbvh_triangles.member[_e1595];
+                                    phi_3586_ = _e1598;
                                 } else {
-                                    phi_3575_ = 0u;
+                                    phi_3586_ = 0u;
                                 }
-                                let _e1590 = phi_3575_;
-                                let _e1591 = (_e1566 + _e228);
-                                if (_e1591 < _e126) {
-                                    let _e1594 = slimbvh_triangles.member[_e1591];
-                                    phi_3588_ = _e1594;
+                                let _e1600 = phi_3586_;
+                                let _e1601 = (_e1576 + _e234);
+                                if (_e1601 < _e126) {
+                                    let _e1604 = slimbvh_triangles.member[_e1601];
+                                    phi_3599_ = _e1604;
                                 } else {
-                                    phi_3588_ = 0u;
+                                    phi_3599_ = 0u;
                                 }
-                                let _e1596 = phi_3588_;
-                                let _e1607 = (_e1571 + _e232);
-                                if (_e1607 < _e126) {
-                                    let _e1610 = slimbvh_triangles.member[_e1607];
-                                    phi_3614_ = _e1610;
+                                let _e1606 = phi_3599_;
+                                let _e1617 = (_e1581 + _e238);
+                                if (_e1617 < _e126) {
+                                    let _e1620 = slimbvh_triangles.member[_e1617];
+                                    phi_3625_ = _e1620;
                                 } else {
-                                    phi_3614_ = 0u;
+                                    phi_3625_ = 0u;
                                 }
-                                let _e1612 = phi_3614_;
-                                let _e1613 = (_e1571 + _e236);
-                                if (_e1613 < _e126) {
-                                    let _e1616 = slimbvh_triangles.member[_e1613];
-                                    phi_3627_ = _e1616;
+                                let _e1622 = phi_3625_;
+                                let _e1623 = (_e1581 + _e242);
+                                if (_e1623 < _e126) {
+                                    let _e1626 = slimbvh_triangles.member[_e1623];
+                                    phi_3638_ = _e1626;
                                 } else {
-                                    phi_3627_ = 0u;
+                                    phi_3638_ = 0u;
                                 }
-                                let _e1618 = phi_3627_;
-                                let _e1619 = (_e1571 + _e228);
-                                if (_e1619 < _e126) {
-                                    let _e1622 = slimbvh_triangles.member[_e1619];
-                                    phi_3640_ = _e1622;
+                                let _e1628 = phi_3638_;
+                                let _e1629 = (_e1581 + _e234);
+                                if (_e1629 < _e126) {
+                                    let _e1632 = slimbvh_triangles.member[_e1629];
+                                    phi_3651_ = _e1632;
                                 } else {
-                                    phi_3640_ = 0u;
+                                    phi_3651_ = 0u;
                                 }
-                                let _e1624 = phi_3640_;
-                                let _e1635 = (_e1576 + _e232);
-                                if (_e1635 < _e126) {
-                                    let _e1638 = slimbvh_triangles.member[_e1635];
-                                    phi_3666_ = _e1638;
+                                let _e1634 = phi_3651_;
+                                let _e1645 = (_e1586 + _e238);
+                                if (_e1645 < _e126) {
+                                    let _e1648 = slimbvh_triangles.member[_e1645];
+                                    phi_3677_ = _e1648;
                                 } else {
-                                    phi_3666_ = 0u;
+                                    phi_3677_ = 0u;
                                 }
-                                let _e1640 = phi_3666_;
-                                let _e1641 = (_e1576 + _e236);
-                                if (_e1641 < _e126) {
-                                    let _e1644 = slimbvh_triangles.member[_e1641];
-                                    phi_3679_ = _e1644;
+                                let _e1650 = phi_3677_;
+                                let _e1651 = (_e1586 + _e242);
+                                if (_e1651 < _e126) {
+                                    let _e1654 = slimbvh_triangles.member[_e1651];
+                                    phi_3690_ = _e1654;
                                 } else {
-                                    phi_3679_ = 0u;
+                                    phi_3690_ = 0u;
                                 }
-                                let _e1646 = phi_3679_;
-                                let _e1647 = (_e1576 + _e228);
-                                if (_e1647 < _e126) {
-                                    let _e1650 = slimbvh_triangles.member[_e1647];
-                                    phi_3692_ = _e1650;
+                                let _e1656 = phi_3690_;
+                                let _e1657 = (_e1586 + _e234);
+                                if (_e1657 < _e126) {
+                                    let _e1660 = slimbvh_triangles.member[_e1657];
+                                    phi_3703_ = _e1660;
                                 } else {
-                                    phi_3692_ = 0u;
+                                    phi_3703_ = 0u;
                                 }
-                                let _e1652 = phi_3692_;
-                                phi_3704_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1584)) * _e172), (f32(bitcast<i32>(_e1590)) * _e172), (f32(bitcast<i32>(_e1596)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1612)) * _e172), (f32(bitcast<i32>(_e1618)) * _e172), (f32(bitcast<i32>(_e1624)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1640)) * _e172), (f32(bitcast<i32>(_e1646)) * _e172), (f32(bitcast<i32>(_e1652)) * _e172)));
+                                let _e1662 = phi_3703_;
+                                phi_3715_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1594)) * _e172), (f32(bitcast<i32>(_e1600)) * _e172), (f32(bitcast<i32>(_e1606)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1622)) * _e172), (f32(bitcast<i32>(_e1628)) * _e172), (f32(bitcast<i32>(_e1634)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1650)) * _e172), (f32(bitcast<i32>(_e1656)) * _e172), (f32(bitcast<i32>(_e1662)) * _e172)));
                                 break;
                             }
                             default: {
-                                phi_3704_ = array<array<f32, 3>, 3>();
+                                phi_3715_ = array<array<f32, 3>, 3>();
                                 break;
                             }
                         }
-                        let _e1952 = phi_3704_;
-                        let _e1969 = (_e1952[0][2] - _e620.member[2]);
-                        let _e1972 = (((_e1952[0][0] - _e620.member[0]) * _e675) - (_e1969 * _e643));
-                        let _e1975 = (((_e1952[0][1] - _e620.member[1]) * _e675) - (_e1969 * _e659));
-                        let _e1978 = (_e1952[1][2] - _e620.member[2]);
-                        let _e1981 = (((_e1952[1][0] - _e620.member[0]) * _e675) - (_e1978 * _e643));
-                        let _e1984 = (((_e1952[1][1] - _e620.member[1]) * _e675) - (_e1978 * _e659));
-                        let _e1987 = (_e1952[2][2] - _e620.member[2]);
-                        let _e1990 = (((_e1952[2][0] - _e620.member[0]) * _e675) - (_e1987 * _e643));
-                        let _e1993 = (((_e1952[2][1] - _e620.member[1]) * _e675) - (_e1987 * _e659));
-                        let _e1994 = (_e1990 * _e1984);
-                        let _e1995 = (_e1993 * _e1981);
-                        let _e1996 = (_e1972 * _e1993);
-                        let _e1997 = (_e1975 * _e1990);
-                        let _e1998 = (_e1981 * _e1975);
-                        let _e1999 = (_e1984 * _e1972);
-                        let _e2004 = (((_e1994 >= _e1995) && (_e1996 >= _e1997)) && (_e1998 >= _e1999));
-                        let _e2010 = (_e2004 || (((_e1994 <= _e1995) && (_e1996 <= _e1997)) && (_e1998 <= _e1999)));
-                        if _e2010 {
-                            let _e2012 = select(-1f, 1f, _e2004);
-                            let _e2014 = ((_e1994 - _e1995) * _e2012);
-                            let _e2016 = select(0f, _e2014, (_e2014 > 0f));
-                            let _e2018 = ((_e1996 - _e1997) * _e2012);
-                            let _e2020 = select(0f, _e2018, (_e2018 > 0f));
-                            let _e2022 = ((_e1998 - _e1999) * _e2012);
-                            let _e2024 = select(0f, _e2022, (_e2022 > 0f));
-                            let _e2026 = ((_e2016 + _e2020) + _e2024);
-                            let _e2041 = ((min(min(_e1952[0][0], _e1952[1][0]), _e1952[2][0]) - _e644) * _e647);
-                            let _e2042 = ((max(max(_e1952[0][0], _e1952[1][0]), _e1952[2][0]) - _e645) * _e647);
-                            let _e2043 = vec4<f32>(_e2041, f32(), _e2042, f32());
-                            let _e2046 = ((min(min(_e1952[0][1], _e1952[1][1]), _e1952[2][1]) - _e660) * _e663);
-                            let _e2047 = ((max(max(_e1952[0][1], _e1952[1][1]), _e1952[2][1]) - _e661) * _e663);
-                            let _e2048 = vec4<f32>(_e2046, f32(), _e2047, f32());
-                            let _e2051 = ((min(min(_e1952[0][2], _e1952[1][2]), _e1952[2][2]) - _e676) * _e679);
-                            let _e2052 = ((max(max(_e1952[0][2], _e1952[1][2]), _e1952[2][2]) - _e677) * _e679);
+                        let _e1962 = phi_3715_;
+                        let _e1979 = (_e1962[0][2] - _e626.member[2]);
+                        let _e1982 = (((_e1962[0][0] - _e626.member[0]) * _e681) - (_e1979 * _e649));
+                        let _e1985 = (((_e1962[0][1] - _e626.member[1]) * _e681) - (_e1979 * _e665));
+                        let _e1988 = (_e1962[1][2] - _e626.member[2]);
+                        let _e1991 = (((_e1962[1][0] - _e626.member[0]) * _e681) - (_e1988 * _e649));
+                        let _e1994 = (((_e1962[1][1] - _e626.member[1]) * _e681) - (_e1988 * _e665));
+                        let _e1997 = (_e1962[2][2] - _e626.member[2]);
+                        let _e2000 = (((_e1962[2][0] - _e626.member[0]) * _e681) - (_e1997 * _e649));
+                        let _e2003 = (((_e1962[2][1] - _e626.member[1]) * _e681) - (_e1997 * _e665));
+                        let _e2004 = (_e2000 * _e1994);
+                        let _e2005 = (_e2003 * _e1991);
+                        let _e2006 = (_e1982 * _e2003);
+                        let _e2007 = (_e1985 * _e2000);
+                        let _e2008 = (_e1991 * _e1985);
+                        let _e2009 = (_e1994 * _e1982);
+                        let _e2014 = (((_e2004 >= _e2005) && (_e2006 >= _e2007)) && (_e2008 >= _e2009));
+                        let _e2020 = (_e2014 || (((_e2004 <= _e2005) && (_e2006 <= _e2007)) && (_e2008 <= _e2009)));
+                        if _e2020 {
+                            let _e2022 = select(-1f, 1f, _e2014);
+                            let _e2024 = ((_e2004 - _e2005) * _e2022);
+                            let _e2026 = select(0f, _e2024, (_e2024 > 0f));
+                            let _e2028 = ((_e2006 - _e2007) * _e2022);
+                            let _e2030 = select(0f, _e2028, (_e2028 > 0f));
+                            let _e2032 = ((_e2008 - _e2009) * _e2022);
+                            let _e2034 = select(0f, _e2032, (_e2032 > 0f));
+                            let _e2036 = ((_e2026 + _e2030) + _e2034);
+                            let _e2051 = ((min(min(_e1962[0][0], _e1962[1][0]), _e1962[2][0]) - _e650) * _e653);
+                            let _e2052 = ((max(max(_e1962[0][0], _e1962[1][0]), _e1962[2][0]) - _e651) * _e653);
                             let _e2053 = vec4<f32>(_e2051, f32(), _e2052, f32());
-                            let _e2054 = vec4<f32>(_e2042, f32(), _e2041, f32());
-                            let _e2056 = vec4<f32>(_e2047, f32(), _e2046, f32());
-                            let _e2058 = vec4<f32>(_e2052, f32(), _e2051, f32());
-                            let _e2067 = max(max(min(_e2043, _e2054).x, min(_e2048, _e2056).x), min(_e2053, _e2058).x);
-                            let _e2072 = min(min(max(_e2043, _e2054).x, max(_e2048, _e2056).x), max(_e2053, _e2058).x);
-                            let _e2077 = max(_e2067, _e687);
-                            let _e2099 = (((((_e2010 && (_e2026 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1972, _e1981), _e1990) <= 0f) && (max(max(_e1972, _e1981), _e1990) >= 0f))) && ((min(min(_e1975, _e1984), _e1993) <= 0f) && (max(max(_e1975, _e1984), _e1993) >= 0f))) && (_e2077 <= (_e2072 + (max(max(_e2053, _e2058).x, -(min(_e2053, _e2058).x)) * 0.0000019073523f)))) && (_e2077 <= _e1510.member.member_1));
-                            if _e2099 {
-                                let _e2104 = (_e1952[1][0] - _e1952[0][0]);
-                                let _e2105 = (_e1952[1][1] - _e1952[0][1]);
-                                let _e2106 = (_e1952[1][2] - _e1952[0][2]);
-                                let _e2107 = vec3<f32>(_e2104, _e2105, _e2106);
-                                let _e2108 = (_e1952[2][0] - _e1952[1][0]);
-                                let _e2109 = (_e1952[2][1] - _e1952[1][1]);
-                                let _e2110 = (_e1952[2][2] - _e1952[1][2]);
-                                let _e2111 = vec3<f32>(_e2108, _e2109, _e2110);
-                                let _e2112 = (_e1952[0][0] - _e1952[2][0]);
-                                let _e2113 = (_e1952[0][1] - _e1952[2][1]);
-                                let _e2114 = (_e1952[0][2] - _e1952[2][2]);
-                                let _e2115 = vec3<f32>(_e2112, _e2113, _e2114);
-                                let _e2126 = max(max(bitcast<f32>((bitcast<u32>(_e2104) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2105) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2106) & 2147483647u)));
-                                let _e2137 = max(max(bitcast<f32>((bitcast<u32>(_e2108) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2109) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2110) & 2147483647u)));
-                                let _e2150 = max(max(_e2126, _e2137), max(max(bitcast<f32>((bitcast<u32>(_e2112) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2113) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2114) & 2147483647u))));
-                                if (_e2126 == _e2150) {
-                                    phi_4069_ = _e1984;
-                                    phi_4070_ = _e1981;
-                                    phi_4071_ = _e1975;
-                                    phi_4072_ = _e1972;
-                                    phi_4073_ = vec3<f32>(_e1952[0][0], _e1952[0][1], _e1952[0][2]);
-                                    phi_4074_ = _e2115;
-                                    phi_4075_ = _e2111;
-                                    phi_4076_ = _e2107;
+                            let _e2056 = ((min(min(_e1962[0][1], _e1962[1][1]), _e1962[2][1]) - _e666) * _e669);
+                            let _e2057 = ((max(max(_e1962[0][1], _e1962[1][1]), _e1962[2][1]) - _e667) * _e669);
+                            let _e2058 = vec4<f32>(_e2056, f32(), _e2057, f32());
+                            let _e2061 = ((min(min(_e1962[0][2], _e1962[1][2]), _e1962[2][2]) - _e682) * _e685);
+                            let _e2062 = ((max(max(_e1962[0][2], _e1962[1][2]), _e1962[2][2]) - _e683) * _e685);
+                            let _e2063 = vec4<f32>(_e2061, f32(), _e2062, f32());
+                            let _e2064 = vec4<f32>(_e2052, f32(), _e2051, f32());
+                            let _e2066 = vec4<f32>(_e2057, f32(), _e2056, f32());
+                            let _e2068 = vec4<f32>(_e2062, f32(), _e2061, f32());
+                            let _e2077 = max(max(min(_e2053, _e2064).x, min(_e2058, _e2066).x), min(_e2063, _e2068).x);
+                            let _e2082 = min(min(max(_e2053, _e2064).x, max(_e2058, _e2066).x), max(_e2063, _e2068).x);
+                            let _e2087 = max(_e2077, _e693);
+                            let _e2109 = (((((_e2020 && (_e2036 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1982, _e1991), _e2000) <= 0f) && (max(max(_e1982, _e1991), _e2000) >= 0f))) && ((min(min(_e1985, _e1994), _e2003) <= 0f) && (max(max(_e1985, _e1994), _e2003) >= 0f))) && (_e2087 <= (_e2082 + (max(max(_e2063, _e2068).x, -(min(_e2063, _e2068).x)) * 0.0000019073523f)))) && (_e2087 <= _e1522.member.member_1));
+                            if _e2109 {
+                                let _e2114 = (_e1962[1][0] - _e1962[0][0]);
+                                let _e2115 = (_e1962[1][1] - _e1962[0][1]);
+                                let _e2116 = (_e1962[1][2] - _e1962[0][2]);
+                                let _e2117 = vec3<f32>(_e2114, _e2115, _e2116);
+                                let _e2118 = (_e1962[2][0] - _e1962[1][0]);
+                                let _e2119 = (_e1962[2][1] - _e1962[1][1]);
+                                let _e2120 = (_e1962[2][2] - _e1962[1][2]);
+                                let _e2121 = vec3<f32>(_e2118, _e2119, _e2120);
+                                let _e2122 = (_e1962[0][0] - _e1962[2][0]);
+                                let _e2123 = (_e1962[0][1] - _e1962[2][1]);
+                                let _e2124 = (_e1962[0][2] - _e1962[2][2]);
+                                let _e2125 = vec3<f32>(_e2122, _e2123, _e2124);
+                                let _e2136 = max(max(bitcast<f32>((bitcast<u32>(_e2114) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2115) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2116) & 2147483647u)));
+                                let _e2147 = max(max(bitcast<f32>((bitcast<u32>(_e2118) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2119) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2120) & 2147483647u)));
+                                let _e2160 = max(max(_e2136, _e2147), max(max(bitcast<f32>((bitcast<u32>(_e2122) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2123) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2124) & 2147483647u))));
+                                if (_e2136 == _e2160) {
+                                    phi_4080_ = _e1994;
+                                    phi_4081_ = _e1991;
+                                    phi_4082_ = _e1985;
+                                    phi_4083_ = _e1982;
+                                    phi_4084_ = vec3<f32>(_e1962[0][0], _e1962[0][1], _e1962[0][2]);
+                                    phi_4085_ = _e2125;
+                                    phi_4086_ = _e2121;
+                                    phi_4087_ = _e2117;
                                 } else {
-                                    let _e2152 = (_e2137 == _e2150);
-                                    let _e2157 = vec3(_e2152);
-                                    phi_4069_ = select(_e1975, _e1993, _e2152);
-                                    phi_4070_ = select(_e1972, _e1990, _e2152);
-                                    phi_4071_ = select(_e1993, _e1984, _e2152);
-                                    phi_4072_ = select(_e1990, _e1981, _e2152);
-                                    phi_4073_ = select(vec3<f32>(_e1952[2][0], _e1952[2][1], _e1952[2][2]), vec3<f32>(_e1952[1][0], _e1952[1][1], _e1952[1][2]), _e2157);
-                                    phi_4074_ = select(_e2111, _e2107, _e2157);
-                                    phi_4075_ = select(_e2107, _e2115, _e2157);
-                                    phi_4076_ = select(_e2115, _e2111, _e2157);
+                                    let _e2162 = (_e2147 == _e2160);
+                                    let _e2167 = vec3(_e2162);
+                                    phi_4080_ = select(_e1985, _e2003, _e2162);
+                                    phi_4081_ = select(_e1982, _e2000, _e2162);
+                                    phi_4082_ = select(_e2003, _e1994, _e2162);
+                                    phi_4083_ = select(_e2000, _e1991, _e2162);
+                                    phi_4084_ = select(vec3<f32>(_e1962[2][0], _e1962[2][1], _e1962[2][2]), vec3<f32>(_e1962[1][0], _e1962[1][1], _e1962[1][2]), _e2167);
+                                    phi_4085_ = select(_e2121, _e2117, _e2167);
+                                    phi_4086_ = select(_e2117, _e2125, _e2167);
+                                    phi_4087_ = select(_e2125, _e2121, _e2167);
                                 }
-                                let _e2163 = phi_4069_;
-                                let _e2165 = phi_4070_;
-                                let _e2167 = phi_4071_;
-                                let _e2169 = phi_4072_;
-                                let _e2171 = phi_4073_;
-                                let _e2173 = phi_4074_;
-                                let _e2175 = phi_4075_;
-                                let _e2177 = phi_4076_;
-                                let _e2184 = ((_e2175.y * _e2173.z) - (_e2173.y * _e2175.z));
-                                let _e2189 = ((_e2175.z * _e2173.x) - (_e2173.z * _e2175.x));
-                                let _e2192 = ((_e2175.x * _e2173.y) - (_e2173.x * _e2175.y));
-                                let _e2195 = ((_e2016 >= _e2020) && (_e2016 >= _e2024));
-                                let _e2196 = (_e2020 >= _e2024);
-                                let _e2210 = (((_e2184 * (select(select(_e1952[2][0], _e1952[1][0], _e2196), _e1952[0][0], _e2195) - _e620.member[0])) + (_e2189 * (select(select(_e1952[2][1], _e1952[1][1], _e2196), _e1952[0][1], _e2195) - _e620.member[1]))) + (_e2192 * (select(select(_e1952[2][2], _e1952[1][2], _e2196), _e1952[0][2], _e2195) - _e620.member[2])));
-                                let _e2215 = (((_e2184 * _e643) + (_e2189 * _e659)) + (_e2192 * _e675));
-                                let _e2216 = (_e2165 - _e2169);
-                                let _e2217 = (_e2163 - _e2167);
-                                let _e2220 = ((_e2216 * _e2216) + (_e2217 * _e2217));
-                                let _e2227 = (-(((_e2169 * _e2216) + (_e2167 * _e2217))) / select(0.000000000000000000000000000000000000011754944f, _e2220, (_e2220 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e2229 = select(1f, _e2227, (_e2227 < 1f));
-                                let _e2231 = select(0f, _e2229, (_e2229 > 0f));
-                                let _e2240 = ((_e2171.x + (_e2177.x * _e2231)) - _e620.member[0]);
-                                let _e2243 = ((_e2171.y + (_e2177.y * _e2231)) - _e620.member[1]);
-                                let _e2246 = ((_e2171.z + (_e2177.z * _e2231)) - _e620.member[2]);
-                                let _e2311 = ((bitcast<f32>((bitcast<u32>(((((_e2184 * _e2240) + (_e2189 * _e2243)) + (_e2192 * _e2246)) - _e2210)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2240) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2243) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2246) & 2147483647u))), _e2150)) * max(max(bitcast<f32>((bitcast<u32>(_e2184) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2189) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2192) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2215) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2175.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2175.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2175.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2173.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2173.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2173.z) & 2147483647u)))))));
-                                let _e2312 = (_e2210 / _e2215);
-                                if (_e2099 && !(_e2311)) {
-                                    let _e2315 = (_e2246 / _e675);
-                                    let _e2323 = (((_e2184 * (_e2240 - (_e643 * _e2315))) + (_e2189 * (_e2243 - (_e659 * _e2315)))) / _e2215);
-                                    phi_4255_ = select(select(_e2315, (_e2315 + _e2323), (bitcast<f32>((bitcast<u32>(_e2323) & 2147483647u)) <= _e2150)), _e2312, _e2311);
+                                let _e2173 = phi_4080_;
+                                let _e2175 = phi_4081_;
+                                let _e2177 = phi_4082_;
+                                let _e2179 = phi_4083_;
+                                let _e2181 = phi_4084_;
+                                let _e2183 = phi_4085_;
+                                let _e2185 = phi_4086_;
+                                let _e2187 = phi_4087_;
+                                let _e2194 = ((_e2185.y * _e2183.z) - (_e2183.y * _e2185.z));
+                                let _e2199 = ((_e2185.z * _e2183.x) - (_e2183.z * _e2185.x));
+                                let _e2202 = ((_e2185.x * _e2183.y) - (_e2183.x * _e2185.y));
+                                let _e2205 = ((_e2026 >= _e2030) && (_e2026 >= _e2034));
+                                let _e2206 = (_e2030 >= _e2034);
+                                let _e2220 = (((_e2194 * (select(select(_e1962[2][0], _e1962[1][0], _e2206), _e1962[0][0], _e2205) - _e626.member[0])) + (_e2199 * (select(select(_e1962[2][1], _e1962[1][1], _e2206), _e1962[0][1], _e2205) - _e626.member[1]))) + (_e2202 * (select(select(_e1962[2][2], _e1962[1][2], _e2206), _e1962[0][2], _e2205) - _e626.member[2])));
+                                let _e2225 = (((_e2194 * _e649) + (_e2199 * _e665)) + (_e2202 * _e681));
+                                let _e2226 = (_e2175 - _e2179);
+                                let _e2227 = (_e2173 - _e2177);
+                                let _e2230 = ((_e2226 * _e2226) + (_e2227 * _e2227));
+                                let _e2237 = (-(((_e2179 * _e2226) + (_e2177 * _e2227))) / select(0.000000000000000000000000000000000000011754944f, _e2230, (_e2230 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e2239 = select(1f, _e2237, (_e2237 < 1f));
+                                let _e2241 = select(0f, _e2239, (_e2239 > 0f));
+                                let _e2250 = ((_e2181.x + (_e2187.x * _e2241)) - _e626.member[0]);
+                                let _e2253 = ((_e2181.y + (_e2187.y * _e2241)) - _e626.member[1]);
+                                let _e2256 = ((_e2181.z + (_e2187.z * _e2241)) - _e626.member[2]);
+                                let _e2321 = ((bitcast<f32>((bitcast<u32>(((((_e2194 * _e2250) + (_e2199 * _e2253)) + (_e2202 * _e2256)) - _e2220)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2250) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2253) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2256) & 2147483647u))), _e2160)) * max(max(bitcast<f32>((bitcast<u32>(_e2194) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2199) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2202) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2225) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2185.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2185.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2185.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2183.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2183.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2183.z) & 2147483647u)))))));
+                                let _e2322 = (_e2220 / _e2225);
+                                if (_e2109 && !(_e2321)) {
+                                    let _e2325 = (_e2256 / _e681);
+                                    let _e2333 = (((_e2194 * (_e2250 - (_e649 * _e2325))) + (_e2199 * (_e2253 - (_e665 * _e2325)))) / _e2225);
+                                    phi_4266_ = select(select(_e2325, (_e2325 + _e2333), (bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)) <= _e2160)), _e2322, _e2321);
                                 } else {
-                                    phi_4255_ = _e2312;
+                                    phi_4266_ = _e2322;
                                 }
-                                let _e2332 = phi_4255_;
-                                let _e2334 = select(_e2072, _e2332, (_e2332 < _e2072));
-                                let _e2336 = select(_e2067, _e2334, (_e2334 > _e2067));
-                                let _e2339 = select(_e2336, 0f, (bitcast<u32>(_e2336) == 2147483648u));
-                                let _e2340 = (1f / _e2026);
-                                phi_4281_ = SlimbvhTypeE(_e2339, (_e2020 * _e2340), (_e2024 * _e2340), ((_e2099 && (_e2339 >= _e687)) && (_e2339 <= _e1510.member.member_1)));
-                                phi_4282_ = SlimbvhTypeE();
+                                let _e2342 = phi_4266_;
+                                let _e2344 = select(_e2082, _e2342, (_e2342 < _e2082));
+                                let _e2346 = select(_e2077, _e2344, (_e2344 > _e2077));
+                                let _e2349 = select(_e2346, 0f, (bitcast<u32>(_e2346) == 2147483648u));
+                                let _e2350 = (1f / _e2036);
+                                phi_4292_ = SlimbvhTypeE(_e2349, (_e2030 * _e2350), (_e2034 * _e2350), ((_e2109 && (_e2349 >= _e693)) && (_e2349 <= _e1522.member.member_1)));
+                                phi_4293_ = SlimbvhTypeE();
                             } else {
-                                phi_4281_ = SlimbvhTypeE();
-                                phi_4282_ = SlimbvhTypeE(0f, 0f, 0f, _e2099);
+                                phi_4292_ = SlimbvhTypeE();
+                                phi_4293_ = SlimbvhTypeE(0f, 0f, 0f, _e2109);
                             }
-                            let _e2349 = phi_4281_;
-                            let _e2351 = phi_4282_;
-                            phi_4285_ = _e2349;
-                            phi_4286_ = _e2351;
-                            phi_4287_ = select(true, false, _e2099);
+                            let _e2359 = phi_4292_;
+                            let _e2361 = phi_4293_;
+                            phi_4296_ = _e2359;
+                            phi_4297_ = _e2361;
+                            phi_4298_ = select(true, false, _e2109);
                         } else {
-                            phi_4285_ = SlimbvhTypeE();
-                            phi_4286_ = SlimbvhTypeE(0f, 0f, 0f, _e2010);
-                            phi_4287_ = true;
+                            phi_4296_ = SlimbvhTypeE();
+                            phi_4297_ = SlimbvhTypeE(0f, 0f, 0f, _e2020);
+                            phi_4298_ = true;
                         }
-                        let _e2354 = phi_4285_;
-                        let _e2356 = phi_4286_;
-                        let _e2358 = phi_4287_;
-                        if _e2358 {
-                            phi_4291_ = _e2356;
+                        let _e2364 = phi_4296_;
+                        let _e2366 = phi_4297_;
+                        let _e2368 = phi_4298_;
+                        if _e2368 {
+                            phi_4302_ = _e2366;
                         } else {
-                            phi_4291_ = _e2354;
+                            phi_4302_ = _e2364;
                         }
-                        let _e2360 = phi_4291_;
-                        if _e2360.member_3 {
-                            phi_4300_ = SlimbvhTypeF(_e2360.member, _e2360.member_1, _e2360.member_2, _e1541);
+                        let _e2370 = phi_4302_;
+                        if _e2370.member_3 {
+                            phi_4311_ = SlimbvhTypeF(_e2370.member, _e2370.member_1, _e2370.member_2, _e1551);
                         } else {
-                            phi_4300_ = _e119;
+                            phi_4311_ = _e119;
                         }
-                        let _e2367 = phi_4300_;
-                        if (_e2367.member_3 != 4294967295u) {
-                            let _e2373 = slimbvh_target.member[0u][0u];
-                            let _e2377 = slimbvh_target.member[0u][1u];
-                            let _e2381 = slimbvh_target.member[0u][2u];
-                            let _e2385 = slimbvh_target.member[0u][3u];
-                            let _e2389 = slimbvh_target.member[1u][0u];
-                            let _e2393 = slimbvh_target.member[1u][1u];
-                            let _e2397 = slimbvh_target.member[1u][2u];
-                            let _e2401 = slimbvh_target.member[1u][3u];
-                            let _e2402 = bitcast<f32>(_e2373);
-                            let _e2403 = bitcast<f32>(_e2377);
-                            let _e2404 = bitcast<f32>(_e2381);
-                            let _e2406 = bitcast<f32>(_e2389);
-                            let _e2407 = array<u32, 3>(_e2393, _e2397, _e2401);
-                            if (_e190 < -126i) {
-                                phi_4353_ = -126i;
+                        let _e2377 = phi_4311_;
+                        if (_e2377.member_3 != 4294967295u) {
+                            let _e2383 = slimbvh_target.member[0u][0u];
+                            let _e2387 = slimbvh_target.member[0u][1u];
+                            let _e2391 = slimbvh_target.member[0u][2u];
+                            let _e2395 = slimbvh_target.member[0u][3u];
+                            let _e2399 = slimbvh_target.member[1u][0u];
+                            let _e2403 = slimbvh_target.member[1u][1u];
+                            let _e2407 = slimbvh_target.member[1u][2u];
+                            let _e2411 = slimbvh_target.member[1u][3u];
+                            let _e2412 = bitcast<f32>(_e2383);
+                            let _e2413 = bitcast<f32>(_e2387);
+                            let _e2414 = bitcast<f32>(_e2391);
+                            let _e2416 = bitcast<f32>(_e2399);
+                            let _e2417 = array<u32, 3>(_e2403, _e2407, _e2411);
+                            if (_e196 < -126i) {
+                                phi_4364_ = -126i;
                             } else {
-                                phi_4353_ = select(_e190, 127i, (_e190 > 127i));
+                                phi_4364_ = select(_e196, 127i, (_e196 > 127i));
                             }
-                            let _e2413 = phi_4353_;
-                            let _e2418 = bitcast<f32>((bitcast<u32>((_e2413 + 127i)) << bitcast<u32>(23i)));
-                            let _e2424 = bitcast<f32>((bitcast<u32>(((_e190 - _e2413) + 127i)) << bitcast<u32>(23i)));
-                            if (_e2385 == 0u) {
-                                phi_4493_ = SlimbvhTypeH(array<f32, 3>(_e2402, _e2403, _e2404), _e2385, _e2406, _e2407);
+                            let _e2423 = phi_4364_;
+                            let _e2428 = bitcast<f32>((bitcast<u32>((_e2423 + 127i)) << bitcast<u32>(23i)));
+                            let _e2434 = bitcast<f32>((bitcast<u32>(((_e196 - _e2423) + 127i)) << bitcast<u32>(23i)));
+                            if (_e2395 == 0u) {
+                                phi_4504_ = SlimbvhTypeH(array<f32, 3>(_e2412, _e2413, _e2414), _e2395, _e2416, _e2417);
                             } else {
-                                let _e2426 = bitcast<u32>(_e2402);
-                                let _e2428 = ((_e2426 & 2139095040u) != 0u);
-                                let _e2443 = bitcast<u32>(_e2403);
-                                let _e2445 = ((_e2443 & 2139095040u) != 0u);
-                                let _e2460 = bitcast<u32>(_e2404);
-                                let _e2462 = ((_e2460 & 2139095040u) != 0u);
-                                let _e2478 = bitcast<u32>(_e2406);
-                                let _e2480 = ((_e2478 & 2139095040u) != 0u);
-                                phi_4493_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2426 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2426 & 2147483648u))), _e2402, _e2428) * _e2418) * select(0.00000011920929f, 1f, _e2428)) * _e2424), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2443 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2443 & 2147483648u))), _e2403, _e2445) * _e2418) * select(0.00000011920929f, 1f, _e2445)) * _e2424), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2460 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2460 & 2147483648u))), _e2404, _e2462) * _e2418) * select(0.00000011920929f, 1f, _e2462)) * _e2424)), _e2385, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2478 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2478 & 2147483648u))), _e2406, _e2480) * _e2418) * select(0.00000011920929f, 1f, _e2480)) * _e2424), _e2407);
+                                let _e2436 = bitcast<u32>(_e2412);
+                                let _e2438 = ((_e2436 & 2139095040u) != 0u);
+                                let _e2453 = bitcast<u32>(_e2413);
+                                let _e2455 = ((_e2453 & 2139095040u) != 0u);
+                                let _e2470 = bitcast<u32>(_e2414);
+                                let _e2472 = ((_e2470 & 2139095040u) != 0u);
+                                let _e2488 = bitcast<u32>(_e2416);
+                                let _e2490 = ((_e2488 & 2139095040u) != 0u);
+                                phi_4504_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2436 & 2147483648u))), _e2412, _e2438) * _e2428) * select(0.00000011920929f, 1f, _e2438)) * _e2434), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2453 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2453 & 2147483648u))), _e2413, _e2455) * _e2428) * select(0.00000011920929f, 1f, _e2455)) * _e2434), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2470 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2470 & 2147483648u))), _e2414, _e2472) * _e2428) * select(0.00000011920929f, 1f, _e2472)) * _e2434)), _e2395, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2488 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2488 & 2147483648u))), _e2416, _e2490) * _e2428) * select(0.00000011920929f, 1f, _e2490)) * _e2434), _e2417);
                             }
-                            let _e2497 = phi_4493_;
-                            if (_e1541 == _e691) {
-                                phi_4822_ = false;
+                            let _e2507 = phi_4504_;
+                            if (_e1551 == _e697) {
+                                phi_4833_ = false;
                             } else {
-                                let _e2499 = (_e1541 / 16u);
-                                if (_e2499 < arrayLength((&slimbvh_sides.member))) {
-                                    let _e2502 = slimbvh_sides.member[_e2499];
-                                    phi_4517_ = _e2502;
+                                let _e2509 = (_e1551 / 16u);
+                                if (_e2509 < arrayLength((&slimbvh_sides.member))) {
+                                    let _e2512 = slimbvh_sides.member[_e2509];
+                                    phi_4528_ = _e2512;
                                 } else {
-                                    phi_4517_ = 0u;
+                                    phi_4528_ = 0u;
                                 }
-                                let _e2504 = phi_4517_;
-                                let _e2513 = (bitcast<i32>((_e2504 << bitcast<u32>(((30u - ((_e1541 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                let _e2514 = (_e2513 == 0i);
-                                if _e2514 {
-                                    phi_4821_ = true;
+                                let _e2514 = phi_4528_;
+                                let _e2523 = (bitcast<i32>((_e2514 << bitcast<u32>(((30u - ((_e1551 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                let _e2524 = (_e2523 == 0i);
+                                if _e2524 {
+                                    phi_4832_ = true;
                                 } else {
-                                    if _e237 {
-                                        phi_4547_ = vec3<f32>(_e1952[0][0], _e1952[0][1], _e1952[0][2]);
+                                    if _e243 {
+                                        phi_4558_ = vec3<f32>(_e1962[0][0], _e1962[0][1], _e1962[0][2]);
                                     } else {
-                                        if (_e232 == 1u) {
-                                            phi_4546_ = vec3<f32>(_e1952[0][2], _e1952[0][0], _e1952[0][1]);
+                                        if (_e238 == 1u) {
+                                            phi_4557_ = vec3<f32>(_e1962[0][2], _e1962[0][0], _e1962[0][1]);
                                         } else {
-                                            phi_4546_ = vec3<f32>(_e1952[0][1], _e1952[0][2], _e1952[0][0]);
+                                            phi_4557_ = vec3<f32>(_e1962[0][1], _e1962[0][2], _e1962[0][0]);
                                         }
-                                        let _e2519 = phi_4546_;
-                                        phi_4547_ = _e2519;
+                                        let _e2529 = phi_4557_;
+                                        phi_4558_ = _e2529;
                                     }
-                                    let _e2522 = phi_4547_;
-                                    if _e237 {
-                                        phi_4566_ = vec3<f32>(_e1952[1][0], _e1952[1][1], _e1952[1][2]);
+                                    let _e2532 = phi_4558_;
+                                    if _e243 {
+                                        phi_4577_ = vec3<f32>(_e1962[1][0], _e1962[1][1], _e1962[1][2]);
                                     } else {
-                                        if (_e232 == 1u) {
-                                            phi_4565_ = vec3<f32>(_e1952[1][2], _e1952[1][0], _e1952[1][1]);
+                                        if (_e238 == 1u) {
+                                            phi_4576_ = vec3<f32>(_e1962[1][2], _e1962[1][0], _e1962[1][1]);
                                         } else {
-                                            phi_4565_ = vec3<f32>(_e1952[1][1], _e1952[1][2], _e1952[1][0]);
+                                            phi_4576_ = vec3<f32>(_e1962[1][1], _e1962[1][2], _e1962[1][0]);
                                         }
-                                        let _e2527 = phi_4565_;
-                                        phi_4566_ = _e2527;
+                                        let _e2537 = phi_4576_;
+                                        phi_4577_ = _e2537;
                                     }
-                                    let _e2530 = phi_4566_;
-                                    if _e237 {
-                                        phi_4585_ = vec3<f32>(_e1952[2][0], _e1952[2][1], _e1952[2][2]);
+                                    let _e2540 = phi_4577_;
+                                    if _e243 {
+                                        phi_4596_ = vec3<f32>(_e1962[2][0], _e1962[2][1], _e1962[2][2]);
                                     } else {
-                                        if (_e232 == 1u) {
-                                            phi_4584_ = vec3<f32>(_e1952[2][2], _e1952[2][0], _e1952[2][1]);
+                                        if (_e238 == 1u) {
+                                            phi_4595_ = vec3<f32>(_e1962[2][2], _e1962[2][0], _e1962[2][1]);
                                         } else {
-                                            phi_4584_ = vec3<f32>(_e1952[2][1], _e1952[2][2], _e1952[2][0]);
+                                            phi_4595_ = vec3<f32>(_e1962[2][1], _e1962[2][2], _e1962[2][0]);
                                         }
-                                        let _e2535 = phi_4584_;
-                                        phi_4585_ = _e2535;
+                                        let _e2545 = phi_4595_;
+                                        phi_4596_ = _e2545;
                                     }
-                                    let _e2538 = phi_4585_;
-                                    let _e2541 = (_e2530.x - _e2522.x);
-                                    let _e2544 = (_e2530.y - _e2522.y);
-                                    let _e2547 = (_e2530.z - _e2522.z);
-                                    let _e2549 = (_e2538.x - _e2522.x);
-                                    let _e2551 = (_e2538.y - _e2522.y);
-                                    let _e2553 = (_e2538.z - _e2522.z);
-                                    if (_e2497.member_1 == 1u) {
-                                        phi_4621_ = (vec3<f32>(_e2497.member[0], _e2497.member[1], _e2497.member[2]) - _e2522);
+                                    let _e2548 = phi_4596_;
+                                    let _e2551 = (_e2540.x - _e2532.x);
+                                    let _e2554 = (_e2540.y - _e2532.y);
+                                    let _e2557 = (_e2540.z - _e2532.z);
+                                    let _e2559 = (_e2548.x - _e2532.x);
+                                    let _e2561 = (_e2548.y - _e2532.y);
+                                    let _e2563 = (_e2548.z - _e2532.z);
+                                    if (_e2507.member_1 == 1u) {
+                                        phi_4632_ = (vec3<f32>(_e2507.member[0], _e2507.member[1], _e2507.member[2]) - _e2532);
                                     } else {
-                                        phi_4621_ = vec3<f32>(_e2497.member[0], _e2497.member[1], _e2497.member[2]);
+                                        phi_4632_ = vec3<f32>(_e2507.member[0], _e2507.member[1], _e2507.member[2]);
                                     }
-                                    let _e2568 = phi_4621_;
-                                    let _e2574 = bitcast<f32>((bitcast<u32>((_e2541 * _e2551)) ^ _e2497.member_3[0]));
-                                    let _e2578 = bitcast<f32>((bitcast<u32>((_e2544 * _e2549)) ^ _e2497.member_3[0]));
-                                    let _e2582 = bitcast<f32>((bitcast<u32>((_e2544 * _e2553)) ^ _e2497.member_3[0]));
-                                    let _e2586 = bitcast<f32>((bitcast<u32>((_e2547 * _e2551)) ^ _e2497.member_3[0]));
-                                    let _e2590 = bitcast<f32>((bitcast<u32>((_e2547 * _e2549)) ^ _e2497.member_3[0]));
-                                    let _e2594 = bitcast<f32>((bitcast<u32>((_e2541 * _e2553)) ^ _e2497.member_3[0]));
-                                    let _e2595 = (_e2582 - _e2586);
-                                    let _e2596 = (_e2590 - _e2594);
-                                    let _e2597 = (_e2574 - _e2578);
-                                    let _e2621 = (bitcast<f32>((bitcast<u32>(_e2582) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2586) & 2147483647u)));
-                                    let _e2628 = (bitcast<f32>((bitcast<u32>(_e2590) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2594) & 2147483647u)));
-                                    let _e2635 = (bitcast<f32>((bitcast<u32>(_e2574) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2578) & 2147483647u)));
-                                    if (_e2497.member_2 == 0f) {
-                                        phi_4803_ = 0f;
+                                    let _e2578 = phi_4632_;
+                                    let _e2584 = bitcast<f32>((bitcast<u32>((_e2551 * _e2561)) ^ _e2507.member_3[0]));
+                                    let _e2588 = bitcast<f32>((bitcast<u32>((_e2554 * _e2559)) ^ _e2507.member_3[0]));
+                                    let _e2592 = bitcast<f32>((bitcast<u32>((_e2554 * _e2563)) ^ _e2507.member_3[0]));
+                                    let _e2596 = bitcast<f32>((bitcast<u32>((_e2557 * _e2561)) ^ _e2507.member_3[0]));
+                                    let _e2600 = bitcast<f32>((bitcast<u32>((_e2557 * _e2559)) ^ _e2507.member_3[0]));
+                                    let _e2604 = bitcast<f32>((bitcast<u32>((_e2551 * _e2563)) ^ _e2507.member_3[0]));
+                                    let _e2605 = (_e2592 - _e2596);
+                                    let _e2606 = (_e2600 - _e2604);
+                                    let _e2607 = (_e2584 - _e2588);
+                                    let _e2631 = (bitcast<f32>((bitcast<u32>(_e2592) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2596) & 2147483647u)));
+                                    let _e2638 = (bitcast<f32>((bitcast<u32>(_e2600) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2604) & 2147483647u)));
+                                    let _e2645 = (bitcast<f32>((bitcast<u32>(_e2584) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2588) & 2147483647u)));
+                                    if (_e2507.member_2 == 0f) {
+                                        phi_4814_ = 0f;
                                     } else {
-                                        let _e2665 = bitcast<f32>((bitcast<u32>(_e2595) & 2147483647u));
-                                        let _e2668 = bitcast<f32>((bitcast<u32>(_e2596) & 2147483647u));
-                                        let _e2671 = bitcast<f32>((bitcast<u32>(_e2597) & 2147483647u));
-                                        let _e2673 = select(_e2671, _e2668, (_e2668 > _e2671));
-                                        let _e2677 = select(_e2671, _e2668, (_e2668 < _e2671));
-                                        let _e2681 = select(_e2668, _e2665, (_e2665 < _e2668));
-                                        let _e2683 = select(_e2668, _e2665, (_e2665 > _e2668));
-                                        let _e2685 = select(_e2671, _e2683, (_e2683 < _e2671));
-                                        phi_4803_ = bitcast<f32>((bitcast<u32>((_e2497.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2673, _e2665, (_e2665 > _e2673)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2685, _e2681, (_e2681 > _e2685)))) ^ _e2497.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2677, _e2665, (_e2665 < _e2677)))) ^ _e2497.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2621 + _e2628) + _e2635))) ^ _e2497.member_3[0]))) * 1.0000005f)) ^ _e2497.member_3[0])))) ^ _e2497.member_3[0]));
+                                        let _e2675 = bitcast<f32>((bitcast<u32>(_e2605) & 2147483647u));
+                                        let _e2678 = bitcast<f32>((bitcast<u32>(_e2606) & 2147483647u));
+                                        let _e2681 = bitcast<f32>((bitcast<u32>(_e2607) & 2147483647u));
+                                        let _e2683 = select(_e2681, _e2678, (_e2678 > _e2681));
+                                        let _e2687 = select(_e2681, _e2678, (_e2678 < _e2681));
+                                        let _e2691 = select(_e2678, _e2675, (_e2675 < _e2678));
+                                        let _e2693 = select(_e2678, _e2675, (_e2675 > _e2678));
+                                        let _e2695 = select(_e2681, _e2693, (_e2693 < _e2681));
+                                        phi_4814_ = bitcast<f32>((bitcast<u32>((_e2507.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2683, _e2675, (_e2675 > _e2683)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2695, _e2691, (_e2691 > _e2695)))) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2687, _e2675, (_e2675 < _e2687)))) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2631 + _e2638) + _e2645))) ^ _e2507.member_3[0]))) * 1.0000005f)) ^ _e2507.member_3[0])))) ^ _e2507.member_3[0]));
                                     }
-                                    let _e2712 = phi_4803_;
-                                    phi_4821_ = (_e2514 || !(((((bitcast<f32>((bitcast<u32>((_e2568.x * _e2595)) ^ _e2497.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2568.y * _e2596)) ^ _e2497.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2568.z * _e2597)) ^ _e2497.member_3[0]))) * f32(-(_e2513))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2568.x) & 2147483647u)) * _e2621)) ^ _e2497.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2568.y) & 2147483647u)) * _e2628)) ^ _e2497.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2568.z) & 2147483647u)) * _e2635)) ^ _e2497.member_3[0]))))) ^ _e2497.member_3[0])) + _e2712) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e2722 = phi_4814_;
+                                    phi_4832_ = (_e2524 || !(((((bitcast<f32>((bitcast<u32>((_e2578.x * _e2605)) ^ _e2507.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2578.y * _e2606)) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2578.z * _e2607)) ^ _e2507.member_3[0]))) * f32(-(_e2523))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.x) & 2147483647u)) * _e2631)) ^ _e2507.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.y) & 2147483647u)) * _e2638)) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.z) & 2147483647u)) * _e2645)) ^ _e2507.member_3[0]))))) ^ _e2507.member_3[0])) + _e2722) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e2726 = phi_4821_;
-                                phi_4822_ = _e2726;
+                                let _e2736 = phi_4832_;
+                                phi_4833_ = _e2736;
                             }
-                            let _e2728 = phi_4822_;
-                            if _e2728 {
-                                if (_e2367.member < _e1510.member.member.member) {
-                                    phi_4842_ = true;
+                            let _e2738 = phi_4833_;
+                            if _e2738 {
+                                if (_e2377.member < _e1522.member.member.member) {
+                                    phi_4853_ = true;
                                 } else {
-                                    if (_e2367.member == _e1510.member.member.member) {
-                                        phi_4841_ = (_e2367.member_3 < _e1510.member.member.member_3);
+                                    if (_e2377.member == _e1522.member.member.member) {
+                                        phi_4852_ = (_e2377.member_3 < _e1522.member.member.member_3);
                                     } else {
-                                        phi_4841_ = false;
+                                        phi_4852_ = false;
                                     }
-                                    let _e2740 = phi_4841_;
-                                    phi_4842_ = _e2740;
+                                    let _e2750 = phi_4852_;
+                                    phi_4853_ = _e2750;
                                 }
-                                let _e2742 = phi_4842_;
-                                if _e2742 {
-                                    phi_4849_ = SlimbvhTypeP(SlimbvhTypeI(_e2367, _e2367.member), _e1510.member_1);
+                                let _e2752 = phi_4853_;
+                                if _e2752 {
+                                    phi_4860_ = SlimbvhTypeP(SlimbvhTypeI(_e2377, _e2377.member), _e1522.member_1);
                                 } else {
-                                    phi_4849_ = _e1510;
+                                    phi_4860_ = _e1522;
                                 }
-                                let _e2748 = phi_4849_;
-                                if _e2748.member_1 {
-                                    phi_4855_ = SlimbvhTypeP(SlimbvhTypeI(_e2748.member.member, bitcast<f32>(4286578687u)), _e2748.member_1);
+                                let _e2758 = phi_4860_;
+                                if _e2758.member_1 {
+                                    phi_4866_ = SlimbvhTypeP(SlimbvhTypeI(_e2758.member.member, bitcast<f32>(4286578687u)), _e2758.member_1);
                                 } else {
-                                    phi_4855_ = _e2748;
+                                    phi_4866_ = _e2758;
                                 }
-                                let _e2757 = phi_4855_;
-                                phi_4856_ = _e2757;
+                                let _e2767 = phi_4866_;
+                                phi_4867_ = _e2767;
                             } else {
-                                phi_4856_ = _e1510;
+                                phi_4867_ = _e1522;
                             }
-                            let _e2759 = phi_4856_;
-                            phi_4857_ = _e2759;
+                            let _e2769 = phi_4867_;
+                            phi_4868_ = _e2769;
                         } else {
-                            phi_4857_ = _e1510;
+                            phi_4868_ = _e1522;
                         }
-                        let _e2761 = phi_4857_;
-                        phi_3008_ = _e2761;
+                        let _e2771 = phi_4868_;
+                        phi_3022_ = _e2771;
                     } else {
-                        phi_3008_ = SlimbvhTypeP();
+                        phi_3022_ = SlimbvhTypeP();
                     }
-                    let _e2763 = phi_3008_;
+                    let _e2773 = phi_3022_;
                     continue;
                     continuing {
-                        phi_3007_ = _e2763;
-                        phi_3010_ = _e1525;
-                        break if !(_e1531);
+                        phi_3021_ = _e2773;
+                        phi_3024_ = _e1537;
+                        break if !(_e1543);
                     }
                 }
-                let _e2766 = local_3;
-                let _e2767 = (_e2766 - 1u);
-                let _e2770 = local[(_e2767 % 128u)];
-                let _e2771 = (_e2770 & 511u);
-                let _e2773 = (_e2771 >> bitcast<u32>(3u));
-                let _e2776 = ((_e2773 == 0u) || (_e2767 == 4294967295u));
-                if _e2776 {
+                let _e2776 = local_3;
+                let _e2777 = (_e2776 - 1u);
+                let _e2780 = local[(_e2777 % 128u)];
+                let _e2781 = (_e2780 & 511u);
+                let _e2783 = (_e2781 >> bitcast<u32>(3u));
+                let _e2786 = ((_e2783 == 0u) || (_e2777 == 4294967295u));
+                if _e2786 {
                 } else {
-                    local[(_e2767 % 128u)] = (((_e2770 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2773);
+                    local[(_e2777 % 128u)] = (((_e2780 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2783);
                 }
-                let _e2783 = local_4;
-                let _e2791 = (((_e2770 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2771 & 3u) & 3u));
-                let _e2793 = (_e2791 >> bitcast<u32>(2i));
-                if (_e2793 < _e123) {
-                    let _e2798 = slimbvh_nodes.member[_e2793][1u][3u];
-                    let _e2802 = slimbvh_nodes.member[_e2793][2u][3u];
-                    let _e2807 = (_e2802 >> bitcast<u32>(20u));
-                    let _e2808 = (_e2791 & 3u);
-                    if (((_e2807 >> bitcast<u32>((((3u * _e2808) & 31u) & 31u))) & 7u) == 7u) {
-                        let _e2820 = ((_e2807 | (_e2807 << bitcast<u32>(10i))) & 4128831u);
-                        phi_4946_ = (((_e2798 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2820 | (_e2820 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2808) & 31u) & 31u))) & 255u));
+                let _e2793 = local_4;
+                let _e2801 = (((_e2780 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2781 & 3u) & 3u));
+                let _e2803 = (_e2801 >> bitcast<u32>(2i));
+                if (_e2803 < _e123) {
+                    let _e2808 = slimbvh_nodes.member[_e2803][1u][3u];
+                    let _e2812 = slimbvh_nodes.member[_e2803][2u][3u];
+                    let _e2817 = (_e2812 >> bitcast<u32>(20u));
+                    let _e2818 = (_e2801 & 3u);
+                    if (((_e2817 >> bitcast<u32>((((3u * _e2818) & 31u) & 31u))) & 7u) == 7u) {
+                        let _e2830 = ((_e2817 | (_e2817 << bitcast<u32>(10i))) & 4128831u);
+                        phi_4957_ = (((_e2808 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2830 | (_e2830 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2818) & 31u) & 31u))) & 255u));
                     } else {
-                        phi_4946_ = (2147483648u | _e2791);
+                        phi_4957_ = (2147483648u | _e2801);
                     }
-                    let _e2838 = phi_4946_;
-                    phi_4947_ = _e2838;
+                    let _e2848 = phi_4957_;
+                    phi_4958_ = _e2848;
                 } else {
-                    phi_4947_ = 4294967295u;
+                    phi_4958_ = 4294967295u;
                 }
-                let _e2840 = phi_4947_;
-                let _e2842 = local_5;
-                let _e3140 = local_7;
-                phi_4956_ = _e3140;
-                phi_4957_ = select(select(_e2783, _e2767, _e2776), 4294967295u, (_e687 > _e2842.member.member_1));
-                phi_4958_ = _e2840;
+                let _e2850 = phi_4958_;
+                let _e2852 = local_5;
+                let _e3150 = local_7;
+                phi_4967_ = _e3150;
+                phi_4968_ = select(select(_e2793, _e2777, _e2786), 4294967295u, (_e693 > _e2852.member.member_1));
+                phi_4969_ = _e2850;
             } else {
-                phi_4956_ = _e800;
-                let _e3143 = local_8;
-                phi_4957_ = _e3143;
-                let _e3146 = local_9;
-                phi_4958_ = _e3146;
+                phi_4967_ = _e806;
+                let _e3153 = local_8;
+                phi_4968_ = _e3153;
+                let _e3156 = local_9;
+                phi_4969_ = _e3156;
             }
-            let _e2848 = phi_4956_;
-            let _e2850 = phi_4957_;
-            let _e2852 = phi_4958_;
-            phi_1856_ = _e2848;
-            phi_1859_ = _e2850;
-            phi_1861_ = _e2852;
-            let _e3152 = local_10;
-            phi_1863_ = _e3152;
+            let _e2858 = phi_4967_;
+            let _e2860 = phi_4968_;
+            let _e2862 = phi_4969_;
+            phi_1863_ = _e2858;
+            phi_1866_ = _e2860;
+            phi_1868_ = _e2862;
+            let _e3162 = local_10;
+            phi_1870_ = _e3162;
         } else {
-            phi_1856_ = SlimbvhTypeP();
-            phi_1859_ = u32();
-            phi_1861_ = u32();
-            phi_1863_ = u32();
+            phi_1863_ = SlimbvhTypeP();
+            phi_1866_ = u32();
+            phi_1868_ = u32();
+            phi_1870_ = u32();
         }
-        let _e2854 = phi_1856_;
-        let _e2856 = phi_1859_;
-        let _e2858 = phi_1861_;
-        let _e2860 = phi_1863_;
+        let _e2864 = phi_1863_;
+        let _e2866 = phi_1866_;
+        let _e2868 = phi_1868_;
+        let _e2870 = phi_1870_;
         continue;
         continuing {
-            phi_1855_ = _e2854;
-            phi_1858_ = _e2856;
-            phi_1860_ = _e2858;
-            phi_1862_ = _e2860;
-            break if !(_e807);
+            phi_1862_ = _e2864;
+            phi_1865_ = _e2866;
+            phi_1867_ = _e2868;
+            phi_1869_ = _e2870;
+            break if !(_e813);
         }
     }
-    let _e2863 = local_6;
-    if (_e2863.member.member.member_3 != 4294967295u) {
-        let _e2869 = -((_e190 + _e620.member_4));
-        let _e2870 = bitcast<u32>(_e2863.member.member.member);
-        let _e2874 = (bitcast<i32>((_e2870 >> bitcast<u32>(23i))) & 255i);
-        let _e2875 = (_e2874 + _e2869);
-        if (_e2874 == 255i) {
-            phi_5015_ = _e2863.member.member.member;
+    let _e2873 = local_6;
+    if (_e2873.member.member.member_3 != 4294967295u) {
+        let _e2879 = -((_e196 + _e626.member_4));
+        let _e2880 = bitcast<u32>(_e2873.member.member.member);
+        let _e2884 = (bitcast<i32>((_e2880 >> bitcast<u32>(23i))) & 255i);
+        let _e2885 = (_e2884 + _e2879);
+        if (_e2884 == 255i) {
+            phi_5026_ = _e2873.member.member.member;
         } else {
-            if (_e2874 > 0i) {
-                if (_e2875 > 0i) {
-                    let _e2879 = (_e2875 < 255i);
-                    if _e2879 {
-                        phi_4994_ = bitcast<f32>((_e2870 + bitcast<u32>((_e2869 << bitcast<u32>(23i)))));
+            if (_e2884 > 0i) {
+                if (_e2885 > 0i) {
+                    let _e2889 = (_e2885 < 255i);
+                    if _e2889 {
+                        phi_5005_ = bitcast<f32>((_e2880 + bitcast<u32>((_e2879 << bitcast<u32>(23i)))));
                     } else {
-                        phi_4994_ = f32();
+                        phi_5005_ = f32();
                     }
-                    let _e2886 = phi_4994_;
-                    phi_4996_ = _e2886;
-                    phi_4997_ = select(true, false, _e2879);
+                    let _e2896 = phi_5005_;
+                    phi_5007_ = _e2896;
+                    phi_5008_ = select(true, false, _e2889);
                 } else {
-                    phi_4996_ = f32();
-                    phi_4997_ = true;
+                    phi_5007_ = f32();
+                    phi_5008_ = true;
                 }
-                let _e2889 = phi_4996_;
-                let _e2891 = phi_4997_;
-                phi_4998_ = _e2889;
-                phi_4999_ = _e2891;
+                let _e2899 = phi_5007_;
+                let _e2901 = phi_5008_;
+                phi_5009_ = _e2899;
+                phi_5010_ = _e2901;
             } else {
-                phi_4998_ = f32();
-                phi_4999_ = true;
+                phi_5009_ = f32();
+                phi_5010_ = true;
             }
-            let _e2893 = phi_4998_;
-            let _e2895 = phi_4999_;
-            if _e2895 {
-                let _e2896 = (_e2870 & 2147483648u);
-                let _e2903 = ((_e2870 & 8388607u) | (select(0u, 1u, ((_e2870 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e2907 = (_e2903 == 0u);
-                if _e2907 {
-                    phi_5675_ = bitcast<f32>(_e2896);
+            let _e2903 = phi_5009_;
+            let _e2905 = phi_5010_;
+            if _e2905 {
+                let _e2906 = (_e2880 & 2147483648u);
+                let _e2913 = ((_e2880 & 8388607u) | (select(0u, 1u, ((_e2880 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e2917 = (_e2913 == 0u);
+                if _e2917 {
+                    phi_5686_ = bitcast<f32>(_e2906);
                 } else {
-                    let _e2912 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2903)), 32u, _e2907) - 8u);
-                    let _e2915 = (_e2903 << bitcast<u32>((_e2912 & 31u)));
-                    let _e2917 = ((_e2875 + select(0i, 1i, (_e2874 == 0i))) - bitcast<i32>(_e2912));
-                    if (_e2917 >= 255i) {
-                        phi_5665_ = bitcast<f32>((_e2896 | 2139095040u));
-                        phi_5666_ = f32();
-                        phi_5667_ = true;
+                    let _e2922 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2913)), 32u, _e2917) - 8u);
+                    let _e2925 = (_e2913 << bitcast<u32>((_e2922 & 31u)));
+                    let _e2927 = ((_e2885 + select(0i, 1i, (_e2884 == 0i))) - bitcast<i32>(_e2922));
+                    if (_e2927 >= 255i) {
+                        phi_5676_ = bitcast<f32>((_e2906 | 2139095040u));
+                        phi_5677_ = f32();
+                        phi_5678_ = true;
                     } else {
-                        let _e2919 = (_e2917 > 0i);
-                        if _e2919 {
-                            phi_5659_ = bitcast<f32>(((_e2896 | (bitcast<u32>(_e2917) << bitcast<u32>(23i))) | (_e2915 & 8388607u)));
-                            phi_5660_ = f32();
+                        let _e2929 = (_e2927 > 0i);
+                        if _e2929 {
+                            phi_5670_ = bitcast<f32>(((_e2906 | (bitcast<u32>(_e2927) << bitcast<u32>(23i))) | (_e2925 & 8388607u)));
+                            phi_5671_ = f32();
                         } else {
-                            if (_e2917 < -24i) {
-                                phi_5625_ = 26u;
+                            if (_e2927 < -24i) {
+                                phi_5636_ = 26u;
                             } else {
-                                phi_5625_ = bitcast<u32>((1i - _e2917));
+                                phi_5636_ = bitcast<u32>((1i - _e2927));
                             }
-                            let _e2924 = phi_5625_;
-                            let _e2925 = (_e2924 & 31u);
-                            let _e2927 = (_e2915 >> bitcast<u32>(_e2925));
-                            let _e2931 = (_e2915 & ((1u << bitcast<u32>(_e2925)) - 1u));
-                            let _e2935 = (1u << bitcast<u32>(((_e2924 - 1u) & 31u)));
-                            if (_e2931 > _e2935) {
-                                phi_5646_ = true;
+                            let _e2934 = phi_5636_;
+                            let _e2935 = (_e2934 & 31u);
+                            let _e2937 = (_e2925 >> bitcast<u32>(_e2935));
+                            let _e2941 = (_e2925 & ((1u << bitcast<u32>(_e2935)) - 1u));
+                            let _e2945 = (1u << bitcast<u32>(((_e2934 - 1u) & 31u)));
+                            if (_e2941 > _e2945) {
+                                phi_5657_ = true;
                             } else {
-                                if (_e2931 == _e2935) {
-                                    phi_5643_ = ((_e2927 & 1u) == 1u);
+                                if (_e2941 == _e2945) {
+                                    phi_5654_ = ((_e2937 & 1u) == 1u);
                                 } else {
-                                    phi_5643_ = false;
+                                    phi_5654_ = false;
                                 }
-                                let _e2941 = phi_5643_;
-                                phi_5646_ = _e2941;
+                                let _e2951 = phi_5654_;
+                                phi_5657_ = _e2951;
                             }
-                            let _e2943 = phi_5646_;
-                            phi_5659_ = f32();
-                            phi_5660_ = bitcast<f32>((_e2896 | (_e2927 + select(0u, 1u, _e2943))));
+                            let _e2953 = phi_5657_;
+                            phi_5670_ = f32();
+                            phi_5671_ = bitcast<f32>((_e2906 | (_e2937 + select(0u, 1u, _e2953))));
                         }
-                        let _e2956 = phi_5659_;
-                        let _e2958 = phi_5660_;
-                        phi_5665_ = _e2956;
-                        phi_5666_ = _e2958;
-                        phi_5667_ = _e2919;
+                        let _e2966 = phi_5670_;
+                        let _e2968 = phi_5671_;
+                        phi_5676_ = _e2966;
+                        phi_5677_ = _e2968;
+                        phi_5678_ = _e2929;
                     }
-                    let _e2962 = phi_5665_;
-                    let _e2964 = phi_5666_;
-                    let _e2966 = phi_5667_;
-                    phi_5675_ = select(_e2964, _e2962, _e2966);
+                    let _e2972 = phi_5676_;
+                    let _e2974 = phi_5677_;
+                    let _e2976 = phi_5678_;
+                    phi_5686_ = select(_e2974, _e2972, _e2976);
                 }
-                let _e2970 = phi_5675_;
-                phi_5014_ = _e2970;
+                let _e2980 = phi_5686_;
+                phi_5025_ = _e2980;
             } else {
-                phi_5014_ = _e2893;
+                phi_5025_ = _e2903;
             }
-            let _e2972 = phi_5014_;
-            phi_5015_ = _e2972;
+            let _e2982 = phi_5025_;
+            phi_5026_ = _e2982;
         }
-        let _e2974 = phi_5015_;
-        let _e2975 = bitcast<u32>(_e2974);
-        if ((_e2975 & 2147483647u) >= 2139095040u) {
-            phi_5027_ = bitcast<f32>(((_e2975 & 2147483648u) | 2139095039u));
+        let _e2984 = phi_5026_;
+        let _e2985 = bitcast<u32>(_e2984);
+        if ((_e2985 & 2147483647u) >= 2139095040u) {
+            phi_5038_ = bitcast<f32>(((_e2985 & 2147483648u) | 2139095039u));
         } else {
-            phi_5027_ = _e2974;
+            phi_5038_ = _e2984;
         }
-        let _e2982 = phi_5027_;
-        phi_5032_ = SlimbvhTypeF(_e2982, _e2863.member.member.member_1, _e2863.member.member.member_2, _e2863.member.member.member_3);
+        let _e2992 = phi_5038_;
+        phi_5043_ = SlimbvhTypeF(_e2992, _e2873.member.member.member_1, _e2873.member.member.member_2, _e2873.member.member.member_3);
     } else {
-        phi_5032_ = _e119;
+        phi_5043_ = _e119;
     }
-    let _e2987 = phi_5032_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2987.member), bitcast<u32>(_e2987.member_1), bitcast<u32>(_e2987.member_2), _e2987.member_3);
+    let _e2997 = phi_5043_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2997.member), bitcast<u32>(_e2997.member_1), bitcast<u32>(_e2997.member_2), _e2997.member_3);
     return;
 }
 

@@ -124,148 +124,148 @@ var<private> slimbvh_hit: SlimbvhTypeA;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
-    var phi_704_: u32;
-    var phi_710_: u32;
-    var phi_716_: u32;
-    var phi_981_: i32;
-    var phi_992_: i32;
-    var phi_1106_: i32;
-    var phi_1235_: i32;
-    var phi_1257_: u32;
-    var phi_1258_: u32;
-    var phi_1259_: bool;
-    var phi_1293_: i32;
-    var phi_1315_: u32;
-    var phi_1316_: u32;
-    var phi_1317_: bool;
-    var phi_878_: i32;
-    var phi_884_: u32;
-    var phi_903_: u32;
-    var phi_904_: u32;
-    var phi_905_: bool;
-    var phi_923_: i32;
-    var phi_929_: u32;
-    var phi_948_: u32;
-    var phi_949_: u32;
-    var phi_950_: bool;
-    var phi_1327_: SlimbvhTypeD;
-    var phi_1566_: SlimbvhTypeP;
-    var phi_1629_: array<f32, 3>;
-    var phi_1630_: array<f32, 3>;
-    var phi_1648_: array<f32, 3>;
-    var phi_1649_: array<f32, 3>;
-    var phi_1822_: SlimbvhTypeP;
-    var phi_1825_: u32;
-    var phi_1827_: u32;
-    var phi_1829_: u32;
-    var phi_1838_: u32;
-    var phi_1841_: u32;
-    var phi_1843_: u32;
-    var phi_1945_: SlimbvhTypeM;
-    var phi_1946_: SlimbvhTypeM;
-    var phi_2005_: SlimbvhTypeM;
-    var phi_2006_: SlimbvhTypeM;
-    var phi_2065_: SlimbvhTypeM;
-    var phi_2066_: SlimbvhTypeM;
-    var phi_2550_: u32;
-    var phi_2563_: u32;
-    var phi_2576_: u32;
-    var phi_2589_: u32;
-    var phi_4559_: SlimbvhTypeE;
+    var phi_711_: u32;
+    var phi_717_: u32;
+    var phi_723_: u32;
+    var phi_988_: i32;
+    var phi_999_: i32;
+    var phi_1113_: i32;
+    var phi_1242_: i32;
+    var phi_1264_: u32;
+    var phi_1265_: u32;
+    var phi_1266_: bool;
+    var phi_1300_: i32;
+    var phi_1322_: u32;
+    var phi_1323_: u32;
+    var phi_1324_: bool;
+    var phi_885_: i32;
+    var phi_891_: u32;
+    var phi_910_: u32;
+    var phi_911_: u32;
+    var phi_912_: bool;
+    var phi_930_: i32;
+    var phi_936_: u32;
+    var phi_955_: u32;
+    var phi_956_: u32;
+    var phi_957_: bool;
+    var phi_1334_: SlimbvhTypeD;
+    var phi_1573_: SlimbvhTypeP;
+    var phi_1636_: array<f32, 3>;
+    var phi_1637_: array<f32, 3>;
+    var phi_1655_: array<f32, 3>;
+    var phi_1656_: array<f32, 3>;
+    var phi_1829_: SlimbvhTypeP;
+    var phi_1832_: u32;
+    var phi_1834_: u32;
+    var phi_1836_: u32;
+    var phi_1845_: u32;
+    var phi_1848_: u32;
+    var phi_1850_: u32;
+    var phi_1956_: SlimbvhTypeM;
+    var phi_1957_: SlimbvhTypeM;
+    var phi_2016_: SlimbvhTypeM;
+    var phi_2017_: SlimbvhTypeM;
+    var phi_2076_: SlimbvhTypeM;
+    var phi_2077_: SlimbvhTypeM;
+    var phi_2561_: u32;
+    var phi_2574_: u32;
+    var phi_2587_: u32;
+    var phi_2600_: u32;
     var phi_4571_: SlimbvhTypeE;
     var phi_4583_: SlimbvhTypeE;
     var phi_4595_: SlimbvhTypeE;
     var phi_4607_: SlimbvhTypeE;
-    var phi_2670_: u32;
-    var phi_2675_: u32;
-    var phi_2676_: u32;
-    var phi_2700_: u32;
-    var phi_1839_: u32;
-    var phi_1842_: u32;
-    var phi_1844_: u32;
+    var phi_4619_: SlimbvhTypeE;
+    var phi_2681_: u32;
+    var phi_2686_: u32;
+    var phi_2687_: u32;
+    var phi_2711_: u32;
+    var phi_1846_: u32;
+    var phi_1849_: u32;
+    var phi_1851_: u32;
     var local_1: bool;
     var local_2: u32;
     var local_3: u32;
-    var phi_2716_: SlimbvhTypeP;
-    var phi_2719_: SlimbvhTypeE;
-    var phi_2720_: SlimbvhTypeE;
-    var phi_2742_: SlimbvhTypeE;
-    var phi_2821_: array<vec4<f32>, 3>;
-    var phi_2822_: array<vec4<f32>, 3>;
-    var phi_2902_: array<vec4<f32>, 3>;
-    var phi_2903_: array<vec4<f32>, 3>;
-    var phi_2926_: array<f32, 3>;
-    var phi_2927_: array<f32, 3>;
-    var phi_2941_: array<f32, 3>;
-    var phi_2942_: array<f32, 3>;
-    var phi_2956_: array<f32, 3>;
-    var phi_2957_: array<f32, 3>;
-    var phi_3316_: f32;
-    var phi_3317_: f32;
-    var phi_3318_: f32;
-    var phi_3319_: f32;
-    var phi_3320_: vec3<f32>;
-    var phi_3321_: vec3<f32>;
-    var phi_3322_: vec3<f32>;
-    var phi_3323_: vec3<f32>;
-    var phi_3502_: f32;
-    var phi_3528_: SlimbvhTypeF;
-    var phi_3529_: SlimbvhTypeF;
-    var phi_3532_: SlimbvhTypeF;
-    var phi_3533_: SlimbvhTypeF;
-    var phi_3534_: bool;
-    var phi_3538_: SlimbvhTypeF;
-    var phi_3547_: SlimbvhTypeG;
-    var phi_3600_: i32;
-    var phi_3740_: SlimbvhTypeI;
-    var phi_3764_: u32;
-    var phi_3792_: vec3<f32>;
-    var phi_3793_: vec3<f32>;
-    var phi_3810_: vec3<f32>;
-    var phi_3811_: vec3<f32>;
-    var phi_3828_: vec3<f32>;
-    var phi_3829_: vec3<f32>;
-    var phi_3865_: vec3<f32>;
-    var phi_4047_: f32;
-    var phi_4065_: bool;
-    var phi_4066_: bool;
-    var phi_4085_: bool;
-    var phi_4086_: bool;
-    var phi_4093_: SlimbvhTypeP;
-    var phi_4099_: SlimbvhTypeP;
-    var phi_4100_: SlimbvhTypeP;
-    var phi_4101_: SlimbvhTypeP;
-    var phi_2717_: SlimbvhTypeP;
+    var phi_2728_: SlimbvhTypeP;
+    var phi_2731_: SlimbvhTypeE;
+    var phi_2732_: SlimbvhTypeE;
+    var phi_2754_: SlimbvhTypeE;
+    var phi_2833_: array<vec4<f32>, 3>;
+    var phi_2834_: array<vec4<f32>, 3>;
+    var phi_2914_: array<vec4<f32>, 3>;
+    var phi_2915_: array<vec4<f32>, 3>;
+    var phi_2938_: array<f32, 3>;
+    var phi_2939_: array<f32, 3>;
+    var phi_2953_: array<f32, 3>;
+    var phi_2954_: array<f32, 3>;
+    var phi_2968_: array<f32, 3>;
+    var phi_2969_: array<f32, 3>;
+    var phi_3328_: f32;
+    var phi_3329_: f32;
+    var phi_3330_: f32;
+    var phi_3331_: f32;
+    var phi_3332_: vec3<f32>;
+    var phi_3333_: vec3<f32>;
+    var phi_3334_: vec3<f32>;
+    var phi_3335_: vec3<f32>;
+    var phi_3514_: f32;
+    var phi_3540_: SlimbvhTypeF;
+    var phi_3541_: SlimbvhTypeF;
+    var phi_3544_: SlimbvhTypeF;
+    var phi_3545_: SlimbvhTypeF;
+    var phi_3546_: bool;
+    var phi_3550_: SlimbvhTypeF;
+    var phi_3559_: SlimbvhTypeG;
+    var phi_3612_: i32;
+    var phi_3752_: SlimbvhTypeI;
+    var phi_3776_: u32;
+    var phi_3804_: vec3<f32>;
+    var phi_3805_: vec3<f32>;
+    var phi_3822_: vec3<f32>;
+    var phi_3823_: vec3<f32>;
+    var phi_3840_: vec3<f32>;
+    var phi_3841_: vec3<f32>;
+    var phi_3877_: vec3<f32>;
+    var phi_4059_: f32;
+    var phi_4077_: bool;
+    var phi_4078_: bool;
+    var phi_4097_: bool;
+    var phi_4098_: bool;
+    var phi_4105_: SlimbvhTypeP;
+    var phi_4111_: SlimbvhTypeP;
+    var phi_4112_: SlimbvhTypeP;
+    var phi_4113_: SlimbvhTypeP;
+    var phi_2729_: SlimbvhTypeP;
     var local_4: u32;
     var local_5: u32;
-    var phi_4160_: u32;
+    var phi_4172_: u32;
     var local_6: SlimbvhTypeP;
-    var phi_4169_: SlimbvhTypeP;
-    var phi_4170_: u32;
-    var phi_4171_: u32;
-    var phi_1823_: SlimbvhTypeP;
-    var phi_1826_: u32;
-    var phi_1828_: u32;
-    var phi_1830_: u32;
+    var phi_4181_: SlimbvhTypeP;
+    var phi_4182_: u32;
+    var phi_4183_: u32;
+    var phi_1830_: SlimbvhTypeP;
+    var phi_1833_: u32;
+    var phi_1835_: u32;
+    var phi_1837_: u32;
     var local_7: SlimbvhTypeP;
-    var phi_4207_: f32;
-    var phi_4209_: f32;
-    var phi_4210_: bool;
-    var phi_4211_: f32;
-    var phi_4212_: bool;
-    var phi_4838_: u32;
-    var phi_4856_: bool;
-    var phi_4859_: bool;
-    var phi_4872_: f32;
-    var phi_4873_: f32;
-    var phi_4878_: f32;
-    var phi_4879_: f32;
-    var phi_4880_: bool;
-    var phi_4888_: f32;
-    var phi_4227_: f32;
-    var phi_4228_: f32;
+    var phi_4219_: f32;
+    var phi_4221_: f32;
+    var phi_4222_: bool;
+    var phi_4223_: f32;
+    var phi_4224_: bool;
+    var phi_4850_: u32;
+    var phi_4868_: bool;
+    var phi_4871_: bool;
+    var phi_4884_: f32;
+    var phi_4885_: f32;
+    var phi_4890_: f32;
+    var phi_4891_: f32;
+    var phi_4892_: bool;
+    var phi_4900_: f32;
+    var phi_4239_: f32;
     var phi_4240_: f32;
-    var phi_4245_: SlimbvhTypeG;
+    var phi_4252_: f32;
+    var phi_4257_: SlimbvhTypeG;
     var local_8: SlimbvhTypeP;
     var local_9: u32;
     var local_10: u32;
@@ -281,1111 +281,1114 @@ fn slimbvh_trace() {
     let _e131 = slimbvh_root.member[1u][1u];
     let _e135 = slimbvh_root.member[1u][2u];
     let _e147 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e123) + 127i)) << bitcast<u32>(23i)));
+    let _e150 = slimbvh_exponent.member[1u];
+    let _e153 = slimbvh_exponent.member[2u];
     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    let _e148 = slimbvh_origin.member;
-    let _e154 = slimbvh_origin.member[3u];
-    let _e155 = slimbvh_direction.member;
-    let _e161 = slimbvh_direction.member[3u];
-    let _e164 = slimbvh_exponent.member[0u];
-    let _e165 = bitcast<i32>(_e164);
-    let _e167 = (bitcast<u32>(_e148.x) & 2147483647u);
-    let _e169 = (bitcast<u32>(_e148.y) & 2147483647u);
-    let _e171 = (bitcast<u32>(_e148.z) & 2147483647u);
-    let _e172 = bitcast<u32>(_e154);
-    let _e173 = (_e172 & 2147483647u);
-    let _e175 = (bitcast<u32>(_e155.x) & 2147483647u);
-    let _e177 = (bitcast<u32>(_e155.y) & 2147483647u);
-    let _e179 = (bitcast<u32>(_e155.z) & 2147483647u);
-    let _e180 = bitcast<u32>(_e161);
-    let _e181 = (_e180 & 2147483647u);
-    let _e183 = select(_e177, _e175, (_e177 < _e175));
-    let _e185 = select(_e179, _e183, (_e179 < _e183));
-    let _e187 = select(_e167, _e185, (_e167 < _e185));
-    let _e189 = select(_e169, _e187, (_e169 < _e187));
-    let _e191 = select(_e171, _e189, (_e171 < _e189));
-    let _e198 = (((select(_e173, _e191, (_e173 < _e191)) < 2139095040u) && (_e181 <= 2139095040u)) && (_e185 > 0u));
-    if (_e175 == _e185) {
-        phi_704_ = 0u;
+    let _e154 = slimbvh_origin.member;
+    let _e160 = slimbvh_origin.member[3u];
+    let _e161 = slimbvh_direction.member;
+    let _e167 = slimbvh_direction.member[3u];
+    let _e170 = slimbvh_exponent.member[0u];
+    let _e171 = bitcast<i32>(_e170);
+    let _e173 = (bitcast<u32>(_e154.x) & 2147483647u);
+    let _e175 = (bitcast<u32>(_e154.y) & 2147483647u);
+    let _e177 = (bitcast<u32>(_e154.z) & 2147483647u);
+    let _e178 = bitcast<u32>(_e160);
+    let _e179 = (_e178 & 2147483647u);
+    let _e181 = (bitcast<u32>(_e161.x) & 2147483647u);
+    let _e183 = (bitcast<u32>(_e161.y) & 2147483647u);
+    let _e185 = (bitcast<u32>(_e161.z) & 2147483647u);
+    let _e186 = bitcast<u32>(_e167);
+    let _e187 = (_e186 & 2147483647u);
+    let _e189 = select(_e183, _e181, (_e183 < _e181));
+    let _e191 = select(_e185, _e189, (_e185 < _e189));
+    let _e193 = select(_e173, _e191, (_e173 < _e191));
+    let _e195 = select(_e175, _e193, (_e175 < _e193));
+    let _e197 = select(_e177, _e195, (_e177 < _e195));
+    let _e204 = (((select(_e179, _e197, (_e179 < _e197)) < 2139095040u) && (_e187 <= 2139095040u)) && (_e191 > 0u));
+    if (_e181 == _e191) {
+        phi_711_ = 0u;
     } else {
-        phi_704_ = select(2u, 1u, (_e177 == _e185));
+        phi_711_ = select(2u, 1u, (_e183 == _e191));
     }
-    let _e203 = phi_704_;
-    let _e204 = (_e203 == 2u);
-    if _e204 {
-        phi_710_ = 0u;
+    let _e209 = phi_711_;
+    let _e210 = (_e209 == 2u);
+    if _e210 {
+        phi_717_ = 0u;
     } else {
-        phi_710_ = (_e203 + 1u);
+        phi_717_ = (_e209 + 1u);
     }
-    let _e207 = phi_710_;
-    let _e208 = (_e207 == 2u);
-    if _e208 {
-        phi_716_ = 0u;
+    let _e213 = phi_717_;
+    let _e214 = (_e213 == 2u);
+    if _e214 {
+        phi_723_ = 0u;
     } else {
-        phi_716_ = (_e207 + 1u);
+        phi_723_ = (_e213 + 1u);
     }
-    let _e211 = phi_716_;
-    let _e212 = (_e207 == 0u);
-    let _e214 = select(select(_e148.y, _e148.x, _e212), _e148.z, _e208);
-    let _e215 = (_e211 == 0u);
-    let _e217 = (_e211 == 2u);
-    let _e218 = select(select(_e148.y, _e148.x, _e215), _e148.z, _e217);
-    let _e219 = (_e203 == 0u);
-    let _e221 = select(select(_e148.y, _e148.x, _e219), _e148.z, _e204);
-    let _e223 = select(select(_e155.y, _e155.x, _e212), _e155.z, _e208);
-    let _e225 = select(select(_e155.y, _e155.x, _e215), _e155.z, _e217);
-    let _e227 = select(select(_e155.y, _e155.x, _e219), _e155.z, _e204);
-    let _e228 = (_e173 - 1u);
-    let _e229 = (_e181 - 1u);
-    let _e231 = select(_e228, _e229, (_e229 < _e228));
-    let _e232 = (_e167 - 1u);
-    let _e233 = (_e169 - 1u);
-    let _e235 = select(_e232, _e233, (_e233 < _e232));
-    let _e236 = (_e171 - 1u);
-    let _e238 = select(_e235, _e236, (_e236 < _e235));
+    let _e217 = phi_723_;
+    let _e218 = (_e213 == 0u);
+    let _e220 = select(select(_e154.y, _e154.x, _e218), _e154.z, _e214);
+    let _e221 = (_e217 == 0u);
+    let _e223 = (_e217 == 2u);
+    let _e224 = select(select(_e154.y, _e154.x, _e221), _e154.z, _e223);
+    let _e225 = (_e209 == 0u);
+    let _e227 = select(select(_e154.y, _e154.x, _e225), _e154.z, _e210);
+    let _e229 = select(select(_e161.y, _e161.x, _e218), _e161.z, _e214);
+    let _e231 = select(select(_e161.y, _e161.x, _e221), _e161.z, _e223);
+    let _e233 = select(select(_e161.y, _e161.x, _e225), _e161.z, _e210);
+    let _e234 = (_e179 - 1u);
+    let _e235 = (_e187 - 1u);
+    let _e237 = select(_e234, _e235, (_e235 < _e234));
+    let _e238 = (_e173 - 1u);
     let _e239 = (_e175 - 1u);
-    let _e240 = (_e177 - 1u);
-    let _e242 = select(_e239, _e240, (_e240 < _e239));
-    let _e243 = (_e179 - 1u);
-    let _e245 = select(_e242, _e243, (_e243 < _e242));
-    let _e247 = select(_e238, _e245, (_e245 < _e238));
-    if (((select(_e247, _e231, (_e231 < _e247)) >= 8388607u) && (_e185 < 2130706432u)) && (bitcast<u32>((_e165 + 126i)) <= 253u)) {
-        let _e512 = bitcast<i32>((_e185 >> bitcast<u32>(23i)));
-        let _e513 = (_e512 - 127i);
-        let _e514 = (_e165 + _e513);
-        let _e519 = bitcast<f32>((bitcast<u32>((_e165 + 127i)) << bitcast<u32>(23i)));
-        let _e524 = bitcast<f32>((bitcast<u32>((254i - _e512)) << bitcast<u32>(23i)));
-        if (_e173 >= 2139095040u) {
-            phi_878_ = 255i;
+    let _e241 = select(_e238, _e239, (_e239 < _e238));
+    let _e242 = (_e177 - 1u);
+    let _e244 = select(_e241, _e242, (_e242 < _e241));
+    let _e245 = (_e181 - 1u);
+    let _e246 = (_e183 - 1u);
+    let _e248 = select(_e245, _e246, (_e246 < _e245));
+    let _e249 = (_e185 - 1u);
+    let _e251 = select(_e248, _e249, (_e249 < _e248));
+    let _e253 = select(_e244, _e251, (_e251 < _e244));
+    if (((select(_e253, _e237, (_e237 < _e253)) >= 8388607u) && (_e191 < 2130706432u)) && (bitcast<u32>((_e171 + 126i)) <= 253u)) {
+        let _e518 = bitcast<i32>((_e191 >> bitcast<u32>(23i)));
+        let _e519 = (_e518 - 127i);
+        let _e520 = (_e171 + _e519);
+        let _e525 = bitcast<f32>((bitcast<u32>((_e171 + 127i)) << bitcast<u32>(23i)));
+        let _e530 = bitcast<f32>((bitcast<u32>((254i - _e518)) << bitcast<u32>(23i)));
+        if (_e179 >= 2139095040u) {
+            phi_885_ = 255i;
         } else {
-            phi_878_ = (bitcast<i32>((_e173 >> bitcast<u32>(23i))) + _e514);
+            phi_885_ = (bitcast<i32>((_e179 >> bitcast<u32>(23i))) + _e520);
         }
-        let _e539 = phi_878_;
-        if (_e173 == 0u) {
-            phi_884_ = 0u;
+        let _e545 = phi_885_;
+        if (_e179 == 0u) {
+            phi_891_ = 0u;
         } else {
-            phi_884_ = (_e173 | 8388608u);
+            phi_891_ = (_e179 | 8388608u);
         }
-        let _e543 = phi_884_;
-        if (_e539 <= 0i) {
-            phi_904_ = u32();
-            phi_905_ = true;
+        let _e549 = phi_891_;
+        if (_e545 <= 0i) {
+            phi_911_ = u32();
+            phi_912_ = true;
         } else {
-            let _e550 = (_e543 == 0u);
-            if _e550 {
-                phi_903_ = u32();
+            let _e556 = (_e549 == 0u);
+            if _e556 {
+                phi_910_ = u32();
             } else {
-                phi_903_ = select(((bitcast<u32>(_e539) << bitcast<u32>(23i)) | (_e543 & 8388607u)), 2139095039u, (_e539 >= 255i));
+                phi_910_ = select(((bitcast<u32>(_e545) << bitcast<u32>(23i)) | (_e549 & 8388607u)), 2139095039u, (_e545 >= 255i));
             }
-            let _e554 = phi_903_;
-            phi_904_ = _e554;
-            phi_905_ = _e550;
+            let _e560 = phi_910_;
+            phi_911_ = _e560;
+            phi_912_ = _e556;
         }
-        let _e556 = phi_904_;
-        let _e558 = phi_905_;
-        if (_e181 >= 2139095040u) {
-            phi_923_ = 255i;
+        let _e562 = phi_911_;
+        let _e564 = phi_912_;
+        if (_e187 >= 2139095040u) {
+            phi_930_ = 255i;
         } else {
-            phi_923_ = (bitcast<i32>((_e181 >> bitcast<u32>(23i))) + _e514);
+            phi_930_ = (bitcast<i32>((_e187 >> bitcast<u32>(23i))) + _e520);
         }
-        let _e569 = phi_923_;
-        if (_e181 == 0u) {
-            phi_929_ = 0u;
+        let _e575 = phi_930_;
+        if (_e187 == 0u) {
+            phi_936_ = 0u;
         } else {
-            phi_929_ = (_e181 | 8388608u);
+            phi_936_ = (_e187 | 8388608u);
         }
-        let _e573 = phi_929_;
-        if (_e569 <= 0i) {
-            phi_949_ = u32();
-            phi_950_ = true;
+        let _e579 = phi_936_;
+        if (_e575 <= 0i) {
+            phi_956_ = u32();
+            phi_957_ = true;
         } else {
-            let _e580 = (_e573 == 0u);
-            if _e580 {
-                phi_948_ = u32();
+            let _e586 = (_e579 == 0u);
+            if _e586 {
+                phi_955_ = u32();
             } else {
-                phi_948_ = select(((bitcast<u32>(_e569) << bitcast<u32>(23i)) | (_e573 & 8388607u)), 2139095039u, (_e569 >= 255i));
+                phi_955_ = select(((bitcast<u32>(_e575) << bitcast<u32>(23i)) | (_e579 & 8388607u)), 2139095039u, (_e575 >= 255i));
             }
-            let _e584 = phi_948_;
-            phi_949_ = _e584;
-            phi_950_ = _e580;
+            let _e590 = phi_955_;
+            phi_956_ = _e590;
+            phi_957_ = _e586;
         }
-        let _e586 = phi_949_;
-        let _e588 = phi_950_;
-        phi_1327_ = SlimbvhTypeD(array<f32, 3>((_e214 * _e519), (_e218 * _e519), (_e221 * _e519)), array<f32, 3>((_e223 * _e524), (_e225 * _e524), (_e227 * _e524)), bitcast<f32>(((_e172 & 2147483648u) | select(_e556, 0u, _e558))), bitcast<f32>(((_e180 & 2147483648u) | select(_e586, 0u, _e588))), _e513);
+        let _e592 = phi_956_;
+        let _e594 = phi_957_;
+        phi_1334_ = SlimbvhTypeD(array<f32, 3>((_e220 * _e525), (_e224 * _e525), (_e227 * _e525)), array<f32, 3>((_e229 * _e530), (_e231 * _e530), (_e233 * _e530)), bitcast<f32>(((_e178 & 2147483648u) | select(_e562, 0u, _e564))), bitcast<f32>(((_e186 & 2147483648u) | select(_e592, 0u, _e594))), _e519);
     } else {
-        let _e260 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e185, _e198))) & 2147483647u);
-        if (_e260 >= 8388608u) {
-            phi_981_ = (bitcast<i32>((_e260 >> bitcast<u32>(23i))) - 127i);
+        let _e266 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e191, _e204))) & 2147483647u);
+        if (_e266 >= 8388608u) {
+            phi_988_ = (bitcast<i32>((_e266 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_981_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e260)), 32u, (_e260 == 0u))));
+            phi_988_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e266)), 32u, (_e266 == 0u))));
         }
-        let _e274 = phi_981_;
-        let _e275 = (_e165 + _e274);
-        if (_e165 < -126i) {
-            phi_992_ = -126i;
+        let _e280 = phi_988_;
+        let _e281 = (_e171 + _e280);
+        if (_e171 < -126i) {
+            phi_999_ = -126i;
         } else {
-            phi_992_ = select(_e165, 127i, (_e165 > 127i));
+            phi_999_ = select(_e171, 127i, (_e171 > 127i));
         }
-        let _e280 = phi_992_;
-        let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
-        let _e291 = bitcast<f32>((bitcast<u32>(((_e165 - _e280) + 127i)) << bitcast<u32>(23i)));
-        let _e292 = bitcast<u32>(_e214);
-        let _e294 = ((_e292 & 2139095040u) != 0u);
-        let _e309 = bitcast<u32>(_e218);
-        let _e311 = ((_e309 & 2139095040u) != 0u);
-        let _e326 = bitcast<u32>(_e221);
-        let _e328 = ((_e326 & 2139095040u) != 0u);
-        let _e344 = -(_e274);
-        if (_e344 < -126i) {
-            phi_1106_ = -126i;
+        let _e286 = phi_999_;
+        let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
+        let _e297 = bitcast<f32>((bitcast<u32>(((_e171 - _e286) + 127i)) << bitcast<u32>(23i)));
+        let _e298 = bitcast<u32>(_e220);
+        let _e300 = ((_e298 & 2139095040u) != 0u);
+        let _e315 = bitcast<u32>(_e224);
+        let _e317 = ((_e315 & 2139095040u) != 0u);
+        let _e332 = bitcast<u32>(_e227);
+        let _e334 = ((_e332 & 2139095040u) != 0u);
+        let _e350 = -(_e280);
+        if (_e350 < -126i) {
+            phi_1113_ = -126i;
         } else {
-            phi_1106_ = select(_e344, 127i, (_e344 > 127i));
+            phi_1113_ = select(_e350, 127i, (_e350 > 127i));
         }
-        let _e349 = phi_1106_;
-        let _e354 = bitcast<f32>((bitcast<u32>((_e349 + 127i)) << bitcast<u32>(23i)));
-        let _e360 = bitcast<f32>((bitcast<u32>(((_e344 - _e349) + 127i)) << bitcast<u32>(23i)));
-        let _e361 = bitcast<u32>(_e223);
-        let _e363 = ((_e361 & 2139095040u) != 0u);
-        let _e378 = bitcast<u32>(_e225);
-        let _e380 = ((_e378 & 2139095040u) != 0u);
-        let _e395 = bitcast<u32>(_e227);
-        let _e397 = ((_e395 & 2139095040u) != 0u);
-        let _e419 = ((_e173 & 8388607u) | (select(0u, 1u, ((_e173 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e422 = bitcast<i32>((_e173 >> bitcast<u32>(23i)));
-        let _e429 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e419)), 32u, (_e419 == 0u))) - 8i);
-        if (_e422 == 255i) {
-            phi_1235_ = 255i;
+        let _e355 = phi_1113_;
+        let _e360 = bitcast<f32>((bitcast<u32>((_e355 + 127i)) << bitcast<u32>(23i)));
+        let _e366 = bitcast<f32>((bitcast<u32>(((_e350 - _e355) + 127i)) << bitcast<u32>(23i)));
+        let _e367 = bitcast<u32>(_e229);
+        let _e369 = ((_e367 & 2139095040u) != 0u);
+        let _e384 = bitcast<u32>(_e231);
+        let _e386 = ((_e384 & 2139095040u) != 0u);
+        let _e401 = bitcast<u32>(_e233);
+        let _e403 = ((_e401 & 2139095040u) != 0u);
+        let _e425 = ((_e179 & 8388607u) | (select(0u, 1u, ((_e179 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e428 = bitcast<i32>((_e179 >> bitcast<u32>(23i)));
+        let _e435 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e425)), 32u, (_e425 == 0u))) - 8i);
+        if (_e428 == 255i) {
+            phi_1242_ = 255i;
         } else {
-            phi_1235_ = (((_e422 + select(0i, 1i, (_e422 == 0i))) - _e429) + _e275);
+            phi_1242_ = (((_e428 + select(0i, 1i, (_e428 == 0i))) - _e435) + _e281);
         }
-        let _e437 = phi_1235_;
-        let _e441 = (_e419 << bitcast<u32>(((_e429 & 31i) & 31i)));
-        if (_e437 <= 0i) {
-            phi_1258_ = u32();
-            phi_1259_ = true;
+        let _e443 = phi_1242_;
+        let _e447 = (_e425 << bitcast<u32>(((_e435 & 31i) & 31i)));
+        if (_e443 <= 0i) {
+            phi_1265_ = u32();
+            phi_1266_ = true;
         } else {
-            let _e448 = (_e441 == 0u);
-            if _e448 {
-                phi_1257_ = u32();
+            let _e454 = (_e447 == 0u);
+            if _e454 {
+                phi_1264_ = u32();
             } else {
-                phi_1257_ = select(((bitcast<u32>(_e437) << bitcast<u32>(23i)) | (_e441 & 8388607u)), 2139095039u, (_e437 >= 255i));
+                phi_1264_ = select(((bitcast<u32>(_e443) << bitcast<u32>(23i)) | (_e447 & 8388607u)), 2139095039u, (_e443 >= 255i));
             }
-            let _e452 = phi_1257_;
-            phi_1258_ = _e452;
-            phi_1259_ = _e448;
+            let _e458 = phi_1264_;
+            phi_1265_ = _e458;
+            phi_1266_ = _e454;
         }
-        let _e454 = phi_1258_;
-        let _e456 = phi_1259_;
-        let _e467 = ((_e181 & 8388607u) | (select(0u, 1u, ((_e181 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e470 = bitcast<i32>((_e181 >> bitcast<u32>(23i)));
-        let _e477 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e467)), 32u, (_e467 == 0u))) - 8i);
-        if (_e470 == 255i) {
-            phi_1293_ = 255i;
+        let _e460 = phi_1265_;
+        let _e462 = phi_1266_;
+        let _e473 = ((_e187 & 8388607u) | (select(0u, 1u, ((_e187 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e476 = bitcast<i32>((_e187 >> bitcast<u32>(23i)));
+        let _e483 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e473)), 32u, (_e473 == 0u))) - 8i);
+        if (_e476 == 255i) {
+            phi_1300_ = 255i;
         } else {
-            phi_1293_ = (((_e470 + select(0i, 1i, (_e470 == 0i))) - _e477) + _e275);
+            phi_1300_ = (((_e476 + select(0i, 1i, (_e476 == 0i))) - _e483) + _e281);
         }
-        let _e485 = phi_1293_;
-        let _e489 = (_e467 << bitcast<u32>(((_e477 & 31i) & 31i)));
-        if (_e485 <= 0i) {
-            phi_1316_ = u32();
-            phi_1317_ = true;
+        let _e491 = phi_1300_;
+        let _e495 = (_e473 << bitcast<u32>(((_e483 & 31i) & 31i)));
+        if (_e491 <= 0i) {
+            phi_1323_ = u32();
+            phi_1324_ = true;
         } else {
-            let _e496 = (_e489 == 0u);
-            if _e496 {
-                phi_1315_ = u32();
+            let _e502 = (_e495 == 0u);
+            if _e502 {
+                phi_1322_ = u32();
             } else {
-                phi_1315_ = select(((bitcast<u32>(_e485) << bitcast<u32>(23i)) | (_e489 & 8388607u)), 2139095039u, (_e485 >= 255i));
+                phi_1322_ = select(((bitcast<u32>(_e491) << bitcast<u32>(23i)) | (_e495 & 8388607u)), 2139095039u, (_e491 >= 255i));
             }
-            let _e500 = phi_1315_;
-            phi_1316_ = _e500;
-            phi_1317_ = _e496;
+            let _e506 = phi_1322_;
+            phi_1323_ = _e506;
+            phi_1324_ = _e502;
         }
-        let _e502 = phi_1316_;
-        let _e504 = phi_1317_;
-        phi_1327_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e214, _e294) * _e285) * select(0.00000011920929f, 1f, _e294)) * _e291), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e218, _e311) * _e285) * select(0.00000011920929f, 1f, _e311)) * _e291), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e221, _e328) * _e285) * select(0.00000011920929f, 1f, _e328)) * _e291)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e223, _e363) * _e354) * select(0.00000011920929f, 1f, _e363)) * _e360), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e225, _e380) * _e354) * select(0.00000011920929f, 1f, _e380)) * _e360), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e227, _e397) * _e354) * select(0.00000011920929f, 1f, _e397)) * _e360)), bitcast<f32>(((_e172 & 2147483648u) | select(_e454, 0u, _e456))), bitcast<f32>(((_e180 & 2147483648u) | select(_e502, 0u, _e504))), _e274);
+        let _e508 = phi_1323_;
+        let _e510 = phi_1324_;
+        phi_1334_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e298 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e298 & 2147483648u))), _e220, _e300) * _e291) * select(0.00000011920929f, 1f, _e300)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e315 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e315 & 2147483648u))), _e224, _e317) * _e291) * select(0.00000011920929f, 1f, _e317)) * _e297), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e332 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e332 & 2147483648u))), _e227, _e334) * _e291) * select(0.00000011920929f, 1f, _e334)) * _e297)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e367 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e367 & 2147483648u))), _e229, _e369) * _e360) * select(0.00000011920929f, 1f, _e369)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e384 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e384 & 2147483648u))), _e231, _e386) * _e360) * select(0.00000011920929f, 1f, _e386)) * _e366), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e401 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e401 & 2147483648u))), _e233, _e403) * _e360) * select(0.00000011920929f, 1f, _e403)) * _e366)), bitcast<f32>(((_e178 & 2147483648u) | select(_e460, 0u, _e462))), bitcast<f32>(((_e186 & 2147483648u) | select(_e508, 0u, _e510))), _e280);
     }
-    let _e595 = phi_1327_;
-    let _e610 = (bitcast<f32>((bitcast<u32>(_e595.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e613 = bitcast<f32>((bitcast<u32>(_e595.member[0]) & 2147483647u));
-    let _e614 = (_e613 * 0.00000011920929f);
-    let _e617 = select(select(0.00000000000011368684f, _e614, (_e614 > 0.00000000000011368684f)), 0f, _e610);
-    let _e618 = select(0f, _e595.member_1[0], _e610);
-    let _e619 = (_e595.member[0] + _e617);
-    let _e620 = (_e595.member[0] - _e617);
-    let _e622 = select(38685626000000000000000000f, (1f / _e595.member_1[0]), _e610);
-    let _e626 = (bitcast<f32>((bitcast<u32>(_e595.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e629 = bitcast<f32>((bitcast<u32>(_e595.member[1]) & 2147483647u));
-    let _e630 = (_e629 * 0.00000011920929f);
-    let _e633 = select(select(0.00000000000011368684f, _e630, (_e630 > 0.00000000000011368684f)), 0f, _e626);
-    let _e634 = select(0f, _e595.member_1[1], _e626);
-    let _e635 = (_e595.member[1] + _e633);
-    let _e636 = (_e595.member[1] - _e633);
-    let _e638 = select(38685626000000000000000000f, (1f / _e595.member_1[1]), _e626);
-    let _e642 = (bitcast<f32>((bitcast<u32>(_e595.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e645 = bitcast<f32>((bitcast<u32>(_e595.member[2]) & 2147483647u));
-    let _e646 = (_e645 * 0.00000011920929f);
-    let _e649 = select(select(0.00000000000011368684f, _e646, (_e646 > 0.00000000000011368684f)), 0f, _e642);
-    let _e650 = select(0f, _e595.member_1[2], _e642);
-    let _e651 = (_e595.member[2] + _e649);
-    let _e652 = (_e595.member[2] - _e649);
-    let _e654 = select(38685626000000000000000000f, (1f / _e595.member_1[2]), _e642);
-    let _e656 = select(_e629, _e613, (_e613 > _e629));
-    let _e660 = (_e198 && (select(_e645, _e656, (_e656 > _e645)) <= 1099511600000f));
-    let _e661 = select(0f, _e595.member_3, _e660);
-    let _e662 = select(1f, _e595.member_2, _e660);
-    let _e666 = slimbvh_question.member[1u];
-    let _e669 = slimbvh_question.member[0u];
-    if (_e669 == 1u) {
-        phi_1566_ = SlimbvhTypeP(SlimbvhTypeJ(_e95, _e661), true);
+    let _e601 = phi_1334_;
+    let _e616 = (bitcast<f32>((bitcast<u32>(_e601.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e619 = bitcast<f32>((bitcast<u32>(_e601.member[0]) & 2147483647u));
+    let _e620 = (_e619 * 0.00000011920929f);
+    let _e623 = select(select(0.00000000000011368684f, _e620, (_e620 > 0.00000000000011368684f)), 0f, _e616);
+    let _e624 = select(0f, _e601.member_1[0], _e616);
+    let _e625 = (_e601.member[0] + _e623);
+    let _e626 = (_e601.member[0] - _e623);
+    let _e628 = select(38685626000000000000000000f, (1f / _e601.member_1[0]), _e616);
+    let _e632 = (bitcast<f32>((bitcast<u32>(_e601.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e635 = bitcast<f32>((bitcast<u32>(_e601.member[1]) & 2147483647u));
+    let _e636 = (_e635 * 0.00000011920929f);
+    let _e639 = select(select(0.00000000000011368684f, _e636, (_e636 > 0.00000000000011368684f)), 0f, _e632);
+    let _e640 = select(0f, _e601.member_1[1], _e632);
+    let _e641 = (_e601.member[1] + _e639);
+    let _e642 = (_e601.member[1] - _e639);
+    let _e644 = select(38685626000000000000000000f, (1f / _e601.member_1[1]), _e632);
+    let _e648 = (bitcast<f32>((bitcast<u32>(_e601.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e651 = bitcast<f32>((bitcast<u32>(_e601.member[2]) & 2147483647u));
+    let _e652 = (_e651 * 0.00000011920929f);
+    let _e655 = select(select(0.00000000000011368684f, _e652, (_e652 > 0.00000000000011368684f)), 0f, _e648);
+    let _e656 = select(0f, _e601.member_1[2], _e648);
+    let _e657 = (_e601.member[2] + _e655);
+    let _e658 = (_e601.member[2] - _e655);
+    let _e660 = select(38685626000000000000000000f, (1f / _e601.member_1[2]), _e648);
+    let _e662 = select(_e635, _e619, (_e619 > _e635));
+    let _e666 = (_e204 && (select(_e651, _e662, (_e662 > _e651)) <= 1099511600000f));
+    let _e667 = select(0f, _e601.member_3, _e666);
+    let _e668 = select(1f, _e601.member_2, _e666);
+    let _e672 = slimbvh_question.member[1u];
+    let _e675 = slimbvh_question.member[0u];
+    if (_e675 == 1u) {
+        phi_1573_ = SlimbvhTypeP(SlimbvhTypeJ(_e95, _e667), true);
     } else {
-        phi_1566_ = SlimbvhTypeP(SlimbvhTypeJ(_e95, _e661), false);
+        phi_1573_ = SlimbvhTypeP(SlimbvhTypeJ(_e95, _e667), false);
     }
-    let _e676 = phi_1566_;
-    let _e681 = (_e207 & 3u);
-    let _e682 = (_e211 & 3u);
-    let _e683 = (_e203 & 3u);
-    let _e686 = (bitcast<u32>(_e622) >> bitcast<u32>(31i));
-    let _e689 = (bitcast<u32>(_e638) >> bitcast<u32>(31i));
-    let _e692 = (bitcast<u32>(_e654) >> bitcast<u32>(31i));
-    let _e696 = (f32(bitcast<i32>(_e111)) * _e147);
-    let _e698 = (f32(bitcast<i32>(_e115)) * _e147);
-    let _e700 = (f32(bitcast<i32>(_e119)) * _e147);
-    let _e701 = (_e681 == 0u);
-    if _e701 {
-        phi_1630_ = array<f32, 3>(_e696, _e698, _e700);
+    let _e682 = phi_1573_;
+    let _e687 = (_e213 & 3u);
+    let _e688 = (_e217 & 3u);
+    let _e689 = (_e209 & 3u);
+    let _e692 = (bitcast<u32>(_e628) >> bitcast<u32>(31i));
+    let _e695 = (bitcast<u32>(_e644) >> bitcast<u32>(31i));
+    let _e698 = (bitcast<u32>(_e660) >> bitcast<u32>(31i));
+    let _e702 = (f32(bitcast<i32>(_e111)) * _e147);
+    let _e704 = (f32(bitcast<i32>(_e115)) * _e147);
+    let _e706 = (f32(bitcast<i32>(_e119)) * _e147);
+    let _e707 = (_e687 == 0u);
+    if _e707 {
+        phi_1637_ = array<f32, 3>(_e702, _e704, _e706);
     } else {
-        if (_e681 == 1u) {
-            phi_1629_ = array<f32, 3>(_e698, _e700, _e696);
+        if (_e687 == 1u) {
+            phi_1636_ = array<f32, 3>(_e704, _e706, _e702);
         } else {
-            phi_1629_ = array<f32, 3>(_e700, _e696, _e698);
+            phi_1636_ = array<f32, 3>(_e706, _e702, _e704);
         }
-        let _e706 = phi_1629_;
-        phi_1630_ = _e706;
+        let _e712 = phi_1636_;
+        phi_1637_ = _e712;
     }
-    let _e709 = phi_1630_;
-    let _e711 = (f32(bitcast<i32>(_e127)) * _e147);
-    let _e713 = (f32(bitcast<i32>(_e131)) * _e147);
-    let _e715 = (f32(bitcast<i32>(_e135)) * _e147);
-    if _e701 {
-        phi_1649_ = array<f32, 3>(_e711, _e713, _e715);
+    let _e715 = phi_1637_;
+    let _e717 = (f32(bitcast<i32>(_e127)) * _e147);
+    let _e719 = (f32(bitcast<i32>(_e131)) * _e147);
+    let _e721 = (f32(bitcast<i32>(_e135)) * _e147);
+    if _e707 {
+        phi_1656_ = array<f32, 3>(_e717, _e719, _e721);
     } else {
-        if (_e681 == 1u) {
-            phi_1648_ = array<f32, 3>(_e713, _e715, _e711);
+        if (_e687 == 1u) {
+            phi_1655_ = array<f32, 3>(_e719, _e721, _e717);
         } else {
-            phi_1648_ = array<f32, 3>(_e715, _e711, _e713);
+            phi_1655_ = array<f32, 3>(_e721, _e717, _e719);
         }
-        let _e720 = phi_1648_;
-        phi_1649_ = _e720;
+        let _e726 = phi_1655_;
+        phi_1656_ = _e726;
     }
-    let _e723 = phi_1649_;
-    let _e734 = ((_e709[0] - _e619) * _e622);
-    let _e735 = ((_e723[0] - _e620) * _e622);
-    let _e736 = vec4<f32>(_e734, f32(), _e735, f32());
-    let _e739 = ((_e709[1] - _e635) * _e638);
-    let _e740 = ((_e723[1] - _e636) * _e638);
-    let _e741 = vec4<f32>(_e739, f32(), _e740, f32());
-    let _e744 = ((_e709[2] - _e651) * _e654);
-    let _e745 = ((_e723[2] - _e652) * _e654);
-    let _e746 = vec4<f32>(_e744, f32(), _e745, f32());
-    let _e747 = vec4<f32>(_e735, f32(), _e734, f32());
-    let _e749 = vec4<f32>(_e740, f32(), _e739, f32());
-    let _e751 = vec4<f32>(_e745, f32(), _e744, f32());
-    phi_1822_ = _e676;
-    phi_1825_ = select(4294967295u, select(4294967295u, 0u, (_e662 <= _e661)), (max(max(max(min(_e736, _e747).x, min(_e741, _e749).x), min(_e746, _e751).x), _e662) <= min((min(min(max(_e736, _e747).x, max(_e741, _e749).x), max(_e746, _e751).x) + (max(max(_e746, _e751).x, -(min(_e746, _e751).x)) * 0.0000019073523f)), _e676.member.member_1)));
-    phi_1827_ = select(0u, 2147483648u, (_e99 == 0u));
-    phi_1829_ = (_e99 + 1u);
+    let _e729 = phi_1656_;
+    let _e740 = ((_e715[0] - _e625) * _e628);
+    let _e741 = ((_e729[0] - _e626) * _e628);
+    let _e742 = vec4<f32>(_e740, f32(), _e741, f32());
+    let _e745 = ((_e715[1] - _e641) * _e644);
+    let _e746 = ((_e729[1] - _e642) * _e644);
+    let _e747 = vec4<f32>(_e745, f32(), _e746, f32());
+    let _e750 = ((_e715[2] - _e657) * _e660);
+    let _e751 = ((_e729[2] - _e658) * _e660);
+    let _e752 = vec4<f32>(_e750, f32(), _e751, f32());
+    let _e753 = vec4<f32>(_e741, f32(), _e740, f32());
+    let _e755 = vec4<f32>(_e746, f32(), _e745, f32());
+    let _e757 = vec4<f32>(_e751, f32(), _e750, f32());
+    phi_1829_ = _e682;
+    phi_1832_ = select(4294967295u, select(4294967295u, 0u, (_e668 <= _e667)), (max(max(max(min(_e742, _e753).x, min(_e747, _e755).x), min(_e752, _e757).x), _e668) <= min((min(min(max(_e742, _e753).x, max(_e747, _e755).x), max(_e752, _e757).x) + (max(max(_e752, _e757).x, -(min(_e752, _e757).x)) * 0.0000019073523f)), _e682.member.member_1)));
+    phi_1834_ = select(0u, 2147483648u, (_e99 == 0u));
+    phi_1836_ = (_e99 + 1u);
     loop {
-        let _e775 = phi_1822_;
-        let _e777 = phi_1825_;
-        let _e779 = phi_1827_;
         let _e781 = phi_1829_;
-        local_7 = _e775;
-        let _e782 = (_e777 <= 2147483647u);
-        if _e782 {
-            phi_1838_ = _e777;
-            phi_1841_ = _e779;
-            phi_1843_ = _e781;
+        let _e783 = phi_1832_;
+        let _e785 = phi_1834_;
+        let _e787 = phi_1836_;
+        local_7 = _e781;
+        let _e788 = (_e783 <= 2147483647u);
+        if _e788 {
+            phi_1845_ = _e783;
+            phi_1848_ = _e785;
+            phi_1850_ = _e787;
             loop {
-                let _e784 = phi_1838_;
-                let _e786 = phi_1841_;
-                let _e788 = phi_1843_;
-                local_2 = _e786;
-                local_3 = _e786;
-                local_4 = _e784;
-                local_5 = _e784;
-                local_9 = _e784;
-                local_10 = _e786;
-                local_11 = _e788;
-                let _e789 = (_e784 <= 2147483647u);
-                let _e792 = (_e789 && !((_e786 >= _e99)));
-                local_1 = _e789;
-                if _e792 {
-                    let _e798 = slimbvh_nodes.member[_e786].member[select(_e681, 2u, (2u < _e681))];
-                    let _e804 = slimbvh_nodes.member[_e786].member[select(_e682, 2u, (2u < _e682))];
-                    let _e810 = slimbvh_nodes.member[_e786].member[select(_e683, 2u, (2u < _e683))];
-                    let _e813 = bitcast<u32>(_e147);
-                    let _e818 = bitcast<f32>(_e798.x);
-                    let _e823 = (_e818 + (f32((_e798.w >> bitcast<u32>(5u))) * _e147));
-                    if (_e686 == 0u) {
-                        phi_1945_ = SlimbvhTypeM(_e798.z, _e823);
-                        phi_1946_ = SlimbvhTypeM(_e798.y, _e818);
-                    } else {
-                        phi_1945_ = SlimbvhTypeM(_e798.y, _e818);
-                        phi_1946_ = SlimbvhTypeM(_e798.z, _e823);
-                    }
-                    let _e834 = phi_1945_;
-                    let _e836 = phi_1946_;
-                    let _e840 = bitcast<f32>(((_e813 + ((_e798.w & 31u) << bitcast<u32>(23i))) ^ (_e686 << bitcast<u32>(31i))));
-                    let _e880 = bitcast<f32>(_e804.x);
-                    let _e885 = (_e880 + (f32((_e804.w >> bitcast<u32>(5u))) * _e147));
-                    if (_e689 == 0u) {
-                        phi_2005_ = SlimbvhTypeM(_e804.z, _e885);
-                        phi_2006_ = SlimbvhTypeM(_e804.y, _e880);
-                    } else {
-                        phi_2005_ = SlimbvhTypeM(_e804.y, _e880);
-                        phi_2006_ = SlimbvhTypeM(_e804.z, _e885);
-                    }
-                    let _e896 = phi_2005_;
-                    let _e898 = phi_2006_;
-                    let _e902 = bitcast<f32>(((_e813 + ((_e804.w & 31u) << bitcast<u32>(23i))) ^ (_e689 << bitcast<u32>(31i))));
-                    let _e942 = bitcast<f32>(_e810.x);
-                    let _e947 = (_e942 + (f32((_e810.w >> bitcast<u32>(5u))) * _e147));
+                let _e790 = phi_1845_;
+                let _e792 = phi_1848_;
+                let _e794 = phi_1850_;
+                local_2 = _e792;
+                local_3 = _e792;
+                local_4 = _e790;
+                local_5 = _e790;
+                local_9 = _e790;
+                local_10 = _e792;
+                local_11 = _e794;
+                let _e795 = (_e790 <= 2147483647u);
+                let _e797 = (_e792 + _e150);
+                let _e801 = (_e795 && !(((_e792 >= _e99) || (_e797 >= _e99))));
+                local_1 = _e795;
+                if _e801 {
+                    let _e807 = slimbvh_nodes.member[_e797].member[select(_e687, 2u, (2u < _e687))];
+                    let _e813 = slimbvh_nodes.member[_e797].member[select(_e688, 2u, (2u < _e688))];
+                    let _e819 = slimbvh_nodes.member[_e797].member[select(_e689, 2u, (2u < _e689))];
+                    let _e822 = bitcast<u32>(_e147);
+                    let _e827 = bitcast<f32>(_e807.x);
+                    let _e832 = (_e827 + (f32((_e807.w >> bitcast<u32>(5u))) * _e147));
                     if (_e692 == 0u) {
-                        phi_2065_ = SlimbvhTypeM(_e810.z, _e947);
-                        phi_2066_ = SlimbvhTypeM(_e810.y, _e942);
+                        phi_1956_ = SlimbvhTypeM(_e807.z, _e832);
+                        phi_1957_ = SlimbvhTypeM(_e807.y, _e827);
                     } else {
-                        phi_2065_ = SlimbvhTypeM(_e810.y, _e942);
-                        phi_2066_ = SlimbvhTypeM(_e810.z, _e947);
+                        phi_1956_ = SlimbvhTypeM(_e807.y, _e827);
+                        phi_1957_ = SlimbvhTypeM(_e807.z, _e832);
                     }
-                    let _e958 = phi_2065_;
-                    let _e960 = phi_2066_;
-                    let _e964 = bitcast<f32>(((_e813 + ((_e810.w & 31u) << bitcast<u32>(23i))) ^ (_e692 << bitcast<u32>(31i))));
-                    let _e1000 = (_e840 * _e622);
-                    let _e1007 = (((_e836.member_1 - _e619) * _e622) + (bitcast<f32>((bitcast<u32>(_e1000) & 2147483647u)) * -0.00012207031f));
-                    let _e1016 = (-(_e840) * _e622);
-                    let _e1023 = (((_e834.member_1 - _e620) * _e622) + (bitcast<f32>((bitcast<u32>(_e1016) & 2147483647u)) * 0.00012207031f));
-                    let _e1032 = (_e902 * _e638);
-                    let _e1039 = (((_e898.member_1 - _e635) * _e638) + (bitcast<f32>((bitcast<u32>(_e1032) & 2147483647u)) * -0.00012207031f));
-                    let _e1048 = (-(_e902) * _e638);
-                    let _e1055 = (((_e896.member_1 - _e636) * _e638) + (bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u)) * 0.00012207031f));
-                    let _e1064 = (_e964 * _e654);
-                    let _e1071 = (((_e960.member_1 - _e651) * _e654) + (bitcast<f32>((bitcast<u32>(_e1064) & 2147483647u)) * -0.00012207031f));
-                    let _e1076 = ((f32((_e960.member & 255u)) * _e1064) + _e1071);
-                    let _e1077 = ((f32(((_e960.member >> bitcast<u32>(8u)) & 255u)) * _e1064) + _e1071);
-                    let _e1078 = ((f32(((_e960.member >> bitcast<u32>(16u)) & 255u)) * _e1064) + _e1071);
-                    let _e1079 = ((f32(((_e960.member >> bitcast<u32>(24u)) & 255u)) * _e1064) + _e1071);
-                    let _e1080 = (-(_e964) * _e654);
-                    let _e1087 = (((_e958.member_1 - _e652) * _e654) + (bitcast<f32>((bitcast<u32>(_e1080) & 2147483647u)) * 0.00012207031f));
-                    let _e1092 = ((f32((_e958.member & 255u)) * _e1080) + _e1087);
-                    let _e1093 = ((f32(((_e958.member >> bitcast<u32>(8u)) & 255u)) * _e1080) + _e1087);
-                    let _e1094 = ((f32(((_e958.member >> bitcast<u32>(16u)) & 255u)) * _e1080) + _e1087);
-                    let _e1095 = ((f32(((_e958.member >> bitcast<u32>(24u)) & 255u)) * _e1080) + _e1087);
-                    let _e1128 = max(max(max(((f32((_e836.member & 255u)) * _e1000) + _e1007), ((f32((_e898.member & 255u)) * _e1032) + _e1039)), _e1076), _e662);
-                    let _e1129 = max(max(max(((f32(((_e836.member >> bitcast<u32>(8u)) & 255u)) * _e1000) + _e1007), ((f32(((_e898.member >> bitcast<u32>(8u)) & 255u)) * _e1032) + _e1039)), _e1077), _e662);
-                    let _e1130 = max(max(max(((f32(((_e836.member >> bitcast<u32>(16u)) & 255u)) * _e1000) + _e1007), ((f32(((_e898.member >> bitcast<u32>(16u)) & 255u)) * _e1032) + _e1039)), _e1078), _e662);
-                    let _e1131 = max(max(max(((f32(((_e836.member >> bitcast<u32>(24u)) & 255u)) * _e1000) + _e1007), ((f32(((_e898.member >> bitcast<u32>(24u)) & 255u)) * _e1032) + _e1039)), _e1079), _e662);
-                    let _e1136 = (_e775.member.member_1 + (bitcast<f32>((bitcast<u32>(_e775.member.member_1) & 2147483647u)) * 0.0000004768374f));
-                    if (_e1128 <= min((min(min(((f32((_e834.member & 255u)) * _e1016) + _e1023), ((f32((_e896.member & 255u)) * _e1048) + _e1055)), _e1092) + (max(_e1092, -(_e1076)) * 0.0000023841915f)), _e1136)) {
-                        phi_2550_ = (((bitcast<u32>(_e1128) ^ select(0u, 4294967288u, _e676.member_1)) & 2147483640u) | 4u);
+                    let _e843 = phi_1956_;
+                    let _e845 = phi_1957_;
+                    let _e849 = bitcast<f32>(((_e822 + ((_e807.w & 31u) << bitcast<u32>(23i))) ^ (_e692 << bitcast<u32>(31i))));
+                    let _e889 = bitcast<f32>(_e813.x);
+                    let _e894 = (_e889 + (f32((_e813.w >> bitcast<u32>(5u))) * _e147));
+                    if (_e695 == 0u) {
+                        phi_2016_ = SlimbvhTypeM(_e813.z, _e894);
+                        phi_2017_ = SlimbvhTypeM(_e813.y, _e889);
                     } else {
-                        phi_2550_ = 4294967288u;
+                        phi_2016_ = SlimbvhTypeM(_e813.y, _e889);
+                        phi_2017_ = SlimbvhTypeM(_e813.z, _e894);
                     }
-                    let _e1151 = phi_2550_;
-                    if (_e1129 <= min((min(min(((f32(((_e834.member >> bitcast<u32>(8u)) & 255u)) * _e1016) + _e1023), ((f32(((_e896.member >> bitcast<u32>(8u)) & 255u)) * _e1048) + _e1055)), _e1093) + (max(_e1093, -(_e1077)) * 0.0000023841915f)), _e1136)) {
-                        phi_2563_ = ((((bitcast<u32>(_e1129) ^ select(0u, 4294967288u, _e676.member_1)) & 2147483640u) | 4u) | 1u);
+                    let _e905 = phi_2016_;
+                    let _e907 = phi_2017_;
+                    let _e911 = bitcast<f32>(((_e822 + ((_e813.w & 31u) << bitcast<u32>(23i))) ^ (_e695 << bitcast<u32>(31i))));
+                    let _e951 = bitcast<f32>(_e819.x);
+                    let _e956 = (_e951 + (f32((_e819.w >> bitcast<u32>(5u))) * _e147));
+                    if (_e698 == 0u) {
+                        phi_2076_ = SlimbvhTypeM(_e819.z, _e956);
+                        phi_2077_ = SlimbvhTypeM(_e819.y, _e951);
                     } else {
-                        phi_2563_ = 4294967288u;
+                        phi_2076_ = SlimbvhTypeM(_e819.y, _e951);
+                        phi_2077_ = SlimbvhTypeM(_e819.z, _e956);
                     }
-                    let _e1159 = phi_2563_;
-                    if (_e1130 <= min((min(min(((f32(((_e834.member >> bitcast<u32>(16u)) & 255u)) * _e1016) + _e1023), ((f32(((_e896.member >> bitcast<u32>(16u)) & 255u)) * _e1048) + _e1055)), _e1094) + (max(_e1094, -(_e1078)) * 0.0000023841915f)), _e1136)) {
-                        phi_2576_ = ((((bitcast<u32>(_e1130) ^ select(0u, 4294967288u, _e676.member_1)) & 2147483640u) | 4u) | 2u);
+                    let _e967 = phi_2076_;
+                    let _e969 = phi_2077_;
+                    let _e973 = bitcast<f32>(((_e822 + ((_e819.w & 31u) << bitcast<u32>(23i))) ^ (_e698 << bitcast<u32>(31i))));
+                    let _e1009 = (_e849 * _e628);
+                    let _e1016 = (((_e845.member_1 - _e625) * _e628) + (bitcast<f32>((bitcast<u32>(_e1009) & 2147483647u)) * -0.00012207031f));
+                    let _e1025 = (-(_e849) * _e628);
+                    let _e1032 = (((_e843.member_1 - _e626) * _e628) + (bitcast<f32>((bitcast<u32>(_e1025) & 2147483647u)) * 0.00012207031f));
+                    let _e1041 = (_e911 * _e644);
+                    let _e1048 = (((_e907.member_1 - _e641) * _e644) + (bitcast<f32>((bitcast<u32>(_e1041) & 2147483647u)) * -0.00012207031f));
+                    let _e1057 = (-(_e911) * _e644);
+                    let _e1064 = (((_e905.member_1 - _e642) * _e644) + (bitcast<f32>((bitcast<u32>(_e1057) & 2147483647u)) * 0.00012207031f));
+                    let _e1073 = (_e973 * _e660);
+                    let _e1080 = (((_e969.member_1 - _e657) * _e660) + (bitcast<f32>((bitcast<u32>(_e1073) & 2147483647u)) * -0.00012207031f));
+                    let _e1085 = ((f32((_e969.member & 255u)) * _e1073) + _e1080);
+                    let _e1086 = ((f32(((_e969.member >> bitcast<u32>(8u)) & 255u)) * _e1073) + _e1080);
+                    let _e1087 = ((f32(((_e969.member >> bitcast<u32>(16u)) & 255u)) * _e1073) + _e1080);
+                    let _e1088 = ((f32(((_e969.member >> bitcast<u32>(24u)) & 255u)) * _e1073) + _e1080);
+                    let _e1089 = (-(_e973) * _e660);
+                    let _e1096 = (((_e967.member_1 - _e658) * _e660) + (bitcast<f32>((bitcast<u32>(_e1089) & 2147483647u)) * 0.00012207031f));
+                    let _e1101 = ((f32((_e967.member & 255u)) * _e1089) + _e1096);
+                    let _e1102 = ((f32(((_e967.member >> bitcast<u32>(8u)) & 255u)) * _e1089) + _e1096);
+                    let _e1103 = ((f32(((_e967.member >> bitcast<u32>(16u)) & 255u)) * _e1089) + _e1096);
+                    let _e1104 = ((f32(((_e967.member >> bitcast<u32>(24u)) & 255u)) * _e1089) + _e1096);
+                    let _e1137 = max(max(max(((f32((_e845.member & 255u)) * _e1009) + _e1016), ((f32((_e907.member & 255u)) * _e1041) + _e1048)), _e1085), _e668);
+                    let _e1138 = max(max(max(((f32(((_e845.member >> bitcast<u32>(8u)) & 255u)) * _e1009) + _e1016), ((f32(((_e907.member >> bitcast<u32>(8u)) & 255u)) * _e1041) + _e1048)), _e1086), _e668);
+                    let _e1139 = max(max(max(((f32(((_e845.member >> bitcast<u32>(16u)) & 255u)) * _e1009) + _e1016), ((f32(((_e907.member >> bitcast<u32>(16u)) & 255u)) * _e1041) + _e1048)), _e1087), _e668);
+                    let _e1140 = max(max(max(((f32(((_e845.member >> bitcast<u32>(24u)) & 255u)) * _e1009) + _e1016), ((f32(((_e907.member >> bitcast<u32>(24u)) & 255u)) * _e1041) + _e1048)), _e1088), _e668);
+                    let _e1145 = (_e781.member.member_1 + (bitcast<f32>((bitcast<u32>(_e781.member.member_1) & 2147483647u)) * 0.0000004768374f));
+                    if (_e1137 <= min((min(min(((f32((_e843.member & 255u)) * _e1025) + _e1032), ((f32((_e905.member & 255u)) * _e1057) + _e1064)), _e1101) + (max(_e1101, -(_e1085)) * 0.0000023841915f)), _e1145)) {
+                        phi_2561_ = (((bitcast<u32>(_e1137) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2576_ = 4294967288u;
+                        phi_2561_ = 4294967288u;
                     }
-                    let _e1167 = phi_2576_;
-                    if (_e1131 <= min((min(min(((f32(((_e834.member >> bitcast<u32>(24u)) & 255u)) * _e1016) + _e1023), ((f32(((_e896.member >> bitcast<u32>(24u)) & 255u)) * _e1048) + _e1055)), _e1095) + (max(_e1095, -(_e1079)) * 0.0000023841915f)), _e1136)) {
-                        phi_2589_ = ((((bitcast<u32>(_e1131) ^ select(0u, 4294967288u, _e676.member_1)) & 2147483640u) | 4u) | 3u);
+                    let _e1160 = phi_2561_;
+                    if (_e1138 <= min((min(min(((f32(((_e843.member >> bitcast<u32>(8u)) & 255u)) * _e1025) + _e1032), ((f32(((_e905.member >> bitcast<u32>(8u)) & 255u)) * _e1057) + _e1064)), _e1102) + (max(_e1102, -(_e1086)) * 0.0000023841915f)), _e1145)) {
+                        phi_2574_ = ((((bitcast<u32>(_e1138) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2589_ = 4294967288u;
+                        phi_2574_ = 4294967288u;
                     }
-                    let _e1175 = phi_2589_;
-                    if (_e1151 < _e1159) {
-                        phi_4559_ = SlimbvhTypeE(_e1151, _e1159);
+                    let _e1168 = phi_2574_;
+                    if (_e1139 <= min((min(min(((f32(((_e843.member >> bitcast<u32>(16u)) & 255u)) * _e1025) + _e1032), ((f32(((_e905.member >> bitcast<u32>(16u)) & 255u)) * _e1057) + _e1064)), _e1103) + (max(_e1103, -(_e1087)) * 0.0000023841915f)), _e1145)) {
+                        phi_2587_ = ((((bitcast<u32>(_e1139) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_4559_ = SlimbvhTypeE(_e1159, _e1151);
+                        phi_2587_ = 4294967288u;
                     }
-                    let _e1180 = phi_4559_;
-                    if (_e1167 < _e1175) {
-                        phi_4571_ = SlimbvhTypeE(_e1167, _e1175);
+                    let _e1176 = phi_2587_;
+                    if (_e1140 <= min((min(min(((f32(((_e843.member >> bitcast<u32>(24u)) & 255u)) * _e1025) + _e1032), ((f32(((_e905.member >> bitcast<u32>(24u)) & 255u)) * _e1057) + _e1064)), _e1104) + (max(_e1104, -(_e1088)) * 0.0000023841915f)), _e1145)) {
+                        phi_2600_ = ((((bitcast<u32>(_e1140) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_4571_ = SlimbvhTypeE(_e1175, _e1167);
+                        phi_2600_ = 4294967288u;
                     }
-                    let _e1187 = phi_4571_;
-                    if (_e1180.member < _e1187.member) {
-                        phi_4583_ = SlimbvhTypeE(_e1180.member, _e1187.member);
+                    let _e1184 = phi_2600_;
+                    if (_e1160 < _e1168) {
+                        phi_4571_ = SlimbvhTypeE(_e1160, _e1168);
                     } else {
-                        phi_4583_ = SlimbvhTypeE(_e1187.member, _e1180.member);
+                        phi_4571_ = SlimbvhTypeE(_e1168, _e1160);
                     }
-                    let _e1194 = phi_4583_;
-                    if (_e1180.member_1 < _e1187.member_1) {
-                        phi_4595_ = SlimbvhTypeE(_e1180.member_1, _e1187.member_1);
+                    let _e1189 = phi_4571_;
+                    if (_e1176 < _e1184) {
+                        phi_4583_ = SlimbvhTypeE(_e1176, _e1184);
                     } else {
-                        phi_4595_ = SlimbvhTypeE(_e1187.member_1, _e1180.member_1);
+                        phi_4583_ = SlimbvhTypeE(_e1184, _e1176);
                     }
-                    let _e1201 = phi_4595_;
-                    if (_e1201.member < _e1194.member_1) {
-                        phi_4607_ = SlimbvhTypeE(_e1201.member, _e1194.member_1);
+                    let _e1196 = phi_4583_;
+                    if (_e1189.member < _e1196.member) {
+                        phi_4595_ = SlimbvhTypeE(_e1189.member, _e1196.member);
                     } else {
-                        phi_4607_ = SlimbvhTypeE(_e1194.member_1, _e1201.member);
+                        phi_4595_ = SlimbvhTypeE(_e1196.member, _e1189.member);
                     }
-                    let _e1208 = phi_4607_;
-                    let _e1223 = (((_e1194.member & 7u) | ((_e1208.member & 7u) << bitcast<u32>(3u))) | (((_e1208.member_1 & 7u) | ((_e1201.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                    if (_e1223 == 0u) {
-                        let _e1241 = (_e784 - 1u);
-                        let _e1244 = local[(_e1241 % 128u)];
-                        let _e1245 = (_e1244 & 511u);
-                        let _e1247 = (_e1245 >> bitcast<u32>(3u));
-                        let _e1250 = ((_e1247 == 0u) || (_e1241 == 4294967295u));
-                        if _e1250 {
+                    let _e1203 = phi_4595_;
+                    if (_e1189.member_1 < _e1196.member_1) {
+                        phi_4607_ = SlimbvhTypeE(_e1189.member_1, _e1196.member_1);
+                    } else {
+                        phi_4607_ = SlimbvhTypeE(_e1196.member_1, _e1189.member_1);
+                    }
+                    let _e1210 = phi_4607_;
+                    if (_e1210.member < _e1203.member_1) {
+                        phi_4619_ = SlimbvhTypeE(_e1210.member, _e1203.member_1);
+                    } else {
+                        phi_4619_ = SlimbvhTypeE(_e1203.member_1, _e1210.member);
+                    }
+                    let _e1217 = phi_4619_;
+                    let _e1232 = (((_e1203.member & 7u) | ((_e1217.member & 7u) << bitcast<u32>(3u))) | (((_e1217.member_1 & 7u) | ((_e1210.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                    if (_e1232 == 0u) {
+                        let _e1250 = (_e790 - 1u);
+                        let _e1253 = local[(_e1250 % 128u)];
+                        let _e1254 = (_e1253 & 511u);
+                        let _e1256 = (_e1254 >> bitcast<u32>(3u));
+                        let _e1259 = ((_e1256 == 0u) || (_e1250 == 4294967295u));
+                        if _e1259 {
                         } else {
-                            local[(_e1241 % 128u)] = (((_e1244 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1247);
+                            local[(_e1250 % 128u)] = (((_e1253 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1256);
                         }
-                        phi_2675_ = select(_e784, _e1241, _e1250);
-                        phi_2676_ = (((_e1244 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1245 & 3u) & 3u));
+                        phi_2686_ = select(_e790, _e1250, _e1259);
+                        phi_2687_ = (((_e1253 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1254 & 3u) & 3u));
                     } else {
-                        let _e1226 = (_e1223 >> bitcast<u32>(3u));
-                        if (_e1226 == 0u) {
-                            phi_2670_ = _e784;
+                        let _e1235 = (_e1232 >> bitcast<u32>(3u));
+                        if (_e1235 == 0u) {
+                            phi_2681_ = _e790;
                         } else {
-                            local[(_e784 % 128u)] = ((_e786 << bitcast<u32>(9u)) | _e1226);
-                            phi_2670_ = (_e784 + 1u);
+                            local[(_e790 % 128u)] = ((_e797 << bitcast<u32>(9u)) | _e1235);
+                            phi_2681_ = (_e790 + 1u);
                         }
-                        let _e1235 = phi_2670_;
-                        phi_2675_ = _e1235;
-                        phi_2676_ = ((_e786 << bitcast<u32>(2i)) | ((_e1223 & 3u) & 3u));
+                        let _e1244 = phi_2681_;
+                        phi_2686_ = _e1244;
+                        phi_2687_ = ((_e797 << bitcast<u32>(2i)) | ((_e1232 & 3u) & 3u));
                     }
-                    let _e1265 = phi_2675_;
-                    let _e1267 = phi_2676_;
-                    let _e1269 = (_e1267 >> bitcast<u32>(2i));
-                    if (_e1269 < _e99) {
-                        let _e1275 = slimbvh_nodes.member[_e1269].member_1[(_e1267 & 3u)];
-                        phi_2700_ = _e1275;
+                    let _e1274 = phi_2686_;
+                    let _e1276 = phi_2687_;
+                    let _e1278 = (_e1276 >> bitcast<u32>(2i));
+                    if (_e1278 < _e99) {
+                        let _e1284 = slimbvh_nodes.member[_e1278].member_1[(_e1276 & 3u)];
+                        phi_2711_ = _e1284;
                     } else {
-                        phi_2700_ = 2147483648u;
+                        phi_2711_ = 2147483648u;
                     }
-                    let _e1277 = phi_2700_;
-                    let _e1278 = (_e788 - 1u);
-                    phi_1839_ = select(_e1265, 4294967295u, (_e1278 == 0u));
-                    phi_1842_ = _e1277;
-                    phi_1844_ = _e1278;
+                    let _e1286 = phi_2711_;
+                    let _e1287 = (_e794 - 1u);
+                    phi_1846_ = select(_e1274, 4294967295u, (_e1287 == 0u));
+                    phi_1849_ = _e1286;
+                    phi_1851_ = _e1287;
                 } else {
-                    phi_1839_ = u32();
-                    phi_1842_ = u32();
-                    phi_1844_ = u32();
+                    phi_1846_ = u32();
+                    phi_1849_ = u32();
+                    phi_1851_ = u32();
                 }
-                let _e1282 = phi_1839_;
-                let _e1284 = phi_1842_;
-                let _e1286 = phi_1844_;
+                let _e1291 = phi_1846_;
+                let _e1293 = phi_1849_;
+                let _e1295 = phi_1851_;
                 continue;
                 continuing {
-                    phi_1838_ = _e1282;
-                    phi_1841_ = _e1284;
-                    phi_1843_ = _e1286;
-                    break if !(_e792);
+                    phi_1845_ = _e1291;
+                    phi_1848_ = _e1293;
+                    phi_1850_ = _e1295;
+                    break if !(_e801);
                 }
             }
-            let _e1289 = local_1;
-            if _e1289 {
-                let _e1291 = local_2;
-                let _e1294 = local_3;
-                phi_2716_ = _e775;
-                phi_2719_ = SlimbvhTypeE(0u, ((_e1294 >> bitcast<u32>(28u)) & 7u));
+            let _e1298 = local_1;
+            if _e1298 {
+                let _e1300 = local_2;
+                let _e1303 = local_3;
+                phi_2728_ = _e781;
+                phi_2731_ = SlimbvhTypeE(0u, ((_e1303 >> bitcast<u32>(28u)) & 7u));
                 loop {
-                    let _e1300 = phi_2716_;
-                    let _e1302 = phi_2719_;
-                    local_6 = _e1300;
-                    local_8 = _e1300;
-                    if (_e1302.member < _e1302.member_1) {
-                        phi_2720_ = SlimbvhTypeE((_e1302.member + 1u), _e1302.member_1);
-                        phi_2742_ = SlimbvhTypeE(1u, _e1302.member);
+                    let _e1310 = phi_2728_;
+                    let _e1312 = phi_2731_;
+                    local_6 = _e1310;
+                    local_8 = _e1310;
+                    if (_e1312.member < _e1312.member_1) {
+                        phi_2732_ = SlimbvhTypeE((_e1312.member + 1u), _e1312.member_1);
+                        phi_2754_ = SlimbvhTypeE(1u, _e1312.member);
                     } else {
-                        phi_2720_ = _e1302;
-                        phi_2742_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                        phi_2732_ = _e1312;
+                        phi_2754_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                     }
-                    let _e1315 = phi_2720_;
-                    let _e1317 = phi_2742_;
-                    let _e1321 = (bitcast<i32>(_e1317.member) != 0i);
-                    if _e1321 {
-                        let _e1322 = ((_e1291 & 268435455u) + _e1317.member_1);
-                        let _e1323 = (_e1322 / 2u);
-                        let _e1324 = (_e1322 % 2u);
-                        let _e1325 = (_e1323 >= arrayLength((&slimbvh_triangles.member)));
-                        if _e1325 {
-                            phi_2822_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                    let _e1325 = phi_2732_;
+                    let _e1327 = phi_2754_;
+                    let _e1331 = (bitcast<i32>(_e1327.member) != 0i);
+                    if _e1331 {
+                        let _e1332 = (((_e1300 & 268435455u) + _e153) + _e1327.member_1);
+                        let _e1333 = (_e1332 / 2u);
+                        let _e1334 = (_e1332 % 2u);
+                        let _e1335 = (_e1333 >= arrayLength((&slimbvh_triangles.member)));
+                        if _e1335 {
+                            phi_2834_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e1326 = (2u * _e1324);
-                            let _e1330 = slimbvh_triangles.member[_e1323][_e1326];
-                            let _e1335 = slimbvh_triangles.member[_e1323][(_e1326 + 1u)];
-                            let _e1340 = slimbvh_triangles.member[_e1323][(_e1326 + 2u)];
-                            if (_e1324 == 0u) {
-                                phi_2821_ = array<vec4<f32>, 3>(_e1330, _e1335, _e1340);
+                            let _e1336 = (2u * _e1334);
+                            let _e1340 = slimbvh_triangles.member[_e1333][_e1336];
+                            let _e1345 = slimbvh_triangles.member[_e1333][(_e1336 + 1u)];
+                            let _e1350 = slimbvh_triangles.member[_e1333][(_e1336 + 2u)];
+                            if (_e1334 == 0u) {
+                                phi_2833_ = array<vec4<f32>, 3>(_e1340, _e1345, _e1350);
                             } else {
-                                phi_2821_ = array<vec4<f32>, 3>(vec4<f32>(_e1330.z, _e1330.w, _e1335.x, _e1335.y), vec4<f32>(_e1335.z, _e1335.w, _e1340.x, _e1340.y), vec4<f32>(_e1340.z, _e1340.w, 0f, 0f));
+                                phi_2833_ = array<vec4<f32>, 3>(vec4<f32>(_e1340.z, _e1340.w, _e1345.x, _e1345.y), vec4<f32>(_e1345.z, _e1345.w, _e1350.x, _e1350.y), vec4<f32>(_e1350.z, _e1350.w, 0f, 0f));
                             }
-                            let _e1358 = phi_2821_;
-                            phi_2822_ = _e1358;
+                            let _e1368 = phi_2833_;
+                            phi_2834_ = _e1368;
                         }
-                        let _e1360 = phi_2822_;
-                        let _e1363 = bitcast<u32>(_e1360[2].y);
-                        if _e1325 {
-                            phi_2903_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e1370 = phi_2834_;
+                        let _e1373 = bitcast<u32>(_e1370[2].y);
+                        if _e1335 {
+                            phi_2915_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e1364 = (2u * _e1324);
-                            let _e1368 = slimbvh_triangles.member[_e1323][_e1364];
-                            let _e1373 = slimbvh_triangles.member[_e1323][(_e1364 + 1u)];
-                            let _e1378 = slimbvh_triangles.member[_e1323][(_e1364 + 2u)];
-                            if (_e1324 == 0u) {
-                                phi_2902_ = array<vec4<f32>, 3>(_e1368, _e1373, _e1378);
+                            let _e1374 = (2u * _e1334);
+                            let _e1378 = slimbvh_triangles.member[_e1333][_e1374];
+                            let _e1383 = slimbvh_triangles.member[_e1333][(_e1374 + 1u)];
+                            let _e1388 = slimbvh_triangles.member[_e1333][(_e1374 + 2u)];
+                            if (_e1334 == 0u) {
+                                phi_2914_ = array<vec4<f32>, 3>(_e1378, _e1383, _e1388);
                             } else {
-                                phi_2902_ = array<vec4<f32>, 3>(vec4<f32>(_e1368.z, _e1368.w, _e1373.x, _e1373.y), vec4<f32>(_e1373.z, _e1373.w, _e1378.x, _e1378.y), vec4<f32>(_e1378.z, _e1378.w, 0f, 0f));
+                                phi_2914_ = array<vec4<f32>, 3>(vec4<f32>(_e1378.z, _e1378.w, _e1383.x, _e1383.y), vec4<f32>(_e1383.z, _e1383.w, _e1388.x, _e1388.y), vec4<f32>(_e1388.z, _e1388.w, 0f, 0f));
                             }
-                            let _e1396 = phi_2902_;
-                            phi_2903_ = _e1396;
+                            let _e1406 = phi_2914_;
+                            phi_2915_ = _e1406;
                         }
-                        let _e1398 = phi_2903_;
-                        if _e212 {
-                            phi_2927_ = array<f32, 3>(_e1398[0].x, _e1398[0].y, _e1398[0].z);
+                        let _e1408 = phi_2915_;
+                        if _e218 {
+                            phi_2939_ = array<f32, 3>(_e1408[0].x, _e1408[0].y, _e1408[0].z);
                         } else {
-                            if (_e207 == 1u) {
-                                phi_2926_ = array<f32, 3>(_e1398[0].y, _e1398[0].z, _e1398[0].x);
+                            if (_e213 == 1u) {
+                                phi_2938_ = array<f32, 3>(_e1408[0].y, _e1408[0].z, _e1408[0].x);
                             } else {
-                                phi_2926_ = array<f32, 3>(_e1398[0].z, _e1398[0].x, _e1398[0].y);
+                                phi_2938_ = array<f32, 3>(_e1408[0].z, _e1408[0].x, _e1408[0].y);
                             }
-                            let _e1421 = phi_2926_;
-                            phi_2927_ = _e1421;
+                            let _e1431 = phi_2938_;
+                            phi_2939_ = _e1431;
                         }
-                        let _e1424 = phi_2927_;
-                        if _e212 {
-                            phi_2942_ = array<f32, 3>(_e1398[0].w, _e1398[1].x, _e1398[1].y);
+                        let _e1434 = phi_2939_;
+                        if _e218 {
+                            phi_2954_ = array<f32, 3>(_e1408[0].w, _e1408[1].x, _e1408[1].y);
                         } else {
-                            if (_e207 == 1u) {
-                                phi_2941_ = array<f32, 3>(_e1398[1].x, _e1398[1].y, _e1398[0].w);
+                            if (_e213 == 1u) {
+                                phi_2953_ = array<f32, 3>(_e1408[1].x, _e1408[1].y, _e1408[0].w);
                             } else {
-                                phi_2941_ = array<f32, 3>(_e1398[1].y, _e1398[0].w, _e1398[1].x);
+                                phi_2953_ = array<f32, 3>(_e1408[1].y, _e1408[0].w, _e1408[1].x);
                             }
-                            let _e1429 = phi_2941_;
-                            phi_2942_ = _e1429;
+                            let _e1439 = phi_2953_;
+                            phi_2954_ = _e1439;
                         }
-                        let _e1432 = phi_2942_;
-                        if _e212 {
-                            phi_2957_ = array<f32, 3>(_e1398[1].z, _e1398[1].w, _e1398[2].x);
+                        let _e1442 = phi_2954_;
+                        if _e218 {
+                            phi_2969_ = array<f32, 3>(_e1408[1].z, _e1408[1].w, _e1408[2].x);
                         } else {
-                            if (_e207 == 1u) {
-                                phi_2956_ = array<f32, 3>(_e1398[1].w, _e1398[2].x, _e1398[1].z);
+                            if (_e213 == 1u) {
+                                phi_2968_ = array<f32, 3>(_e1408[1].w, _e1408[2].x, _e1408[1].z);
                             } else {
-                                phi_2956_ = array<f32, 3>(_e1398[2].x, _e1398[1].z, _e1398[1].w);
+                                phi_2968_ = array<f32, 3>(_e1408[2].x, _e1408[1].z, _e1408[1].w);
                             }
-                            let _e1437 = phi_2956_;
-                            phi_2957_ = _e1437;
+                            let _e1447 = phi_2968_;
+                            phi_2969_ = _e1447;
                         }
-                        let _e1440 = phi_2957_;
-                        let _e1454 = (_e1424[2] - _e595.member[2]);
-                        let _e1457 = (((_e1424[0] - _e595.member[0]) * _e650) - (_e1454 * _e618));
-                        let _e1460 = (((_e1424[1] - _e595.member[1]) * _e650) - (_e1454 * _e634));
-                        let _e1463 = (_e1432[2] - _e595.member[2]);
-                        let _e1466 = (((_e1432[0] - _e595.member[0]) * _e650) - (_e1463 * _e618));
-                        let _e1469 = (((_e1432[1] - _e595.member[1]) * _e650) - (_e1463 * _e634));
-                        let _e1472 = (_e1440[2] - _e595.member[2]);
-                        let _e1475 = (((_e1440[0] - _e595.member[0]) * _e650) - (_e1472 * _e618));
-                        let _e1478 = (((_e1440[1] - _e595.member[1]) * _e650) - (_e1472 * _e634));
-                        let _e1479 = (_e1475 * _e1469);
-                        let _e1480 = (_e1478 * _e1466);
-                        let _e1481 = (_e1457 * _e1478);
-                        let _e1482 = (_e1460 * _e1475);
-                        let _e1483 = (_e1466 * _e1460);
-                        let _e1484 = (_e1469 * _e1457);
-                        let _e1489 = (((_e1479 >= _e1480) && (_e1481 >= _e1482)) && (_e1483 >= _e1484));
-                        let _e1495 = (_e1489 || (((_e1479 <= _e1480) && (_e1481 <= _e1482)) && (_e1483 <= _e1484)));
-                        if _e1495 {
-                            let _e1497 = select(-1f, 1f, _e1489);
-                            let _e1499 = ((_e1479 - _e1480) * _e1497);
-                            let _e1501 = select(0f, _e1499, (_e1499 > 0f));
-                            let _e1503 = ((_e1481 - _e1482) * _e1497);
-                            let _e1505 = select(0f, _e1503, (_e1503 > 0f));
-                            let _e1507 = ((_e1483 - _e1484) * _e1497);
-                            let _e1509 = select(0f, _e1507, (_e1507 > 0f));
-                            let _e1511 = ((_e1501 + _e1505) + _e1509);
-                            let _e1526 = ((min(min(_e1424[0], _e1432[0]), _e1440[0]) - _e619) * _e622);
-                            let _e1527 = ((max(max(_e1424[0], _e1432[0]), _e1440[0]) - _e620) * _e622);
-                            let _e1528 = vec4<f32>(_e1526, f32(), _e1527, f32());
-                            let _e1531 = ((min(min(_e1424[1], _e1432[1]), _e1440[1]) - _e635) * _e638);
-                            let _e1532 = ((max(max(_e1424[1], _e1432[1]), _e1440[1]) - _e636) * _e638);
-                            let _e1533 = vec4<f32>(_e1531, f32(), _e1532, f32());
-                            let _e1536 = ((min(min(_e1424[2], _e1432[2]), _e1440[2]) - _e651) * _e654);
-                            let _e1537 = ((max(max(_e1424[2], _e1432[2]), _e1440[2]) - _e652) * _e654);
+                        let _e1450 = phi_2969_;
+                        let _e1464 = (_e1434[2] - _e601.member[2]);
+                        let _e1467 = (((_e1434[0] - _e601.member[0]) * _e656) - (_e1464 * _e624));
+                        let _e1470 = (((_e1434[1] - _e601.member[1]) * _e656) - (_e1464 * _e640));
+                        let _e1473 = (_e1442[2] - _e601.member[2]);
+                        let _e1476 = (((_e1442[0] - _e601.member[0]) * _e656) - (_e1473 * _e624));
+                        let _e1479 = (((_e1442[1] - _e601.member[1]) * _e656) - (_e1473 * _e640));
+                        let _e1482 = (_e1450[2] - _e601.member[2]);
+                        let _e1485 = (((_e1450[0] - _e601.member[0]) * _e656) - (_e1482 * _e624));
+                        let _e1488 = (((_e1450[1] - _e601.member[1]) * _e656) - (_e1482 * _e640));
+                        let _e1489 = (_e1485 * _e1479);
+                        let _e1490 = (_e1488 * _e1476);
+                        let _e1491 = (_e1467 * _e1488);
+                        let _e1492 = (_e1470 * _e1485);
+                        let _e1493 = (_e1476 * _e1470);
+                        let _e1494 = (_e1479 * _e1467);
+                        let _e1499 = (((_e1489 >= _e1490) && (_e1491 >= _e1492)) && (_e1493 >= _e1494));
+                        let _e1505 = (_e1499 || (((_e1489 <= _e1490) && (_e1491 <= _e1492)) && (_e1493 <= _e1494)));
+                        if _e1505 {
+                            let _e1507 = select(-1f, 1f, _e1499);
+                            let _e1509 = ((_e1489 - _e1490) * _e1507);
+                            let _e1511 = select(0f, _e1509, (_e1509 > 0f));
+                            let _e1513 = ((_e1491 - _e1492) * _e1507);
+                            let _e1515 = select(0f, _e1513, (_e1513 > 0f));
+                            let _e1517 = ((_e1493 - _e1494) * _e1507);
+                            let _e1519 = select(0f, _e1517, (_e1517 > 0f));
+                            let _e1521 = ((_e1511 + _e1515) + _e1519);
+                            let _e1536 = ((min(min(_e1434[0], _e1442[0]), _e1450[0]) - _e625) * _e628);
+                            let _e1537 = ((max(max(_e1434[0], _e1442[0]), _e1450[0]) - _e626) * _e628);
                             let _e1538 = vec4<f32>(_e1536, f32(), _e1537, f32());
-                            let _e1539 = vec4<f32>(_e1527, f32(), _e1526, f32());
-                            let _e1541 = vec4<f32>(_e1532, f32(), _e1531, f32());
-                            let _e1543 = vec4<f32>(_e1537, f32(), _e1536, f32());
-                            let _e1552 = max(max(min(_e1528, _e1539).x, min(_e1533, _e1541).x), min(_e1538, _e1543).x);
-                            let _e1557 = min(min(max(_e1528, _e1539).x, max(_e1533, _e1541).x), max(_e1538, _e1543).x);
-                            let _e1562 = max(_e1552, _e662);
-                            let _e1584 = (((((_e1495 && (_e1511 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1457, _e1466), _e1475) <= 0f) && (max(max(_e1457, _e1466), _e1475) >= 0f))) && ((min(min(_e1460, _e1469), _e1478) <= 0f) && (max(max(_e1460, _e1469), _e1478) >= 0f))) && (_e1562 <= (_e1557 + (max(max(_e1538, _e1543).x, -(min(_e1538, _e1543).x)) * 0.0000019073523f)))) && (_e1562 <= _e1300.member.member_1));
-                            if _e1584 {
-                                let _e1589 = (_e1432[0] - _e1424[0]);
-                                let _e1590 = (_e1432[1] - _e1424[1]);
-                                let _e1591 = (_e1432[2] - _e1424[2]);
-                                let _e1592 = vec3<f32>(_e1589, _e1590, _e1591);
-                                let _e1593 = (_e1440[0] - _e1432[0]);
-                                let _e1594 = (_e1440[1] - _e1432[1]);
-                                let _e1595 = (_e1440[2] - _e1432[2]);
-                                let _e1596 = vec3<f32>(_e1593, _e1594, _e1595);
-                                let _e1597 = (_e1424[0] - _e1440[0]);
-                                let _e1598 = (_e1424[1] - _e1440[1]);
-                                let _e1599 = (_e1424[2] - _e1440[2]);
-                                let _e1600 = vec3<f32>(_e1597, _e1598, _e1599);
-                                let _e1611 = max(max(bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1591) & 2147483647u)));
-                                let _e1622 = max(max(bitcast<f32>((bitcast<u32>(_e1593) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1595) & 2147483647u)));
-                                let _e1635 = max(max(_e1611, _e1622), max(max(bitcast<f32>((bitcast<u32>(_e1597) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u))));
-                                if (_e1611 == _e1635) {
-                                    phi_3316_ = _e1469;
-                                    phi_3317_ = _e1466;
-                                    phi_3318_ = _e1460;
-                                    phi_3319_ = _e1457;
-                                    phi_3320_ = vec3<f32>(_e1424[0], _e1424[1], _e1424[2]);
-                                    phi_3321_ = _e1600;
-                                    phi_3322_ = _e1596;
-                                    phi_3323_ = _e1592;
+                            let _e1541 = ((min(min(_e1434[1], _e1442[1]), _e1450[1]) - _e641) * _e644);
+                            let _e1542 = ((max(max(_e1434[1], _e1442[1]), _e1450[1]) - _e642) * _e644);
+                            let _e1543 = vec4<f32>(_e1541, f32(), _e1542, f32());
+                            let _e1546 = ((min(min(_e1434[2], _e1442[2]), _e1450[2]) - _e657) * _e660);
+                            let _e1547 = ((max(max(_e1434[2], _e1442[2]), _e1450[2]) - _e658) * _e660);
+                            let _e1548 = vec4<f32>(_e1546, f32(), _e1547, f32());
+                            let _e1549 = vec4<f32>(_e1537, f32(), _e1536, f32());
+                            let _e1551 = vec4<f32>(_e1542, f32(), _e1541, f32());
+                            let _e1553 = vec4<f32>(_e1547, f32(), _e1546, f32());
+                            let _e1562 = max(max(min(_e1538, _e1549).x, min(_e1543, _e1551).x), min(_e1548, _e1553).x);
+                            let _e1567 = min(min(max(_e1538, _e1549).x, max(_e1543, _e1551).x), max(_e1548, _e1553).x);
+                            let _e1572 = max(_e1562, _e668);
+                            let _e1594 = (((((_e1505 && (_e1521 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1467, _e1476), _e1485) <= 0f) && (max(max(_e1467, _e1476), _e1485) >= 0f))) && ((min(min(_e1470, _e1479), _e1488) <= 0f) && (max(max(_e1470, _e1479), _e1488) >= 0f))) && (_e1572 <= (_e1567 + (max(max(_e1548, _e1553).x, -(min(_e1548, _e1553).x)) * 0.0000019073523f)))) && (_e1572 <= _e1310.member.member_1));
+                            if _e1594 {
+                                let _e1599 = (_e1442[0] - _e1434[0]);
+                                let _e1600 = (_e1442[1] - _e1434[1]);
+                                let _e1601 = (_e1442[2] - _e1434[2]);
+                                let _e1602 = vec3<f32>(_e1599, _e1600, _e1601);
+                                let _e1603 = (_e1450[0] - _e1442[0]);
+                                let _e1604 = (_e1450[1] - _e1442[1]);
+                                let _e1605 = (_e1450[2] - _e1442[2]);
+                                let _e1606 = vec3<f32>(_e1603, _e1604, _e1605);
+                                let _e1607 = (_e1434[0] - _e1450[0]);
+                                let _e1608 = (_e1434[1] - _e1450[1]);
+                                let _e1609 = (_e1434[2] - _e1450[2]);
+                                let _e1610 = vec3<f32>(_e1607, _e1608, _e1609);
+                                let _e1621 = max(max(bitcast<f32>((bitcast<u32>(_e1599) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1600) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1601) & 2147483647u)));
+                                let _e1632 = max(max(bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1605) & 2147483647u)));
+                                let _e1645 = max(max(_e1621, _e1632), max(max(bitcast<f32>((bitcast<u32>(_e1607) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1608) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u))));
+                                if (_e1621 == _e1645) {
+                                    phi_3328_ = _e1479;
+                                    phi_3329_ = _e1476;
+                                    phi_3330_ = _e1470;
+                                    phi_3331_ = _e1467;
+                                    phi_3332_ = vec3<f32>(_e1434[0], _e1434[1], _e1434[2]);
+                                    phi_3333_ = _e1610;
+                                    phi_3334_ = _e1606;
+                                    phi_3335_ = _e1602;
                                 } else {
-                                    let _e1637 = (_e1622 == _e1635);
-                                    let _e1642 = vec3(_e1637);
-                                    phi_3316_ = select(_e1460, _e1478, _e1637);
-                                    phi_3317_ = select(_e1457, _e1475, _e1637);
-                                    phi_3318_ = select(_e1478, _e1469, _e1637);
-                                    phi_3319_ = select(_e1475, _e1466, _e1637);
-                                    phi_3320_ = select(vec3<f32>(_e1440[0], _e1440[1], _e1440[2]), vec3<f32>(_e1432[0], _e1432[1], _e1432[2]), _e1642);
-                                    phi_3321_ = select(_e1596, _e1592, _e1642);
-                                    phi_3322_ = select(_e1592, _e1600, _e1642);
-                                    phi_3323_ = select(_e1600, _e1596, _e1642);
+                                    let _e1647 = (_e1632 == _e1645);
+                                    let _e1652 = vec3(_e1647);
+                                    phi_3328_ = select(_e1470, _e1488, _e1647);
+                                    phi_3329_ = select(_e1467, _e1485, _e1647);
+                                    phi_3330_ = select(_e1488, _e1479, _e1647);
+                                    phi_3331_ = select(_e1485, _e1476, _e1647);
+                                    phi_3332_ = select(vec3<f32>(_e1450[0], _e1450[1], _e1450[2]), vec3<f32>(_e1442[0], _e1442[1], _e1442[2]), _e1652);
+                                    phi_3333_ = select(_e1606, _e1602, _e1652);
+                                    phi_3334_ = select(_e1602, _e1610, _e1652);
+                                    phi_3335_ = select(_e1610, _e1606, _e1652);
                                 }
-                                let _e1648 = phi_3316_;
-                                let _e1650 = phi_3317_;
-                                let _e1652 = phi_3318_;
-                                let _e1654 = phi_3319_;
-                                let _e1656 = phi_3320_;
-                                let _e1658 = phi_3321_;
-                                let _e1660 = phi_3322_;
-                                let _e1662 = phi_3323_;
-                                let _e1669 = ((_e1660.y * _e1658.z) - (_e1658.y * _e1660.z));
-                                let _e1674 = ((_e1660.z * _e1658.x) - (_e1658.z * _e1660.x));
-                                let _e1677 = ((_e1660.x * _e1658.y) - (_e1658.x * _e1660.y));
-                                let _e1680 = ((_e1501 >= _e1505) && (_e1501 >= _e1509));
-                                let _e1681 = (_e1505 >= _e1509);
-                                let _e1695 = (((_e1669 * (select(select(_e1440[0], _e1432[0], _e1681), _e1424[0], _e1680) - _e595.member[0])) + (_e1674 * (select(select(_e1440[1], _e1432[1], _e1681), _e1424[1], _e1680) - _e595.member[1]))) + (_e1677 * (select(select(_e1440[2], _e1432[2], _e1681), _e1424[2], _e1680) - _e595.member[2])));
-                                let _e1700 = (((_e1669 * _e618) + (_e1674 * _e634)) + (_e1677 * _e650));
-                                let _e1701 = (_e1650 - _e1654);
-                                let _e1702 = (_e1648 - _e1652);
-                                let _e1705 = ((_e1701 * _e1701) + (_e1702 * _e1702));
-                                let _e1712 = (-(((_e1654 * _e1701) + (_e1652 * _e1702))) / select(0.000000000000000000000000000000000000011754944f, _e1705, (_e1705 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e1714 = select(1f, _e1712, (_e1712 < 1f));
-                                let _e1716 = select(0f, _e1714, (_e1714 > 0f));
-                                let _e1725 = ((_e1656.x + (_e1662.x * _e1716)) - _e595.member[0]);
-                                let _e1728 = ((_e1656.y + (_e1662.y * _e1716)) - _e595.member[1]);
-                                let _e1731 = ((_e1656.z + (_e1662.z * _e1716)) - _e595.member[2]);
-                                let _e1796 = ((bitcast<f32>((bitcast<u32>(((((_e1669 * _e1725) + (_e1674 * _e1728)) + (_e1677 * _e1731)) - _e1695)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1725) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1728) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1731) & 2147483647u))), _e1635)) * max(max(bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1677) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1700) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1660.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1660.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1660.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1658.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1658.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1658.z) & 2147483647u)))))));
-                                let _e1797 = (_e1695 / _e1700);
-                                if (_e1584 && !(_e1796)) {
-                                    let _e1800 = (_e1731 / _e650);
-                                    let _e1808 = (((_e1669 * (_e1725 - (_e618 * _e1800))) + (_e1674 * (_e1728 - (_e634 * _e1800)))) / _e1700);
-                                    phi_3502_ = select(select(_e1800, (_e1800 + _e1808), (bitcast<f32>((bitcast<u32>(_e1808) & 2147483647u)) <= _e1635)), _e1797, _e1796);
+                                let _e1658 = phi_3328_;
+                                let _e1660 = phi_3329_;
+                                let _e1662 = phi_3330_;
+                                let _e1664 = phi_3331_;
+                                let _e1666 = phi_3332_;
+                                let _e1668 = phi_3333_;
+                                let _e1670 = phi_3334_;
+                                let _e1672 = phi_3335_;
+                                let _e1679 = ((_e1670.y * _e1668.z) - (_e1668.y * _e1670.z));
+                                let _e1684 = ((_e1670.z * _e1668.x) - (_e1668.z * _e1670.x));
+                                let _e1687 = ((_e1670.x * _e1668.y) - (_e1668.x * _e1670.y));
+                                let _e1690 = ((_e1511 >= _e1515) && (_e1511 >= _e1519));
+                                let _e1691 = (_e1515 >= _e1519);
+                                let _e1705 = (((_e1679 * (select(select(_e1450[0], _e1442[0], _e1691), _e1434[0], _e1690) - _e601.member[0])) + (_e1684 * (select(select(_e1450[1], _e1442[1], _e1691), _e1434[1], _e1690) - _e601.member[1]))) + (_e1687 * (select(select(_e1450[2], _e1442[2], _e1691), _e1434[2], _e1690) - _e601.member[2])));
+                                let _e1710 = (((_e1679 * _e624) + (_e1684 * _e640)) + (_e1687 * _e656));
+                                let _e1711 = (_e1660 - _e1664);
+                                let _e1712 = (_e1658 - _e1662);
+                                let _e1715 = ((_e1711 * _e1711) + (_e1712 * _e1712));
+                                let _e1722 = (-(((_e1664 * _e1711) + (_e1662 * _e1712))) / select(0.000000000000000000000000000000000000011754944f, _e1715, (_e1715 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e1724 = select(1f, _e1722, (_e1722 < 1f));
+                                let _e1726 = select(0f, _e1724, (_e1724 > 0f));
+                                let _e1735 = ((_e1666.x + (_e1672.x * _e1726)) - _e601.member[0]);
+                                let _e1738 = ((_e1666.y + (_e1672.y * _e1726)) - _e601.member[1]);
+                                let _e1741 = ((_e1666.z + (_e1672.z * _e1726)) - _e601.member[2]);
+                                let _e1806 = ((bitcast<f32>((bitcast<u32>(((((_e1679 * _e1735) + (_e1684 * _e1738)) + (_e1687 * _e1741)) - _e1705)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1735) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1738) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1741) & 2147483647u))), _e1645)) * max(max(bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1684) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1670.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1670.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1670.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1668.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1668.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1668.z) & 2147483647u)))))));
+                                let _e1807 = (_e1705 / _e1710);
+                                if (_e1594 && !(_e1806)) {
+                                    let _e1810 = (_e1741 / _e656);
+                                    let _e1818 = (((_e1679 * (_e1735 - (_e624 * _e1810))) + (_e1684 * (_e1738 - (_e640 * _e1810)))) / _e1710);
+                                    phi_3514_ = select(select(_e1810, (_e1810 + _e1818), (bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u)) <= _e1645)), _e1807, _e1806);
                                 } else {
-                                    phi_3502_ = _e1797;
+                                    phi_3514_ = _e1807;
                                 }
-                                let _e1817 = phi_3502_;
-                                let _e1819 = select(_e1557, _e1817, (_e1817 < _e1557));
-                                let _e1821 = select(_e1552, _e1819, (_e1819 > _e1552));
-                                let _e1824 = select(_e1821, 0f, (bitcast<u32>(_e1821) == 2147483648u));
-                                let _e1825 = (1f / _e1511);
-                                phi_3528_ = SlimbvhTypeF(_e1824, (_e1505 * _e1825), (_e1509 * _e1825), ((_e1584 && (_e1824 >= _e662)) && (_e1824 <= _e1300.member.member_1)));
-                                phi_3529_ = SlimbvhTypeF();
+                                let _e1827 = phi_3514_;
+                                let _e1829 = select(_e1567, _e1827, (_e1827 < _e1567));
+                                let _e1831 = select(_e1562, _e1829, (_e1829 > _e1562));
+                                let _e1834 = select(_e1831, 0f, (bitcast<u32>(_e1831) == 2147483648u));
+                                let _e1835 = (1f / _e1521);
+                                phi_3540_ = SlimbvhTypeF(_e1834, (_e1515 * _e1835), (_e1519 * _e1835), ((_e1594 && (_e1834 >= _e668)) && (_e1834 <= _e1310.member.member_1)));
+                                phi_3541_ = SlimbvhTypeF();
                             } else {
-                                phi_3528_ = SlimbvhTypeF();
-                                phi_3529_ = SlimbvhTypeF(0f, 0f, 0f, _e1584);
+                                phi_3540_ = SlimbvhTypeF();
+                                phi_3541_ = SlimbvhTypeF(0f, 0f, 0f, _e1594);
                             }
-                            let _e1834 = phi_3528_;
-                            let _e1836 = phi_3529_;
-                            phi_3532_ = _e1834;
-                            phi_3533_ = _e1836;
-                            phi_3534_ = select(true, false, _e1584);
+                            let _e1844 = phi_3540_;
+                            let _e1846 = phi_3541_;
+                            phi_3544_ = _e1844;
+                            phi_3545_ = _e1846;
+                            phi_3546_ = select(true, false, _e1594);
                         } else {
-                            phi_3532_ = SlimbvhTypeF();
-                            phi_3533_ = SlimbvhTypeF(0f, 0f, 0f, _e1495);
-                            phi_3534_ = true;
+                            phi_3544_ = SlimbvhTypeF();
+                            phi_3545_ = SlimbvhTypeF(0f, 0f, 0f, _e1505);
+                            phi_3546_ = true;
                         }
-                        let _e1839 = phi_3532_;
-                        let _e1841 = phi_3533_;
-                        let _e1843 = phi_3534_;
-                        if _e1843 {
-                            phi_3538_ = _e1841;
+                        let _e1849 = phi_3544_;
+                        let _e1851 = phi_3545_;
+                        let _e1853 = phi_3546_;
+                        if _e1853 {
+                            phi_3550_ = _e1851;
                         } else {
-                            phi_3538_ = _e1839;
+                            phi_3550_ = _e1849;
                         }
-                        let _e1845 = phi_3538_;
-                        if _e1845.member_3 {
-                            phi_3547_ = SlimbvhTypeG(_e1845.member, _e1845.member_1, _e1845.member_2, _e1363);
+                        let _e1855 = phi_3550_;
+                        if _e1855.member_3 {
+                            phi_3559_ = SlimbvhTypeG(_e1855.member, _e1855.member_1, _e1855.member_2, _e1373);
                         } else {
-                            phi_3547_ = _e95;
+                            phi_3559_ = _e95;
                         }
-                        let _e1852 = phi_3547_;
-                        if (_e1852.member_3 != 4294967295u) {
-                            let _e1858 = slimbvh_target.member[0u][0u];
-                            let _e1862 = slimbvh_target.member[0u][1u];
-                            let _e1866 = slimbvh_target.member[0u][2u];
-                            let _e1870 = slimbvh_target.member[0u][3u];
-                            let _e1874 = slimbvh_target.member[1u][0u];
-                            let _e1878 = slimbvh_target.member[1u][1u];
-                            let _e1882 = slimbvh_target.member[1u][2u];
-                            let _e1886 = slimbvh_target.member[1u][3u];
-                            let _e1887 = bitcast<f32>(_e1858);
-                            let _e1888 = bitcast<f32>(_e1862);
-                            let _e1889 = bitcast<f32>(_e1866);
-                            let _e1891 = bitcast<f32>(_e1874);
-                            let _e1892 = array<u32, 3>(_e1878, _e1882, _e1886);
-                            if (_e165 < -126i) {
-                                phi_3600_ = -126i;
+                        let _e1862 = phi_3559_;
+                        if (_e1862.member_3 != 4294967295u) {
+                            let _e1868 = slimbvh_target.member[0u][0u];
+                            let _e1872 = slimbvh_target.member[0u][1u];
+                            let _e1876 = slimbvh_target.member[0u][2u];
+                            let _e1880 = slimbvh_target.member[0u][3u];
+                            let _e1884 = slimbvh_target.member[1u][0u];
+                            let _e1888 = slimbvh_target.member[1u][1u];
+                            let _e1892 = slimbvh_target.member[1u][2u];
+                            let _e1896 = slimbvh_target.member[1u][3u];
+                            let _e1897 = bitcast<f32>(_e1868);
+                            let _e1898 = bitcast<f32>(_e1872);
+                            let _e1899 = bitcast<f32>(_e1876);
+                            let _e1901 = bitcast<f32>(_e1884);
+                            let _e1902 = array<u32, 3>(_e1888, _e1892, _e1896);
+                            if (_e171 < -126i) {
+                                phi_3612_ = -126i;
                             } else {
-                                phi_3600_ = select(_e165, 127i, (_e165 > 127i));
+                                phi_3612_ = select(_e171, 127i, (_e171 > 127i));
                             }
-                            let _e1898 = phi_3600_;
-                            let _e1903 = bitcast<f32>((bitcast<u32>((_e1898 + 127i)) << bitcast<u32>(23i)));
-                            let _e1909 = bitcast<f32>((bitcast<u32>(((_e165 - _e1898) + 127i)) << bitcast<u32>(23i)));
-                            if (_e1870 == 0u) {
-                                phi_3740_ = SlimbvhTypeI(array<f32, 3>(_e1887, _e1888, _e1889), _e1870, _e1891, _e1892);
+                            let _e1908 = phi_3612_;
+                            let _e1913 = bitcast<f32>((bitcast<u32>((_e1908 + 127i)) << bitcast<u32>(23i)));
+                            let _e1919 = bitcast<f32>((bitcast<u32>(((_e171 - _e1908) + 127i)) << bitcast<u32>(23i)));
+                            if (_e1880 == 0u) {
+                                phi_3752_ = SlimbvhTypeI(array<f32, 3>(_e1897, _e1898, _e1899), _e1880, _e1901, _e1902);
                             } else {
-                                let _e1911 = bitcast<u32>(_e1887);
-                                let _e1913 = ((_e1911 & 2139095040u) != 0u);
-                                let _e1928 = bitcast<u32>(_e1888);
-                                let _e1930 = ((_e1928 & 2139095040u) != 0u);
-                                let _e1945 = bitcast<u32>(_e1889);
-                                let _e1947 = ((_e1945 & 2139095040u) != 0u);
-                                let _e1963 = bitcast<u32>(_e1891);
-                                let _e1965 = ((_e1963 & 2139095040u) != 0u);
-                                phi_3740_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1911 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1911 & 2147483648u))), _e1887, _e1913) * _e1903) * select(0.00000011920929f, 1f, _e1913)) * _e1909), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1928 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1928 & 2147483648u))), _e1888, _e1930) * _e1903) * select(0.00000011920929f, 1f, _e1930)) * _e1909), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1945 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1945 & 2147483648u))), _e1889, _e1947) * _e1903) * select(0.00000011920929f, 1f, _e1947)) * _e1909)), _e1870, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1963 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1963 & 2147483648u))), _e1891, _e1965) * _e1903) * select(0.00000011920929f, 1f, _e1965)) * _e1909), _e1892);
+                                let _e1921 = bitcast<u32>(_e1897);
+                                let _e1923 = ((_e1921 & 2139095040u) != 0u);
+                                let _e1938 = bitcast<u32>(_e1898);
+                                let _e1940 = ((_e1938 & 2139095040u) != 0u);
+                                let _e1955 = bitcast<u32>(_e1899);
+                                let _e1957 = ((_e1955 & 2139095040u) != 0u);
+                                let _e1973 = bitcast<u32>(_e1901);
+                                let _e1975 = ((_e1973 & 2139095040u) != 0u);
+                                phi_3752_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1921 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1921 & 2147483648u))), _e1897, _e1923) * _e1913) * select(0.00000011920929f, 1f, _e1923)) * _e1919), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1938 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1938 & 2147483648u))), _e1898, _e1940) * _e1913) * select(0.00000011920929f, 1f, _e1940)) * _e1919), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1955 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1955 & 2147483648u))), _e1899, _e1957) * _e1913) * select(0.00000011920929f, 1f, _e1957)) * _e1919)), _e1880, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1973 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1973 & 2147483648u))), _e1901, _e1975) * _e1913) * select(0.00000011920929f, 1f, _e1975)) * _e1919), _e1902);
                             }
-                            let _e1982 = phi_3740_;
-                            if (_e1363 == _e666) {
-                                phi_4066_ = false;
+                            let _e1992 = phi_3752_;
+                            if (_e1373 == _e672) {
+                                phi_4078_ = false;
                             } else {
-                                let _e1984 = (_e1363 / 16u);
-                                if (_e1984 < arrayLength((&slimbvh_sides.member))) {
-                                    let _e1987 = slimbvh_sides.member[_e1984];
-                                    phi_3764_ = _e1987;
+                                let _e1994 = (_e1373 / 16u);
+                                if (_e1994 < arrayLength((&slimbvh_sides.member))) {
+                                    let _e1997 = slimbvh_sides.member[_e1994];
+                                    phi_3776_ = _e1997;
                                 } else {
-                                    phi_3764_ = 0u;
+                                    phi_3776_ = 0u;
                                 }
-                                let _e1989 = phi_3764_;
-                                let _e1998 = (bitcast<i32>((_e1989 << bitcast<u32>(((30u - ((_e1363 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                let _e1999 = (_e1998 == 0i);
-                                if _e1999 {
-                                    phi_4065_ = true;
+                                let _e1999 = phi_3776_;
+                                let _e2008 = (bitcast<i32>((_e1999 << bitcast<u32>(((30u - ((_e1373 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                let _e2009 = (_e2008 == 0i);
+                                if _e2009 {
+                                    phi_4077_ = true;
                                 } else {
-                                    if _e212 {
-                                        phi_3793_ = vec3<f32>(_e1424[0], _e1424[1], _e1424[2]);
+                                    if _e218 {
+                                        phi_3805_ = vec3<f32>(_e1434[0], _e1434[1], _e1434[2]);
                                     } else {
-                                        if (_e207 == 1u) {
-                                            phi_3792_ = vec3<f32>(_e1424[2], _e1424[0], _e1424[1]);
+                                        if (_e213 == 1u) {
+                                            phi_3804_ = vec3<f32>(_e1434[2], _e1434[0], _e1434[1]);
                                         } else {
-                                            phi_3792_ = vec3<f32>(_e1424[1], _e1424[2], _e1424[0]);
+                                            phi_3804_ = vec3<f32>(_e1434[1], _e1434[2], _e1434[0]);
                                         }
-                                        let _e2004 = phi_3792_;
-                                        phi_3793_ = _e2004;
+                                        let _e2014 = phi_3804_;
+                                        phi_3805_ = _e2014;
                                     }
-                                    let _e2007 = phi_3793_;
-                                    if _e212 {
-                                        phi_3811_ = vec3<f32>(_e1432[0], _e1432[1], _e1432[2]);
+                                    let _e2017 = phi_3805_;
+                                    if _e218 {
+                                        phi_3823_ = vec3<f32>(_e1442[0], _e1442[1], _e1442[2]);
                                     } else {
-                                        if (_e207 == 1u) {
-                                            phi_3810_ = vec3<f32>(_e1432[2], _e1432[0], _e1432[1]);
+                                        if (_e213 == 1u) {
+                                            phi_3822_ = vec3<f32>(_e1442[2], _e1442[0], _e1442[1]);
                                         } else {
-                                            phi_3810_ = vec3<f32>(_e1432[1], _e1432[2], _e1432[0]);
+                                            phi_3822_ = vec3<f32>(_e1442[1], _e1442[2], _e1442[0]);
                                         }
-                                        let _e2012 = phi_3810_;
-                                        phi_3811_ = _e2012;
+                                        let _e2022 = phi_3822_;
+                                        phi_3823_ = _e2022;
                                     }
-                                    let _e2015 = phi_3811_;
-                                    if _e212 {
-                                        phi_3829_ = vec3<f32>(_e1440[0], _e1440[1], _e1440[2]);
+                                    let _e2025 = phi_3823_;
+                                    if _e218 {
+                                        phi_3841_ = vec3<f32>(_e1450[0], _e1450[1], _e1450[2]);
                                     } else {
-                                        if (_e207 == 1u) {
-                                            phi_3828_ = vec3<f32>(_e1440[2], _e1440[0], _e1440[1]);
+                                        if (_e213 == 1u) {
+                                            phi_3840_ = vec3<f32>(_e1450[2], _e1450[0], _e1450[1]);
                                         } else {
-                                            phi_3828_ = vec3<f32>(_e1440[1], _e1440[2], _e1440[0]);
+                                            phi_3840_ = vec3<f32>(_e1450[1], _e1450[2], _e1450[0]);
                                         }
-                                        let _e2020 = phi_3828_;
-                                        phi_3829_ = _e2020;
+                                        let _e2030 = phi_3840_;
+                                        phi_3841_ = _e2030;
                                     }
-                                    let _e2023 = phi_3829_;
-                                    let _e2026 = (_e2015.x - _e2007.x);
-                                    let _e2029 = (_e2015.y - _e2007.y);
-                                    let _e2032 = (_e2015.z - _e2007.z);
-                                    let _e2034 = (_e2023.x - _e2007.x);
-                                    let _e2036 = (_e2023.y - _e2007.y);
-                                    let _e2038 = (_e2023.z - _e2007.z);
-                                    if (_e1982.member_1 == 1u) {
-                                        phi_3865_ = (vec3<f32>(_e1982.member[0], _e1982.member[1], _e1982.member[2]) - _e2007);
+                                    let _e2033 = phi_3841_;
+                                    let _e2036 = (_e2025.x - _e2017.x);
+                                    let _e2039 = (_e2025.y - _e2017.y);
+                                    let _e2042 = (_e2025.z - _e2017.z);
+                                    let _e2044 = (_e2033.x - _e2017.x);
+                                    let _e2046 = (_e2033.y - _e2017.y);
+                                    let _e2048 = (_e2033.z - _e2017.z);
+                                    if (_e1992.member_1 == 1u) {
+                                        phi_3877_ = (vec3<f32>(_e1992.member[0], _e1992.member[1], _e1992.member[2]) - _e2017);
                                     } else {
-                                        phi_3865_ = vec3<f32>(_e1982.member[0], _e1982.member[1], _e1982.member[2]);
+                                        phi_3877_ = vec3<f32>(_e1992.member[0], _e1992.member[1], _e1992.member[2]);
                                     }
-                                    let _e2053 = phi_3865_;
-                                    let _e2059 = bitcast<f32>((bitcast<u32>((_e2026 * _e2036)) ^ _e1982.member_3[0]));
-                                    let _e2063 = bitcast<f32>((bitcast<u32>((_e2029 * _e2034)) ^ _e1982.member_3[0]));
-                                    let _e2067 = bitcast<f32>((bitcast<u32>((_e2029 * _e2038)) ^ _e1982.member_3[0]));
-                                    let _e2071 = bitcast<f32>((bitcast<u32>((_e2032 * _e2036)) ^ _e1982.member_3[0]));
-                                    let _e2075 = bitcast<f32>((bitcast<u32>((_e2032 * _e2034)) ^ _e1982.member_3[0]));
-                                    let _e2079 = bitcast<f32>((bitcast<u32>((_e2026 * _e2038)) ^ _e1982.member_3[0]));
-                                    let _e2080 = (_e2067 - _e2071);
-                                    let _e2081 = (_e2075 - _e2079);
-                                    let _e2082 = (_e2059 - _e2063);
-                                    let _e2106 = (bitcast<f32>((bitcast<u32>(_e2067) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2071) & 2147483647u)));
-                                    let _e2113 = (bitcast<f32>((bitcast<u32>(_e2075) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2079) & 2147483647u)));
-                                    let _e2120 = (bitcast<f32>((bitcast<u32>(_e2059) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2063) & 2147483647u)));
-                                    if (_e1982.member_2 == 0f) {
-                                        phi_4047_ = 0f;
+                                    let _e2063 = phi_3877_;
+                                    let _e2069 = bitcast<f32>((bitcast<u32>((_e2036 * _e2046)) ^ _e1992.member_3[0]));
+                                    let _e2073 = bitcast<f32>((bitcast<u32>((_e2039 * _e2044)) ^ _e1992.member_3[0]));
+                                    let _e2077 = bitcast<f32>((bitcast<u32>((_e2039 * _e2048)) ^ _e1992.member_3[0]));
+                                    let _e2081 = bitcast<f32>((bitcast<u32>((_e2042 * _e2046)) ^ _e1992.member_3[0]));
+                                    let _e2085 = bitcast<f32>((bitcast<u32>((_e2042 * _e2044)) ^ _e1992.member_3[0]));
+                                    let _e2089 = bitcast<f32>((bitcast<u32>((_e2036 * _e2048)) ^ _e1992.member_3[0]));
+                                    let _e2090 = (_e2077 - _e2081);
+                                    let _e2091 = (_e2085 - _e2089);
+                                    let _e2092 = (_e2069 - _e2073);
+                                    let _e2116 = (bitcast<f32>((bitcast<u32>(_e2077) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u)));
+                                    let _e2123 = (bitcast<f32>((bitcast<u32>(_e2085) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2089) & 2147483647u)));
+                                    let _e2130 = (bitcast<f32>((bitcast<u32>(_e2069) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2073) & 2147483647u)));
+                                    if (_e1992.member_2 == 0f) {
+                                        phi_4059_ = 0f;
                                     } else {
-                                        let _e2150 = bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u));
-                                        let _e2153 = bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u));
-                                        let _e2156 = bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u));
-                                        let _e2158 = select(_e2156, _e2153, (_e2153 > _e2156));
-                                        let _e2162 = select(_e2156, _e2153, (_e2153 < _e2156));
-                                        let _e2166 = select(_e2153, _e2150, (_e2150 < _e2153));
-                                        let _e2168 = select(_e2153, _e2150, (_e2150 > _e2153));
-                                        let _e2170 = select(_e2156, _e2168, (_e2168 < _e2156));
-                                        phi_4047_ = bitcast<f32>((bitcast<u32>((_e1982.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2158, _e2150, (_e2150 > _e2158)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2170, _e2166, (_e2166 > _e2170)))) ^ _e1982.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2162, _e2150, (_e2150 < _e2162)))) ^ _e1982.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2106 + _e2113) + _e2120))) ^ _e1982.member_3[0]))) * 1.0000005f)) ^ _e1982.member_3[0])))) ^ _e1982.member_3[0]));
+                                        let _e2160 = bitcast<f32>((bitcast<u32>(_e2090) & 2147483647u));
+                                        let _e2163 = bitcast<f32>((bitcast<u32>(_e2091) & 2147483647u));
+                                        let _e2166 = bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u));
+                                        let _e2168 = select(_e2166, _e2163, (_e2163 > _e2166));
+                                        let _e2172 = select(_e2166, _e2163, (_e2163 < _e2166));
+                                        let _e2176 = select(_e2163, _e2160, (_e2160 < _e2163));
+                                        let _e2178 = select(_e2163, _e2160, (_e2160 > _e2163));
+                                        let _e2180 = select(_e2166, _e2178, (_e2178 < _e2166));
+                                        phi_4059_ = bitcast<f32>((bitcast<u32>((_e1992.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2168, _e2160, (_e2160 > _e2168)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2180, _e2176, (_e2176 > _e2180)))) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2172, _e2160, (_e2160 < _e2172)))) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2116 + _e2123) + _e2130))) ^ _e1992.member_3[0]))) * 1.0000005f)) ^ _e1992.member_3[0])))) ^ _e1992.member_3[0]));
                                     }
-                                    let _e2197 = phi_4047_;
-                                    phi_4065_ = (_e1999 || !(((((bitcast<f32>((bitcast<u32>((_e2053.x * _e2080)) ^ _e1982.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2053.y * _e2081)) ^ _e1982.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2053.z * _e2082)) ^ _e1982.member_3[0]))) * f32(-(_e1998))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.x) & 2147483647u)) * _e2106)) ^ _e1982.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.y) & 2147483647u)) * _e2113)) ^ _e1982.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.z) & 2147483647u)) * _e2120)) ^ _e1982.member_3[0]))))) ^ _e1982.member_3[0])) + _e2197) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e2207 = phi_4059_;
+                                    phi_4077_ = (_e2009 || !(((((bitcast<f32>((bitcast<u32>((_e2063.x * _e2090)) ^ _e1992.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2063.y * _e2091)) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2063.z * _e2092)) ^ _e1992.member_3[0]))) * f32(-(_e2008))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.x) & 2147483647u)) * _e2116)) ^ _e1992.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.y) & 2147483647u)) * _e2123)) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.z) & 2147483647u)) * _e2130)) ^ _e1992.member_3[0]))))) ^ _e1992.member_3[0])) + _e2207) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e2211 = phi_4065_;
-                                phi_4066_ = _e2211;
+                                let _e2221 = phi_4077_;
+                                phi_4078_ = _e2221;
                             }
-                            let _e2213 = phi_4066_;
-                            if _e2213 {
-                                if (_e1852.member < _e1300.member.member.member) {
-                                    phi_4086_ = true;
+                            let _e2223 = phi_4078_;
+                            if _e2223 {
+                                if (_e1862.member < _e1310.member.member.member) {
+                                    phi_4098_ = true;
                                 } else {
-                                    if (_e1852.member == _e1300.member.member.member) {
-                                        phi_4085_ = (_e1852.member_3 < _e1300.member.member.member_3);
+                                    if (_e1862.member == _e1310.member.member.member) {
+                                        phi_4097_ = (_e1862.member_3 < _e1310.member.member.member_3);
                                     } else {
-                                        phi_4085_ = false;
+                                        phi_4097_ = false;
                                     }
-                                    let _e2225 = phi_4085_;
-                                    phi_4086_ = _e2225;
+                                    let _e2235 = phi_4097_;
+                                    phi_4098_ = _e2235;
                                 }
-                                let _e2227 = phi_4086_;
-                                if _e2227 {
-                                    phi_4093_ = SlimbvhTypeP(SlimbvhTypeJ(_e1852, _e1852.member), _e1300.member_1);
+                                let _e2237 = phi_4098_;
+                                if _e2237 {
+                                    phi_4105_ = SlimbvhTypeP(SlimbvhTypeJ(_e1862, _e1862.member), _e1310.member_1);
                                 } else {
-                                    phi_4093_ = _e1300;
+                                    phi_4105_ = _e1310;
                                 }
-                                let _e2233 = phi_4093_;
-                                if _e2233.member_1 {
-                                    phi_4099_ = SlimbvhTypeP(SlimbvhTypeJ(_e2233.member.member, bitcast<f32>(4286578687u)), _e2233.member_1);
+                                let _e2243 = phi_4105_;
+                                if _e2243.member_1 {
+                                    phi_4111_ = SlimbvhTypeP(SlimbvhTypeJ(_e2243.member.member, bitcast<f32>(4286578687u)), _e2243.member_1);
                                 } else {
-                                    phi_4099_ = _e2233;
+                                    phi_4111_ = _e2243;
                                 }
-                                let _e2242 = phi_4099_;
-                                phi_4100_ = _e2242;
+                                let _e2252 = phi_4111_;
+                                phi_4112_ = _e2252;
                             } else {
-                                phi_4100_ = _e1300;
+                                phi_4112_ = _e1310;
                             }
-                            let _e2244 = phi_4100_;
-                            phi_4101_ = _e2244;
+                            let _e2254 = phi_4112_;
+                            phi_4113_ = _e2254;
                         } else {
-                            phi_4101_ = _e1300;
+                            phi_4113_ = _e1310;
                         }
-                        let _e2246 = phi_4101_;
-                        phi_2717_ = _e2246;
+                        let _e2256 = phi_4113_;
+                        phi_2729_ = _e2256;
                     } else {
-                        phi_2717_ = SlimbvhTypeP();
+                        phi_2729_ = SlimbvhTypeP();
                     }
-                    let _e2248 = phi_2717_;
+                    let _e2258 = phi_2729_;
                     continue;
                     continuing {
-                        phi_2716_ = _e2248;
-                        phi_2719_ = _e1315;
-                        break if !(_e1321);
+                        phi_2728_ = _e2258;
+                        phi_2731_ = _e1325;
+                        break if !(_e1331);
                     }
                 }
-                let _e2251 = local_4;
-                let _e2252 = (_e2251 - 1u);
-                let _e2255 = local[(_e2252 % 128u)];
-                let _e2256 = (_e2255 & 511u);
-                let _e2258 = (_e2256 >> bitcast<u32>(3u));
-                let _e2261 = ((_e2258 == 0u) || (_e2252 == 4294967295u));
-                if _e2261 {
+                let _e2261 = local_4;
+                let _e2262 = (_e2261 - 1u);
+                let _e2265 = local[(_e2262 % 128u)];
+                let _e2266 = (_e2265 & 511u);
+                let _e2268 = (_e2266 >> bitcast<u32>(3u));
+                let _e2271 = ((_e2268 == 0u) || (_e2262 == 4294967295u));
+                if _e2271 {
                 } else {
-                    local[(_e2252 % 128u)] = (((_e2255 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2258);
+                    local[(_e2262 % 128u)] = (((_e2265 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2268);
                 }
-                let _e2268 = local_5;
-                let _e2276 = (((_e2255 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2256 & 3u) & 3u));
-                let _e2278 = (_e2276 >> bitcast<u32>(2i));
-                if (_e2278 < _e99) {
-                    let _e2284 = slimbvh_nodes.member[_e2278].member_1[(_e2276 & 3u)];
-                    phi_4160_ = _e2284;
+                let _e2278 = local_5;
+                let _e2286 = (((_e2265 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2266 & 3u) & 3u));
+                let _e2288 = (_e2286 >> bitcast<u32>(2i));
+                if (_e2288 < _e99) {
+                    let _e2294 = slimbvh_nodes.member[_e2288].member_1[(_e2286 & 3u)];
+                    phi_4172_ = _e2294;
                 } else {
-                    phi_4160_ = 2147483648u;
+                    phi_4172_ = 2147483648u;
                 }
-                let _e2286 = phi_4160_;
-                let _e2288 = local_6;
-                let _e2560 = local_8;
-                phi_4169_ = _e2560;
-                phi_4170_ = select(select(_e2268, _e2252, _e2261), 4294967295u, (_e662 > _e2288.member.member_1));
-                phi_4171_ = _e2286;
+                let _e2296 = phi_4172_;
+                let _e2298 = local_6;
+                let _e2570 = local_8;
+                phi_4181_ = _e2570;
+                phi_4182_ = select(select(_e2278, _e2262, _e2271), 4294967295u, (_e668 > _e2298.member.member_1));
+                phi_4183_ = _e2296;
             } else {
-                phi_4169_ = _e775;
-                let _e2563 = local_9;
-                phi_4170_ = _e2563;
-                let _e2566 = local_10;
-                phi_4171_ = _e2566;
+                phi_4181_ = _e781;
+                let _e2573 = local_9;
+                phi_4182_ = _e2573;
+                let _e2576 = local_10;
+                phi_4183_ = _e2576;
             }
-            let _e2294 = phi_4169_;
-            let _e2296 = phi_4170_;
-            let _e2298 = phi_4171_;
-            phi_1823_ = _e2294;
-            phi_1826_ = _e2296;
-            phi_1828_ = _e2298;
-            let _e2572 = local_11;
-            phi_1830_ = _e2572;
+            let _e2304 = phi_4181_;
+            let _e2306 = phi_4182_;
+            let _e2308 = phi_4183_;
+            phi_1830_ = _e2304;
+            phi_1833_ = _e2306;
+            phi_1835_ = _e2308;
+            let _e2582 = local_11;
+            phi_1837_ = _e2582;
         } else {
-            phi_1823_ = SlimbvhTypeP();
-            phi_1826_ = u32();
-            phi_1828_ = u32();
-            phi_1830_ = u32();
+            phi_1830_ = SlimbvhTypeP();
+            phi_1833_ = u32();
+            phi_1835_ = u32();
+            phi_1837_ = u32();
         }
-        let _e2300 = phi_1823_;
-        let _e2302 = phi_1826_;
-        let _e2304 = phi_1828_;
-        let _e2306 = phi_1830_;
+        let _e2310 = phi_1830_;
+        let _e2312 = phi_1833_;
+        let _e2314 = phi_1835_;
+        let _e2316 = phi_1837_;
         continue;
         continuing {
-            phi_1822_ = _e2300;
-            phi_1825_ = _e2302;
-            phi_1827_ = _e2304;
-            phi_1829_ = _e2306;
-            break if !(_e782);
+            phi_1829_ = _e2310;
+            phi_1832_ = _e2312;
+            phi_1834_ = _e2314;
+            phi_1836_ = _e2316;
+            break if !(_e788);
         }
     }
-    let _e2309 = local_7;
-    if (_e2309.member.member.member_3 != 4294967295u) {
-        let _e2315 = -((_e165 + _e595.member_4));
-        let _e2316 = bitcast<u32>(_e2309.member.member.member);
-        let _e2320 = (bitcast<i32>((_e2316 >> bitcast<u32>(23i))) & 255i);
-        let _e2321 = (_e2320 + _e2315);
-        if (_e2320 == 255i) {
-            phi_4228_ = _e2309.member.member.member;
+    let _e2319 = local_7;
+    if (_e2319.member.member.member_3 != 4294967295u) {
+        let _e2325 = -((_e171 + _e601.member_4));
+        let _e2326 = bitcast<u32>(_e2319.member.member.member);
+        let _e2330 = (bitcast<i32>((_e2326 >> bitcast<u32>(23i))) & 255i);
+        let _e2331 = (_e2330 + _e2325);
+        if (_e2330 == 255i) {
+            phi_4240_ = _e2319.member.member.member;
         } else {
-            if (_e2320 > 0i) {
-                if (_e2321 > 0i) {
-                    let _e2325 = (_e2321 < 255i);
-                    if _e2325 {
-                        phi_4207_ = bitcast<f32>((_e2316 + bitcast<u32>((_e2315 << bitcast<u32>(23i)))));
+            if (_e2330 > 0i) {
+                if (_e2331 > 0i) {
+                    let _e2335 = (_e2331 < 255i);
+                    if _e2335 {
+                        phi_4219_ = bitcast<f32>((_e2326 + bitcast<u32>((_e2325 << bitcast<u32>(23i)))));
                     } else {
-                        phi_4207_ = f32();
+                        phi_4219_ = f32();
                     }
-                    let _e2332 = phi_4207_;
-                    phi_4209_ = _e2332;
-                    phi_4210_ = select(true, false, _e2325);
+                    let _e2342 = phi_4219_;
+                    phi_4221_ = _e2342;
+                    phi_4222_ = select(true, false, _e2335);
                 } else {
-                    phi_4209_ = f32();
-                    phi_4210_ = true;
+                    phi_4221_ = f32();
+                    phi_4222_ = true;
                 }
-                let _e2335 = phi_4209_;
-                let _e2337 = phi_4210_;
-                phi_4211_ = _e2335;
-                phi_4212_ = _e2337;
+                let _e2345 = phi_4221_;
+                let _e2347 = phi_4222_;
+                phi_4223_ = _e2345;
+                phi_4224_ = _e2347;
             } else {
-                phi_4211_ = f32();
-                phi_4212_ = true;
+                phi_4223_ = f32();
+                phi_4224_ = true;
             }
-            let _e2339 = phi_4211_;
-            let _e2341 = phi_4212_;
-            if _e2341 {
-                let _e2342 = (_e2316 & 2147483648u);
-                let _e2349 = ((_e2316 & 8388607u) | (select(0u, 1u, ((_e2316 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e2353 = (_e2349 == 0u);
-                if _e2353 {
-                    phi_4888_ = bitcast<f32>(_e2342);
+            let _e2349 = phi_4223_;
+            let _e2351 = phi_4224_;
+            if _e2351 {
+                let _e2352 = (_e2326 & 2147483648u);
+                let _e2359 = ((_e2326 & 8388607u) | (select(0u, 1u, ((_e2326 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e2363 = (_e2359 == 0u);
+                if _e2363 {
+                    phi_4900_ = bitcast<f32>(_e2352);
                 } else {
-                    let _e2358 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2349)), 32u, _e2353) - 8u);
-                    let _e2361 = (_e2349 << bitcast<u32>((_e2358 & 31u)));
-                    let _e2363 = ((_e2321 + select(0i, 1i, (_e2320 == 0i))) - bitcast<i32>(_e2358));
-                    if (_e2363 >= 255i) {
-                        phi_4878_ = bitcast<f32>((_e2342 | 2139095040u));
-                        phi_4879_ = f32();
-                        phi_4880_ = true;
+                    let _e2368 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2359)), 32u, _e2363) - 8u);
+                    let _e2371 = (_e2359 << bitcast<u32>((_e2368 & 31u)));
+                    let _e2373 = ((_e2331 + select(0i, 1i, (_e2330 == 0i))) - bitcast<i32>(_e2368));
+                    if (_e2373 >= 255i) {
+                        phi_4890_ = bitcast<f32>((_e2352 | 2139095040u));
+                        phi_4891_ = f32();
+                        phi_4892_ = true;
                     } else {
-                        let _e2365 = (_e2363 > 0i);
-                        if _e2365 {
-                            phi_4872_ = bitcast<f32>(((_e2342 | (bitcast<u32>(_e2363) << bitcast<u32>(23i))) | (_e2361 & 8388607u)));
-                            phi_4873_ = f32();
+                        let _e2375 = (_e2373 > 0i);
+                        if _e2375 {
+                            phi_4884_ = bitcast<f32>(((_e2352 | (bitcast<u32>(_e2373) << bitcast<u32>(23i))) | (_e2371 & 8388607u)));
+                            phi_4885_ = f32();
                         } else {
-                            if (_e2363 < -24i) {
-                                phi_4838_ = 26u;
+                            if (_e2373 < -24i) {
+                                phi_4850_ = 26u;
                             } else {
-                                phi_4838_ = bitcast<u32>((1i - _e2363));
+                                phi_4850_ = bitcast<u32>((1i - _e2373));
                             }
-                            let _e2370 = phi_4838_;
-                            let _e2371 = (_e2370 & 31u);
-                            let _e2373 = (_e2361 >> bitcast<u32>(_e2371));
-                            let _e2377 = (_e2361 & ((1u << bitcast<u32>(_e2371)) - 1u));
-                            let _e2381 = (1u << bitcast<u32>(((_e2370 - 1u) & 31u)));
-                            if (_e2377 > _e2381) {
-                                phi_4859_ = true;
+                            let _e2380 = phi_4850_;
+                            let _e2381 = (_e2380 & 31u);
+                            let _e2383 = (_e2371 >> bitcast<u32>(_e2381));
+                            let _e2387 = (_e2371 & ((1u << bitcast<u32>(_e2381)) - 1u));
+                            let _e2391 = (1u << bitcast<u32>(((_e2380 - 1u) & 31u)));
+                            if (_e2387 > _e2391) {
+                                phi_4871_ = true;
                             } else {
-                                if (_e2377 == _e2381) {
-                                    phi_4856_ = ((_e2373 & 1u) == 1u);
+                                if (_e2387 == _e2391) {
+                                    phi_4868_ = ((_e2383 & 1u) == 1u);
                                 } else {
-                                    phi_4856_ = false;
+                                    phi_4868_ = false;
                                 }
-                                let _e2387 = phi_4856_;
-                                phi_4859_ = _e2387;
+                                let _e2397 = phi_4868_;
+                                phi_4871_ = _e2397;
                             }
-                            let _e2389 = phi_4859_;
-                            phi_4872_ = f32();
-                            phi_4873_ = bitcast<f32>((_e2342 | (_e2373 + select(0u, 1u, _e2389))));
+                            let _e2399 = phi_4871_;
+                            phi_4884_ = f32();
+                            phi_4885_ = bitcast<f32>((_e2352 | (_e2383 + select(0u, 1u, _e2399))));
                         }
-                        let _e2402 = phi_4872_;
-                        let _e2404 = phi_4873_;
-                        phi_4878_ = _e2402;
-                        phi_4879_ = _e2404;
-                        phi_4880_ = _e2365;
+                        let _e2412 = phi_4884_;
+                        let _e2414 = phi_4885_;
+                        phi_4890_ = _e2412;
+                        phi_4891_ = _e2414;
+                        phi_4892_ = _e2375;
                     }
-                    let _e2408 = phi_4878_;
-                    let _e2410 = phi_4879_;
-                    let _e2412 = phi_4880_;
-                    phi_4888_ = select(_e2410, _e2408, _e2412);
+                    let _e2418 = phi_4890_;
+                    let _e2420 = phi_4891_;
+                    let _e2422 = phi_4892_;
+                    phi_4900_ = select(_e2420, _e2418, _e2422);
                 }
-                let _e2416 = phi_4888_;
-                phi_4227_ = _e2416;
+                let _e2426 = phi_4900_;
+                phi_4239_ = _e2426;
             } else {
-                phi_4227_ = _e2339;
+                phi_4239_ = _e2349;
             }
-            let _e2418 = phi_4227_;
-            phi_4228_ = _e2418;
+            let _e2428 = phi_4239_;
+            phi_4240_ = _e2428;
         }
-        let _e2420 = phi_4228_;
-        let _e2421 = bitcast<u32>(_e2420);
-        if ((_e2421 & 2147483647u) >= 2139095040u) {
-            phi_4240_ = bitcast<f32>(((_e2421 & 2147483648u) | 2139095039u));
+        let _e2430 = phi_4240_;
+        let _e2431 = bitcast<u32>(_e2430);
+        if ((_e2431 & 2147483647u) >= 2139095040u) {
+            phi_4252_ = bitcast<f32>(((_e2431 & 2147483648u) | 2139095039u));
         } else {
-            phi_4240_ = _e2420;
+            phi_4252_ = _e2430;
         }
-        let _e2428 = phi_4240_;
-        phi_4245_ = SlimbvhTypeG(_e2428, _e2309.member.member.member_1, _e2309.member.member.member_2, _e2309.member.member.member_3);
+        let _e2438 = phi_4252_;
+        phi_4257_ = SlimbvhTypeG(_e2438, _e2319.member.member.member_1, _e2319.member.member.member_2, _e2319.member.member.member_3);
     } else {
-        phi_4245_ = _e95;
+        phi_4257_ = _e95;
     }
-    let _e2433 = phi_4245_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2433.member), bitcast<u32>(_e2433.member_1), bitcast<u32>(_e2433.member_2), _e2433.member_3);
+    let _e2443 = phi_4257_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2443.member), bitcast<u32>(_e2443.member_1), bitcast<u32>(_e2443.member_2), _e2443.member_3);
     return;
 }
 

@@ -131,175 +131,175 @@ var<private> slimbvh_hit: SlimbvhTypeA;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
-    var phi_726_: u32;
-    var phi_732_: u32;
-    var phi_738_: u32;
-    var phi_1003_: i32;
-    var phi_1014_: i32;
-    var phi_1128_: i32;
-    var phi_1257_: i32;
-    var phi_1279_: u32;
-    var phi_1280_: u32;
-    var phi_1281_: bool;
-    var phi_1315_: i32;
-    var phi_1337_: u32;
-    var phi_1338_: u32;
-    var phi_1339_: bool;
-    var phi_900_: i32;
-    var phi_906_: u32;
-    var phi_925_: u32;
-    var phi_926_: u32;
-    var phi_927_: bool;
-    var phi_945_: i32;
-    var phi_951_: u32;
-    var phi_970_: u32;
-    var phi_971_: u32;
-    var phi_972_: bool;
-    var phi_1349_: SlimbvhTypeC;
-    var phi_1588_: SlimbvhTypeQ;
-    var phi_1651_: array<f32, 3>;
-    var phi_1652_: array<f32, 3>;
-    var phi_1670_: array<f32, 3>;
-    var phi_1671_: array<f32, 3>;
-    var phi_1844_: SlimbvhTypeQ;
-    var phi_1847_: u32;
-    var phi_1849_: u32;
-    var phi_1851_: u32;
-    var phi_1860_: u32;
-    var phi_1863_: u32;
-    var phi_1865_: u32;
-    var phi_1967_: SlimbvhTypeL;
-    var phi_1968_: SlimbvhTypeL;
-    var phi_2027_: SlimbvhTypeL;
-    var phi_2028_: SlimbvhTypeL;
-    var phi_2087_: SlimbvhTypeL;
-    var phi_2088_: SlimbvhTypeL;
-    var phi_2572_: u32;
-    var phi_2585_: u32;
-    var phi_2598_: u32;
-    var phi_2611_: u32;
-    var phi_5246_: SlimbvhTypeD;
-    var phi_5258_: SlimbvhTypeD;
-    var phi_5270_: SlimbvhTypeD;
-    var phi_5282_: SlimbvhTypeD;
-    var phi_5294_: SlimbvhTypeD;
-    var phi_2692_: u32;
-    var phi_2697_: u32;
-    var phi_2698_: u32;
-    var phi_2728_: u32;
-    var phi_2729_: u32;
-    var phi_1861_: u32;
-    var phi_1864_: u32;
-    var phi_1866_: u32;
+    var phi_733_: u32;
+    var phi_739_: u32;
+    var phi_745_: u32;
+    var phi_1010_: i32;
+    var phi_1021_: i32;
+    var phi_1135_: i32;
+    var phi_1264_: i32;
+    var phi_1286_: u32;
+    var phi_1287_: u32;
+    var phi_1288_: bool;
+    var phi_1322_: i32;
+    var phi_1344_: u32;
+    var phi_1345_: u32;
+    var phi_1346_: bool;
+    var phi_907_: i32;
+    var phi_913_: u32;
+    var phi_932_: u32;
+    var phi_933_: u32;
+    var phi_934_: bool;
+    var phi_952_: i32;
+    var phi_958_: u32;
+    var phi_977_: u32;
+    var phi_978_: u32;
+    var phi_979_: bool;
+    var phi_1356_: SlimbvhTypeC;
+    var phi_1595_: SlimbvhTypeQ;
+    var phi_1658_: array<f32, 3>;
+    var phi_1659_: array<f32, 3>;
+    var phi_1677_: array<f32, 3>;
+    var phi_1678_: array<f32, 3>;
+    var phi_1851_: SlimbvhTypeQ;
+    var phi_1854_: u32;
+    var phi_1856_: u32;
+    var phi_1858_: u32;
+    var phi_1867_: u32;
+    var phi_1870_: u32;
+    var phi_1872_: u32;
+    var phi_1978_: SlimbvhTypeL;
+    var phi_1979_: SlimbvhTypeL;
+    var phi_2038_: SlimbvhTypeL;
+    var phi_2039_: SlimbvhTypeL;
+    var phi_2098_: SlimbvhTypeL;
+    var phi_2099_: SlimbvhTypeL;
+    var phi_2583_: u32;
+    var phi_2596_: u32;
+    var phi_2609_: u32;
+    var phi_2622_: u32;
+    var phi_5257_: SlimbvhTypeD;
+    var phi_5269_: SlimbvhTypeD;
+    var phi_5281_: SlimbvhTypeD;
+    var phi_5293_: SlimbvhTypeD;
+    var phi_5305_: SlimbvhTypeD;
+    var phi_2703_: u32;
+    var phi_2708_: u32;
+    var phi_2709_: u32;
+    var phi_2739_: u32;
+    var phi_2740_: u32;
+    var phi_1868_: u32;
+    var phi_1871_: u32;
+    var phi_1873_: u32;
     var local_1: bool;
     var local_2: u32;
-    var phi_2879_: u32;
-    var phi_2940_: u32;
-    var phi_2943_: SlimbvhTypeN;
-    var phi_2947_: SlimbvhTypeQ;
-    var phi_2950_: SlimbvhTypeD;
-    var phi_2951_: SlimbvhTypeD;
-    var phi_2973_: SlimbvhTypeD;
-    var phi_2991_: u32;
+    var phi_2890_: u32;
+    var phi_2951_: u32;
+    var phi_2954_: SlimbvhTypeN;
+    var phi_2961_: SlimbvhTypeQ;
+    var phi_2964_: SlimbvhTypeD;
+    var phi_2965_: SlimbvhTypeD;
+    var phi_2987_: SlimbvhTypeD;
     var phi_3002_: u32;
-    var phi_3018_: u32;
-    var phi_3031_: u32;
+    var phi_3013_: u32;
+    var phi_3029_: u32;
     var phi_3042_: u32;
-    var phi_3486_: u32;
-    var phi_3499_: u32;
-    var phi_3512_: u32;
-    var phi_3538_: u32;
-    var phi_3551_: u32;
-    var phi_3564_: u32;
-    var phi_3590_: u32;
-    var phi_3603_: u32;
-    var phi_3616_: u32;
-    var phi_3208_: u32;
-    var phi_3221_: u32;
-    var phi_3231_: u32;
-    var phi_3252_: u32;
-    var phi_3273_: u32;
-    var phi_3300_: u32;
-    var phi_3313_: u32;
-    var phi_3323_: u32;
-    var phi_3344_: u32;
-    var phi_3365_: u32;
-    var phi_3392_: u32;
-    var phi_3405_: u32;
-    var phi_3415_: u32;
-    var phi_3436_: u32;
-    var phi_3457_: u32;
-    var phi_3069_: u32;
-    var phi_3115_: u32;
-    var phi_3161_: u32;
-    var phi_3628_: array<array<f32, 3>, 3>;
-    var phi_3993_: f32;
-    var phi_3994_: f32;
-    var phi_3995_: f32;
-    var phi_3996_: f32;
-    var phi_3997_: vec3<f32>;
-    var phi_3998_: vec3<f32>;
-    var phi_3999_: vec3<f32>;
-    var phi_4000_: vec3<f32>;
-    var phi_4179_: f32;
-    var phi_4205_: SlimbvhTypeE;
-    var phi_4206_: SlimbvhTypeE;
-    var phi_4209_: SlimbvhTypeE;
-    var phi_4210_: SlimbvhTypeE;
-    var phi_4211_: bool;
-    var phi_4215_: SlimbvhTypeE;
-    var phi_4224_: SlimbvhTypeF;
-    var phi_4277_: i32;
-    var phi_4417_: SlimbvhTypeH;
-    var phi_4441_: u32;
-    var phi_4470_: vec3<f32>;
-    var phi_4471_: vec3<f32>;
-    var phi_4489_: vec3<f32>;
-    var phi_4490_: vec3<f32>;
-    var phi_4508_: vec3<f32>;
-    var phi_4509_: vec3<f32>;
-    var phi_4545_: vec3<f32>;
-    var phi_4727_: f32;
-    var phi_4745_: bool;
-    var phi_4746_: bool;
-    var phi_4765_: bool;
-    var phi_4766_: bool;
-    var phi_4773_: SlimbvhTypeQ;
-    var phi_4779_: SlimbvhTypeQ;
-    var phi_4780_: SlimbvhTypeQ;
-    var phi_4781_: SlimbvhTypeQ;
-    var phi_2948_: SlimbvhTypeQ;
+    var phi_3053_: u32;
+    var phi_3497_: u32;
+    var phi_3510_: u32;
+    var phi_3523_: u32;
+    var phi_3549_: u32;
+    var phi_3562_: u32;
+    var phi_3575_: u32;
+    var phi_3601_: u32;
+    var phi_3614_: u32;
+    var phi_3627_: u32;
+    var phi_3219_: u32;
+    var phi_3232_: u32;
+    var phi_3242_: u32;
+    var phi_3263_: u32;
+    var phi_3284_: u32;
+    var phi_3311_: u32;
+    var phi_3324_: u32;
+    var phi_3334_: u32;
+    var phi_3355_: u32;
+    var phi_3376_: u32;
+    var phi_3403_: u32;
+    var phi_3416_: u32;
+    var phi_3426_: u32;
+    var phi_3447_: u32;
+    var phi_3468_: u32;
+    var phi_3080_: u32;
+    var phi_3126_: u32;
+    var phi_3172_: u32;
+    var phi_3639_: array<array<f32, 3>, 3>;
+    var phi_4004_: f32;
+    var phi_4005_: f32;
+    var phi_4006_: f32;
+    var phi_4007_: f32;
+    var phi_4008_: vec3<f32>;
+    var phi_4009_: vec3<f32>;
+    var phi_4010_: vec3<f32>;
+    var phi_4011_: vec3<f32>;
+    var phi_4190_: f32;
+    var phi_4216_: SlimbvhTypeE;
+    var phi_4217_: SlimbvhTypeE;
+    var phi_4220_: SlimbvhTypeE;
+    var phi_4221_: SlimbvhTypeE;
+    var phi_4222_: bool;
+    var phi_4226_: SlimbvhTypeE;
+    var phi_4235_: SlimbvhTypeF;
+    var phi_4288_: i32;
+    var phi_4428_: SlimbvhTypeH;
+    var phi_4452_: u32;
+    var phi_4481_: vec3<f32>;
+    var phi_4482_: vec3<f32>;
+    var phi_4500_: vec3<f32>;
+    var phi_4501_: vec3<f32>;
+    var phi_4519_: vec3<f32>;
+    var phi_4520_: vec3<f32>;
+    var phi_4556_: vec3<f32>;
+    var phi_4738_: f32;
+    var phi_4756_: bool;
+    var phi_4757_: bool;
+    var phi_4776_: bool;
+    var phi_4777_: bool;
+    var phi_4784_: SlimbvhTypeQ;
+    var phi_4790_: SlimbvhTypeQ;
+    var phi_4791_: SlimbvhTypeQ;
+    var phi_4792_: SlimbvhTypeQ;
+    var phi_2962_: SlimbvhTypeQ;
     var local_3: u32;
     var local_4: u32;
-    var phi_4846_: u32;
-    var phi_4847_: u32;
-    var local_5: SlimbvhTypeQ;
-    var phi_4856_: SlimbvhTypeQ;
     var phi_4857_: u32;
     var phi_4858_: u32;
-    var phi_1845_: SlimbvhTypeQ;
-    var phi_1848_: u32;
-    var phi_1850_: u32;
-    var phi_1852_: u32;
+    var local_5: SlimbvhTypeQ;
+    var phi_4867_: SlimbvhTypeQ;
+    var phi_4868_: u32;
+    var phi_4869_: u32;
+    var phi_1852_: SlimbvhTypeQ;
+    var phi_1855_: u32;
+    var phi_1857_: u32;
+    var phi_1859_: u32;
     var local_6: SlimbvhTypeQ;
-    var phi_4894_: f32;
-    var phi_4896_: f32;
-    var phi_4897_: bool;
-    var phi_4898_: f32;
-    var phi_4899_: bool;
-    var phi_5525_: u32;
-    var phi_5543_: bool;
-    var phi_5546_: bool;
-    var phi_5559_: f32;
-    var phi_5560_: f32;
-    var phi_5565_: f32;
-    var phi_5566_: f32;
-    var phi_5567_: bool;
-    var phi_5575_: f32;
-    var phi_4914_: f32;
-    var phi_4915_: f32;
-    var phi_4927_: f32;
-    var phi_4932_: SlimbvhTypeF;
+    var phi_4905_: f32;
+    var phi_4907_: f32;
+    var phi_4908_: bool;
+    var phi_4909_: f32;
+    var phi_4910_: bool;
+    var phi_5536_: u32;
+    var phi_5554_: bool;
+    var phi_5557_: bool;
+    var phi_5570_: f32;
+    var phi_5571_: f32;
+    var phi_5576_: f32;
+    var phi_5577_: f32;
+    var phi_5578_: bool;
+    var phi_5586_: f32;
+    var phi_4925_: f32;
+    var phi_4926_: f32;
+    var phi_4938_: f32;
+    var phi_4943_: SlimbvhTypeF;
     var local_7: SlimbvhTypeQ;
     var local_8: u32;
     var local_9: u32;
@@ -316,597 +316,582 @@ fn slimbvh_trace() {
     let _e142 = slimbvh_root.member[1u][1u];
     let _e146 = slimbvh_root.member[1u][2u];
     let _e158 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
+    let _e161 = slimbvh_exponent.member[1u];
+    let _e164 = slimbvh_exponent.member[2u];
     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    let _e159 = slimbvh_origin.member;
-    let _e165 = slimbvh_origin.member[3u];
-    let _e166 = slimbvh_direction.member;
-    let _e172 = slimbvh_direction.member[3u];
-    let _e175 = slimbvh_exponent.member[0u];
-    let _e176 = bitcast<i32>(_e175);
-    let _e178 = (bitcast<u32>(_e159.x) & 2147483647u);
-    let _e180 = (bitcast<u32>(_e159.y) & 2147483647u);
-    let _e182 = (bitcast<u32>(_e159.z) & 2147483647u);
-    let _e183 = bitcast<u32>(_e165);
-    let _e184 = (_e183 & 2147483647u);
-    let _e186 = (bitcast<u32>(_e166.x) & 2147483647u);
-    let _e188 = (bitcast<u32>(_e166.y) & 2147483647u);
-    let _e190 = (bitcast<u32>(_e166.z) & 2147483647u);
-    let _e191 = bitcast<u32>(_e172);
-    let _e192 = (_e191 & 2147483647u);
-    let _e194 = select(_e188, _e186, (_e188 < _e186));
-    let _e196 = select(_e190, _e194, (_e190 < _e194));
-    let _e198 = select(_e178, _e196, (_e178 < _e196));
-    let _e200 = select(_e180, _e198, (_e180 < _e198));
-    let _e202 = select(_e182, _e200, (_e182 < _e200));
-    let _e209 = (((select(_e184, _e202, (_e184 < _e202)) < 2139095040u) && (_e192 <= 2139095040u)) && (_e196 > 0u));
-    if (_e186 == _e196) {
-        phi_726_ = 0u;
+    let _e165 = slimbvh_origin.member;
+    let _e171 = slimbvh_origin.member[3u];
+    let _e172 = slimbvh_direction.member;
+    let _e178 = slimbvh_direction.member[3u];
+    let _e181 = slimbvh_exponent.member[0u];
+    let _e182 = bitcast<i32>(_e181);
+    let _e184 = (bitcast<u32>(_e165.x) & 2147483647u);
+    let _e186 = (bitcast<u32>(_e165.y) & 2147483647u);
+    let _e188 = (bitcast<u32>(_e165.z) & 2147483647u);
+    let _e189 = bitcast<u32>(_e171);
+    let _e190 = (_e189 & 2147483647u);
+    let _e192 = (bitcast<u32>(_e172.x) & 2147483647u);
+    let _e194 = (bitcast<u32>(_e172.y) & 2147483647u);
+    let _e196 = (bitcast<u32>(_e172.z) & 2147483647u);
+    let _e197 = bitcast<u32>(_e178);
+    let _e198 = (_e197 & 2147483647u);
+    let _e200 = select(_e194, _e192, (_e194 < _e192));
+    let _e202 = select(_e196, _e200, (_e196 < _e200));
+    let _e204 = select(_e184, _e202, (_e184 < _e202));
+    let _e206 = select(_e186, _e204, (_e186 < _e204));
+    let _e208 = select(_e188, _e206, (_e188 < _e206));
+    let _e215 = (((select(_e190, _e208, (_e190 < _e208)) < 2139095040u) && (_e198 <= 2139095040u)) && (_e202 > 0u));
+    if (_e192 == _e202) {
+        phi_733_ = 0u;
     } else {
-        phi_726_ = select(2u, 1u, (_e188 == _e196));
+        phi_733_ = select(2u, 1u, (_e194 == _e202));
     }
-    let _e214 = phi_726_;
-    let _e215 = (_e214 == 2u);
-    if _e215 {
-        phi_732_ = 0u;
+    let _e220 = phi_733_;
+    let _e221 = (_e220 == 2u);
+    if _e221 {
+        phi_739_ = 0u;
     } else {
-        phi_732_ = (_e214 + 1u);
+        phi_739_ = (_e220 + 1u);
     }
-    let _e218 = phi_732_;
-    let _e219 = (_e218 == 2u);
-    if _e219 {
-        phi_738_ = 0u;
+    let _e224 = phi_739_;
+    let _e225 = (_e224 == 2u);
+    if _e225 {
+        phi_745_ = 0u;
     } else {
-        phi_738_ = (_e218 + 1u);
+        phi_745_ = (_e224 + 1u);
     }
-    let _e222 = phi_738_;
-    let _e223 = (_e218 == 0u);
-    let _e225 = select(select(_e159.y, _e159.x, _e223), _e159.z, _e219);
-    let _e226 = (_e222 == 0u);
-    let _e228 = (_e222 == 2u);
-    let _e229 = select(select(_e159.y, _e159.x, _e226), _e159.z, _e228);
-    let _e230 = (_e214 == 0u);
-    let _e232 = select(select(_e159.y, _e159.x, _e230), _e159.z, _e215);
-    let _e234 = select(select(_e166.y, _e166.x, _e223), _e166.z, _e219);
-    let _e236 = select(select(_e166.y, _e166.x, _e226), _e166.z, _e228);
-    let _e238 = select(select(_e166.y, _e166.x, _e230), _e166.z, _e215);
-    let _e239 = (_e184 - 1u);
-    let _e240 = (_e192 - 1u);
-    let _e242 = select(_e239, _e240, (_e240 < _e239));
-    let _e243 = (_e178 - 1u);
-    let _e244 = (_e180 - 1u);
-    let _e246 = select(_e243, _e244, (_e244 < _e243));
-    let _e247 = (_e182 - 1u);
-    let _e249 = select(_e246, _e247, (_e247 < _e246));
+    let _e228 = phi_745_;
+    let _e229 = (_e224 == 0u);
+    let _e231 = select(select(_e165.y, _e165.x, _e229), _e165.z, _e225);
+    let _e232 = (_e228 == 0u);
+    let _e234 = (_e228 == 2u);
+    let _e235 = select(select(_e165.y, _e165.x, _e232), _e165.z, _e234);
+    let _e236 = (_e220 == 0u);
+    let _e238 = select(select(_e165.y, _e165.x, _e236), _e165.z, _e221);
+    let _e240 = select(select(_e172.y, _e172.x, _e229), _e172.z, _e225);
+    let _e242 = select(select(_e172.y, _e172.x, _e232), _e172.z, _e234);
+    let _e244 = select(select(_e172.y, _e172.x, _e236), _e172.z, _e221);
+    let _e245 = (_e190 - 1u);
+    let _e246 = (_e198 - 1u);
+    let _e248 = select(_e245, _e246, (_e246 < _e245));
+    let _e249 = (_e184 - 1u);
     let _e250 = (_e186 - 1u);
-    let _e251 = (_e188 - 1u);
-    let _e253 = select(_e250, _e251, (_e251 < _e250));
-    let _e254 = (_e190 - 1u);
-    let _e256 = select(_e253, _e254, (_e254 < _e253));
-    let _e258 = select(_e249, _e256, (_e256 < _e249));
-    if (((select(_e258, _e242, (_e242 < _e258)) >= 8388607u) && (_e196 < 2130706432u)) && (bitcast<u32>((_e176 + 126i)) <= 253u)) {
-        let _e523 = bitcast<i32>((_e196 >> bitcast<u32>(23i)));
-        let _e524 = (_e523 - 127i);
-        let _e525 = (_e176 + _e524);
-        let _e530 = bitcast<f32>((bitcast<u32>((_e176 + 127i)) << bitcast<u32>(23i)));
-        let _e535 = bitcast<f32>((bitcast<u32>((254i - _e523)) << bitcast<u32>(23i)));
-        if (_e184 >= 2139095040u) {
-            phi_900_ = 255i;
+    let _e252 = select(_e249, _e250, (_e250 < _e249));
+    let _e253 = (_e188 - 1u);
+    let _e255 = select(_e252, _e253, (_e253 < _e252));
+    let _e256 = (_e192 - 1u);
+    let _e257 = (_e194 - 1u);
+    let _e259 = select(_e256, _e257, (_e257 < _e256));
+    let _e260 = (_e196 - 1u);
+    let _e262 = select(_e259, _e260, (_e260 < _e259));
+    let _e264 = select(_e255, _e262, (_e262 < _e255));
+    if (((select(_e264, _e248, (_e248 < _e264)) >= 8388607u) && (_e202 < 2130706432u)) && (bitcast<u32>((_e182 + 126i)) <= 253u)) {
+        let _e529 = bitcast<i32>((_e202 >> bitcast<u32>(23i)));
+        let _e530 = (_e529 - 127i);
+        let _e531 = (_e182 + _e530);
+        let _e536 = bitcast<f32>((bitcast<u32>((_e182 + 127i)) << bitcast<u32>(23i)));
+        let _e541 = bitcast<f32>((bitcast<u32>((254i - _e529)) << bitcast<u32>(23i)));
+        if (_e190 >= 2139095040u) {
+            phi_907_ = 255i;
         } else {
-            phi_900_ = (bitcast<i32>((_e184 >> bitcast<u32>(23i))) + _e525);
+            phi_907_ = (bitcast<i32>((_e190 >> bitcast<u32>(23i))) + _e531);
         }
-        let _e550 = phi_900_;
-        if (_e184 == 0u) {
-            phi_906_ = 0u;
+        let _e556 = phi_907_;
+        if (_e190 == 0u) {
+            phi_913_ = 0u;
         } else {
-            phi_906_ = (_e184 | 8388608u);
+            phi_913_ = (_e190 | 8388608u);
         }
-        let _e554 = phi_906_;
-        if (_e550 <= 0i) {
-            phi_926_ = u32();
-            phi_927_ = true;
+        let _e560 = phi_913_;
+        if (_e556 <= 0i) {
+            phi_933_ = u32();
+            phi_934_ = true;
         } else {
-            let _e561 = (_e554 == 0u);
-            if _e561 {
-                phi_925_ = u32();
+            let _e567 = (_e560 == 0u);
+            if _e567 {
+                phi_932_ = u32();
             } else {
-                phi_925_ = select(((bitcast<u32>(_e550) << bitcast<u32>(23i)) | (_e554 & 8388607u)), 2139095039u, (_e550 >= 255i));
+                phi_932_ = select(((bitcast<u32>(_e556) << bitcast<u32>(23i)) | (_e560 & 8388607u)), 2139095039u, (_e556 >= 255i));
             }
-            let _e565 = phi_925_;
-            phi_926_ = _e565;
-            phi_927_ = _e561;
+            let _e571 = phi_932_;
+            phi_933_ = _e571;
+            phi_934_ = _e567;
         }
-        let _e567 = phi_926_;
-        let _e569 = phi_927_;
-        if (_e192 >= 2139095040u) {
-            phi_945_ = 255i;
+        let _e573 = phi_933_;
+        let _e575 = phi_934_;
+        if (_e198 >= 2139095040u) {
+            phi_952_ = 255i;
         } else {
-            phi_945_ = (bitcast<i32>((_e192 >> bitcast<u32>(23i))) + _e525);
+            phi_952_ = (bitcast<i32>((_e198 >> bitcast<u32>(23i))) + _e531);
         }
-        let _e580 = phi_945_;
-        if (_e192 == 0u) {
-            phi_951_ = 0u;
+        let _e586 = phi_952_;
+        if (_e198 == 0u) {
+            phi_958_ = 0u;
         } else {
-            phi_951_ = (_e192 | 8388608u);
+            phi_958_ = (_e198 | 8388608u);
         }
-        let _e584 = phi_951_;
-        if (_e580 <= 0i) {
-            phi_971_ = u32();
-            phi_972_ = true;
+        let _e590 = phi_958_;
+        if (_e586 <= 0i) {
+            phi_978_ = u32();
+            phi_979_ = true;
         } else {
-            let _e591 = (_e584 == 0u);
-            if _e591 {
-                phi_970_ = u32();
+            let _e597 = (_e590 == 0u);
+            if _e597 {
+                phi_977_ = u32();
             } else {
-                phi_970_ = select(((bitcast<u32>(_e580) << bitcast<u32>(23i)) | (_e584 & 8388607u)), 2139095039u, (_e580 >= 255i));
+                phi_977_ = select(((bitcast<u32>(_e586) << bitcast<u32>(23i)) | (_e590 & 8388607u)), 2139095039u, (_e586 >= 255i));
             }
-            let _e595 = phi_970_;
-            phi_971_ = _e595;
-            phi_972_ = _e591;
+            let _e601 = phi_977_;
+            phi_978_ = _e601;
+            phi_979_ = _e597;
         }
-        let _e597 = phi_971_;
-        let _e599 = phi_972_;
-        phi_1349_ = SlimbvhTypeC(array<f32, 3>((_e225 * _e530), (_e229 * _e530), (_e232 * _e530)), array<f32, 3>((_e234 * _e535), (_e236 * _e535), (_e238 * _e535)), bitcast<f32>(((_e183 & 2147483648u) | select(_e567, 0u, _e569))), bitcast<f32>(((_e191 & 2147483648u) | select(_e597, 0u, _e599))), _e524);
+        let _e603 = phi_978_;
+        let _e605 = phi_979_;
+        phi_1356_ = SlimbvhTypeC(array<f32, 3>((_e231 * _e536), (_e235 * _e536), (_e238 * _e536)), array<f32, 3>((_e240 * _e541), (_e242 * _e541), (_e244 * _e541)), bitcast<f32>(((_e189 & 2147483648u) | select(_e573, 0u, _e575))), bitcast<f32>(((_e197 & 2147483648u) | select(_e603, 0u, _e605))), _e530);
     } else {
-        let _e271 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e196, _e209))) & 2147483647u);
-        if (_e271 >= 8388608u) {
-            phi_1003_ = (bitcast<i32>((_e271 >> bitcast<u32>(23i))) - 127i);
+        let _e277 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e202, _e215))) & 2147483647u);
+        if (_e277 >= 8388608u) {
+            phi_1010_ = (bitcast<i32>((_e277 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_1003_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e271)), 32u, (_e271 == 0u))));
+            phi_1010_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e277)), 32u, (_e277 == 0u))));
         }
-        let _e285 = phi_1003_;
-        let _e286 = (_e176 + _e285);
-        if (_e176 < -126i) {
-            phi_1014_ = -126i;
+        let _e291 = phi_1010_;
+        let _e292 = (_e182 + _e291);
+        if (_e182 < -126i) {
+            phi_1021_ = -126i;
         } else {
-            phi_1014_ = select(_e176, 127i, (_e176 > 127i));
+            phi_1021_ = select(_e182, 127i, (_e182 > 127i));
         }
-        let _e291 = phi_1014_;
-        let _e296 = bitcast<f32>((bitcast<u32>((_e291 + 127i)) << bitcast<u32>(23i)));
-        let _e302 = bitcast<f32>((bitcast<u32>(((_e176 - _e291) + 127i)) << bitcast<u32>(23i)));
-        let _e303 = bitcast<u32>(_e225);
-        let _e305 = ((_e303 & 2139095040u) != 0u);
-        let _e320 = bitcast<u32>(_e229);
-        let _e322 = ((_e320 & 2139095040u) != 0u);
-        let _e337 = bitcast<u32>(_e232);
-        let _e339 = ((_e337 & 2139095040u) != 0u);
-        let _e355 = -(_e285);
-        if (_e355 < -126i) {
-            phi_1128_ = -126i;
+        let _e297 = phi_1021_;
+        let _e302 = bitcast<f32>((bitcast<u32>((_e297 + 127i)) << bitcast<u32>(23i)));
+        let _e308 = bitcast<f32>((bitcast<u32>(((_e182 - _e297) + 127i)) << bitcast<u32>(23i)));
+        let _e309 = bitcast<u32>(_e231);
+        let _e311 = ((_e309 & 2139095040u) != 0u);
+        let _e326 = bitcast<u32>(_e235);
+        let _e328 = ((_e326 & 2139095040u) != 0u);
+        let _e343 = bitcast<u32>(_e238);
+        let _e345 = ((_e343 & 2139095040u) != 0u);
+        let _e361 = -(_e291);
+        if (_e361 < -126i) {
+            phi_1135_ = -126i;
         } else {
-            phi_1128_ = select(_e355, 127i, (_e355 > 127i));
+            phi_1135_ = select(_e361, 127i, (_e361 > 127i));
         }
-        let _e360 = phi_1128_;
-        let _e365 = bitcast<f32>((bitcast<u32>((_e360 + 127i)) << bitcast<u32>(23i)));
-        let _e371 = bitcast<f32>((bitcast<u32>(((_e355 - _e360) + 127i)) << bitcast<u32>(23i)));
-        let _e372 = bitcast<u32>(_e234);
-        let _e374 = ((_e372 & 2139095040u) != 0u);
-        let _e389 = bitcast<u32>(_e236);
-        let _e391 = ((_e389 & 2139095040u) != 0u);
-        let _e406 = bitcast<u32>(_e238);
-        let _e408 = ((_e406 & 2139095040u) != 0u);
-        let _e430 = ((_e184 & 8388607u) | (select(0u, 1u, ((_e184 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e433 = bitcast<i32>((_e184 >> bitcast<u32>(23i)));
-        let _e440 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e430)), 32u, (_e430 == 0u))) - 8i);
-        if (_e433 == 255i) {
-            phi_1257_ = 255i;
+        let _e366 = phi_1135_;
+        let _e371 = bitcast<f32>((bitcast<u32>((_e366 + 127i)) << bitcast<u32>(23i)));
+        let _e377 = bitcast<f32>((bitcast<u32>(((_e361 - _e366) + 127i)) << bitcast<u32>(23i)));
+        let _e378 = bitcast<u32>(_e240);
+        let _e380 = ((_e378 & 2139095040u) != 0u);
+        let _e395 = bitcast<u32>(_e242);
+        let _e397 = ((_e395 & 2139095040u) != 0u);
+        let _e412 = bitcast<u32>(_e244);
+        let _e414 = ((_e412 & 2139095040u) != 0u);
+        let _e436 = ((_e190 & 8388607u) | (select(0u, 1u, ((_e190 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e439 = bitcast<i32>((_e190 >> bitcast<u32>(23i)));
+        let _e446 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e436)), 32u, (_e436 == 0u))) - 8i);
+        if (_e439 == 255i) {
+            phi_1264_ = 255i;
         } else {
-            phi_1257_ = (((_e433 + select(0i, 1i, (_e433 == 0i))) - _e440) + _e286);
+            phi_1264_ = (((_e439 + select(0i, 1i, (_e439 == 0i))) - _e446) + _e292);
         }
-        let _e448 = phi_1257_;
-        let _e452 = (_e430 << bitcast<u32>(((_e440 & 31i) & 31i)));
-        if (_e448 <= 0i) {
-            phi_1280_ = u32();
-            phi_1281_ = true;
+        let _e454 = phi_1264_;
+        let _e458 = (_e436 << bitcast<u32>(((_e446 & 31i) & 31i)));
+        if (_e454 <= 0i) {
+            phi_1287_ = u32();
+            phi_1288_ = true;
         } else {
-            let _e459 = (_e452 == 0u);
-            if _e459 {
-                phi_1279_ = u32();
+            let _e465 = (_e458 == 0u);
+            if _e465 {
+                phi_1286_ = u32();
             } else {
-                phi_1279_ = select(((bitcast<u32>(_e448) << bitcast<u32>(23i)) | (_e452 & 8388607u)), 2139095039u, (_e448 >= 255i));
+                phi_1286_ = select(((bitcast<u32>(_e454) << bitcast<u32>(23i)) | (_e458 & 8388607u)), 2139095039u, (_e454 >= 255i));
             }
-            let _e463 = phi_1279_;
-            phi_1280_ = _e463;
-            phi_1281_ = _e459;
+            let _e469 = phi_1286_;
+            phi_1287_ = _e469;
+            phi_1288_ = _e465;
         }
-        let _e465 = phi_1280_;
-        let _e467 = phi_1281_;
-        let _e478 = ((_e192 & 8388607u) | (select(0u, 1u, ((_e192 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e481 = bitcast<i32>((_e192 >> bitcast<u32>(23i)));
-        let _e488 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e478)), 32u, (_e478 == 0u))) - 8i);
-        if (_e481 == 255i) {
-            phi_1315_ = 255i;
+        let _e471 = phi_1287_;
+        let _e473 = phi_1288_;
+        let _e484 = ((_e198 & 8388607u) | (select(0u, 1u, ((_e198 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e487 = bitcast<i32>((_e198 >> bitcast<u32>(23i)));
+        let _e494 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e484)), 32u, (_e484 == 0u))) - 8i);
+        if (_e487 == 255i) {
+            phi_1322_ = 255i;
         } else {
-            phi_1315_ = (((_e481 + select(0i, 1i, (_e481 == 0i))) - _e488) + _e286);
+            phi_1322_ = (((_e487 + select(0i, 1i, (_e487 == 0i))) - _e494) + _e292);
         }
-        let _e496 = phi_1315_;
-        let _e500 = (_e478 << bitcast<u32>(((_e488 & 31i) & 31i)));
-        if (_e496 <= 0i) {
-            phi_1338_ = u32();
-            phi_1339_ = true;
+        let _e502 = phi_1322_;
+        let _e506 = (_e484 << bitcast<u32>(((_e494 & 31i) & 31i)));
+        if (_e502 <= 0i) {
+            phi_1345_ = u32();
+            phi_1346_ = true;
         } else {
-            let _e507 = (_e500 == 0u);
-            if _e507 {
-                phi_1337_ = u32();
+            let _e513 = (_e506 == 0u);
+            if _e513 {
+                phi_1344_ = u32();
             } else {
-                phi_1337_ = select(((bitcast<u32>(_e496) << bitcast<u32>(23i)) | (_e500 & 8388607u)), 2139095039u, (_e496 >= 255i));
+                phi_1344_ = select(((bitcast<u32>(_e502) << bitcast<u32>(23i)) | (_e506 & 8388607u)), 2139095039u, (_e502 >= 255i));
             }
-            let _e511 = phi_1337_;
-            phi_1338_ = _e511;
-            phi_1339_ = _e507;
+            let _e517 = phi_1344_;
+            phi_1345_ = _e517;
+            phi_1346_ = _e513;
         }
-        let _e513 = phi_1338_;
-        let _e515 = phi_1339_;
-        phi_1349_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e303 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e303 & 2147483648u))), _e225, _e305) * _e296) * select(0.00000011920929f, 1f, _e305)) * _e302), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e320 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e320 & 2147483648u))), _e229, _e322) * _e296) * select(0.00000011920929f, 1f, _e322)) * _e302), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e337 & 2147483648u))), _e232, _e339) * _e296) * select(0.00000011920929f, 1f, _e339)) * _e302)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e372 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e372 & 2147483648u))), _e234, _e374) * _e365) * select(0.00000011920929f, 1f, _e374)) * _e371), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e389 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e389 & 2147483648u))), _e236, _e391) * _e365) * select(0.00000011920929f, 1f, _e391)) * _e371), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e406 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e406 & 2147483648u))), _e238, _e408) * _e365) * select(0.00000011920929f, 1f, _e408)) * _e371)), bitcast<f32>(((_e183 & 2147483648u) | select(_e465, 0u, _e467))), bitcast<f32>(((_e191 & 2147483648u) | select(_e513, 0u, _e515))), _e285);
+        let _e519 = phi_1345_;
+        let _e521 = phi_1346_;
+        phi_1356_ = SlimbvhTypeC(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e309 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e309 & 2147483648u))), _e231, _e311) * _e302) * select(0.00000011920929f, 1f, _e311)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e326 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e326 & 2147483648u))), _e235, _e328) * _e302) * select(0.00000011920929f, 1f, _e328)) * _e308), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e343 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e343 & 2147483648u))), _e238, _e345) * _e302) * select(0.00000011920929f, 1f, _e345)) * _e308)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e378 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e378 & 2147483648u))), _e240, _e380) * _e371) * select(0.00000011920929f, 1f, _e380)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e395 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e395 & 2147483648u))), _e242, _e397) * _e371) * select(0.00000011920929f, 1f, _e397)) * _e377), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e412 & 2147483648u))), _e244, _e414) * _e371) * select(0.00000011920929f, 1f, _e414)) * _e377)), bitcast<f32>(((_e189 & 2147483648u) | select(_e471, 0u, _e473))), bitcast<f32>(((_e197 & 2147483648u) | select(_e519, 0u, _e521))), _e291);
     }
-    let _e606 = phi_1349_;
-    let _e621 = (bitcast<f32>((bitcast<u32>(_e606.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e624 = bitcast<f32>((bitcast<u32>(_e606.member[0]) & 2147483647u));
-    let _e625 = (_e624 * 0.00000011920929f);
-    let _e628 = select(select(0.00000000000011368684f, _e625, (_e625 > 0.00000000000011368684f)), 0f, _e621);
-    let _e629 = select(0f, _e606.member_1[0], _e621);
-    let _e630 = (_e606.member[0] + _e628);
-    let _e631 = (_e606.member[0] - _e628);
-    let _e633 = select(38685626000000000000000000f, (1f / _e606.member_1[0]), _e621);
-    let _e637 = (bitcast<f32>((bitcast<u32>(_e606.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e640 = bitcast<f32>((bitcast<u32>(_e606.member[1]) & 2147483647u));
-    let _e641 = (_e640 * 0.00000011920929f);
-    let _e644 = select(select(0.00000000000011368684f, _e641, (_e641 > 0.00000000000011368684f)), 0f, _e637);
-    let _e645 = select(0f, _e606.member_1[1], _e637);
-    let _e646 = (_e606.member[1] + _e644);
-    let _e647 = (_e606.member[1] - _e644);
-    let _e649 = select(38685626000000000000000000f, (1f / _e606.member_1[1]), _e637);
-    let _e653 = (bitcast<f32>((bitcast<u32>(_e606.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e656 = bitcast<f32>((bitcast<u32>(_e606.member[2]) & 2147483647u));
-    let _e657 = (_e656 * 0.00000011920929f);
-    let _e660 = select(select(0.00000000000011368684f, _e657, (_e657 > 0.00000000000011368684f)), 0f, _e653);
-    let _e661 = select(0f, _e606.member_1[2], _e653);
-    let _e662 = (_e606.member[2] + _e660);
-    let _e663 = (_e606.member[2] - _e660);
-    let _e665 = select(38685626000000000000000000f, (1f / _e606.member_1[2]), _e653);
-    let _e667 = select(_e640, _e624, (_e624 > _e640));
-    let _e671 = (_e209 && (select(_e656, _e667, (_e667 > _e656)) <= 1099511600000f));
-    let _e672 = select(0f, _e606.member_3, _e671);
-    let _e673 = select(1f, _e606.member_2, _e671);
-    let _e677 = slimbvh_question.member[1u];
-    let _e680 = slimbvh_question.member[0u];
-    if (_e680 == 1u) {
-        phi_1588_ = SlimbvhTypeQ(SlimbvhTypeI(_e105, _e672), true);
+    let _e612 = phi_1356_;
+    let _e627 = (bitcast<f32>((bitcast<u32>(_e612.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e630 = bitcast<f32>((bitcast<u32>(_e612.member[0]) & 2147483647u));
+    let _e631 = (_e630 * 0.00000011920929f);
+    let _e634 = select(select(0.00000000000011368684f, _e631, (_e631 > 0.00000000000011368684f)), 0f, _e627);
+    let _e635 = select(0f, _e612.member_1[0], _e627);
+    let _e636 = (_e612.member[0] + _e634);
+    let _e637 = (_e612.member[0] - _e634);
+    let _e639 = select(38685626000000000000000000f, (1f / _e612.member_1[0]), _e627);
+    let _e643 = (bitcast<f32>((bitcast<u32>(_e612.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e646 = bitcast<f32>((bitcast<u32>(_e612.member[1]) & 2147483647u));
+    let _e647 = (_e646 * 0.00000011920929f);
+    let _e650 = select(select(0.00000000000011368684f, _e647, (_e647 > 0.00000000000011368684f)), 0f, _e643);
+    let _e651 = select(0f, _e612.member_1[1], _e643);
+    let _e652 = (_e612.member[1] + _e650);
+    let _e653 = (_e612.member[1] - _e650);
+    let _e655 = select(38685626000000000000000000f, (1f / _e612.member_1[1]), _e643);
+    let _e659 = (bitcast<f32>((bitcast<u32>(_e612.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e662 = bitcast<f32>((bitcast<u32>(_e612.member[2]) & 2147483647u));
+    let _e663 = (_e662 * 0.00000011920929f);
+    let _e666 = select(select(0.00000000000011368684f, _e663, (_e663 > 0.00000000000011368684f)), 0f, _e659);
+    let _e667 = select(0f, _e612.member_1[2], _e659);
+    let _e668 = (_e612.member[2] + _e666);
+    let _e669 = (_e612.member[2] - _e666);
+    let _e671 = select(38685626000000000000000000f, (1f / _e612.member_1[2]), _e659);
+    let _e673 = select(_e646, _e630, (_e630 > _e646));
+    let _e677 = (_e215 && (select(_e662, _e673, (_e673 > _e662)) <= 1099511600000f));
+    let _e678 = select(0f, _e612.member_3, _e677);
+    let _e679 = select(1f, _e612.member_2, _e677);
+    let _e683 = slimbvh_question.member[1u];
+    let _e686 = slimbvh_question.member[0u];
+    if (_e686 == 1u) {
+        phi_1595_ = SlimbvhTypeQ(SlimbvhTypeI(_e105, _e678), true);
     } else {
-        phi_1588_ = SlimbvhTypeQ(SlimbvhTypeI(_e105, _e672), false);
+        phi_1595_ = SlimbvhTypeQ(SlimbvhTypeI(_e105, _e678), false);
     }
-    let _e687 = phi_1588_;
-    let _e692 = (_e218 & 3u);
-    let _e693 = (_e222 & 3u);
-    let _e694 = (_e214 & 3u);
-    let _e697 = (bitcast<u32>(_e633) >> bitcast<u32>(31i));
-    let _e700 = (bitcast<u32>(_e649) >> bitcast<u32>(31i));
-    let _e703 = (bitcast<u32>(_e665) >> bitcast<u32>(31i));
-    let _e707 = (f32(bitcast<i32>(_e122)) * _e158);
-    let _e709 = (f32(bitcast<i32>(_e126)) * _e158);
-    let _e711 = (f32(bitcast<i32>(_e130)) * _e158);
-    let _e712 = (_e692 == 0u);
-    if _e712 {
-        phi_1652_ = array<f32, 3>(_e707, _e709, _e711);
+    let _e693 = phi_1595_;
+    let _e698 = (_e224 & 3u);
+    let _e699 = (_e228 & 3u);
+    let _e700 = (_e220 & 3u);
+    let _e703 = (bitcast<u32>(_e639) >> bitcast<u32>(31i));
+    let _e706 = (bitcast<u32>(_e655) >> bitcast<u32>(31i));
+    let _e709 = (bitcast<u32>(_e671) >> bitcast<u32>(31i));
+    let _e713 = (f32(bitcast<i32>(_e122)) * _e158);
+    let _e715 = (f32(bitcast<i32>(_e126)) * _e158);
+    let _e717 = (f32(bitcast<i32>(_e130)) * _e158);
+    let _e718 = (_e698 == 0u);
+    if _e718 {
+        phi_1659_ = array<f32, 3>(_e713, _e715, _e717);
     } else {
-        if (_e692 == 1u) {
-            phi_1651_ = array<f32, 3>(_e709, _e711, _e707);
+        if (_e698 == 1u) {
+            phi_1658_ = array<f32, 3>(_e715, _e717, _e713);
         } else {
-            phi_1651_ = array<f32, 3>(_e711, _e707, _e709);
+            phi_1658_ = array<f32, 3>(_e717, _e713, _e715);
         }
-        let _e717 = phi_1651_;
-        phi_1652_ = _e717;
+        let _e723 = phi_1658_;
+        phi_1659_ = _e723;
     }
-    let _e720 = phi_1652_;
-    let _e722 = (f32(bitcast<i32>(_e138)) * _e158);
-    let _e724 = (f32(bitcast<i32>(_e142)) * _e158);
-    let _e726 = (f32(bitcast<i32>(_e146)) * _e158);
-    if _e712 {
-        phi_1671_ = array<f32, 3>(_e722, _e724, _e726);
+    let _e726 = phi_1659_;
+    let _e728 = (f32(bitcast<i32>(_e138)) * _e158);
+    let _e730 = (f32(bitcast<i32>(_e142)) * _e158);
+    let _e732 = (f32(bitcast<i32>(_e146)) * _e158);
+    if _e718 {
+        phi_1678_ = array<f32, 3>(_e728, _e730, _e732);
     } else {
-        if (_e692 == 1u) {
-            phi_1670_ = array<f32, 3>(_e724, _e726, _e722);
+        if (_e698 == 1u) {
+            phi_1677_ = array<f32, 3>(_e730, _e732, _e728);
         } else {
-            phi_1670_ = array<f32, 3>(_e726, _e722, _e724);
+            phi_1677_ = array<f32, 3>(_e732, _e728, _e730);
         }
-        let _e731 = phi_1670_;
-        phi_1671_ = _e731;
+        let _e737 = phi_1677_;
+        phi_1678_ = _e737;
     }
-    let _e734 = phi_1671_;
-    let _e745 = ((_e720[0] - _e630) * _e633);
-    let _e746 = ((_e734[0] - _e631) * _e633);
-    let _e747 = vec4<f32>(_e745, f32(), _e746, f32());
-    let _e750 = ((_e720[1] - _e646) * _e649);
-    let _e751 = ((_e734[1] - _e647) * _e649);
-    let _e752 = vec4<f32>(_e750, f32(), _e751, f32());
-    let _e755 = ((_e720[2] - _e662) * _e665);
-    let _e756 = ((_e734[2] - _e663) * _e665);
-    let _e757 = vec4<f32>(_e755, f32(), _e756, f32());
-    let _e758 = vec4<f32>(_e746, f32(), _e745, f32());
-    let _e760 = vec4<f32>(_e751, f32(), _e750, f32());
-    let _e762 = vec4<f32>(_e756, f32(), _e755, f32());
-    phi_1844_ = _e687;
-    phi_1847_ = select(4294967295u, select(4294967295u, 0u, (_e673 <= _e672)), (max(max(max(min(_e747, _e758).x, min(_e752, _e760).x), min(_e757, _e762).x), _e673) <= min((min(min(max(_e747, _e758).x, max(_e752, _e760).x), max(_e757, _e762).x) + (max(max(_e757, _e762).x, -(min(_e757, _e762).x)) * 0.0000019073523f)), _e687.member.member_1)));
-    phi_1849_ = select(0u, 4294967295u, (_e109 == 0u));
-    phi_1851_ = (_e109 + 1u);
+    let _e740 = phi_1678_;
+    let _e751 = ((_e726[0] - _e636) * _e639);
+    let _e752 = ((_e740[0] - _e637) * _e639);
+    let _e753 = vec4<f32>(_e751, f32(), _e752, f32());
+    let _e756 = ((_e726[1] - _e652) * _e655);
+    let _e757 = ((_e740[1] - _e653) * _e655);
+    let _e758 = vec4<f32>(_e756, f32(), _e757, f32());
+    let _e761 = ((_e726[2] - _e668) * _e671);
+    let _e762 = ((_e740[2] - _e669) * _e671);
+    let _e763 = vec4<f32>(_e761, f32(), _e762, f32());
+    let _e764 = vec4<f32>(_e752, f32(), _e751, f32());
+    let _e766 = vec4<f32>(_e757, f32(), _e756, f32());
+    let _e768 = vec4<f32>(_e762, f32(), _e761, f32());
+    phi_1851_ = _e693;
+    phi_1854_ = select(4294967295u, select(4294967295u, 0u, (_e679 <= _e678)), (max(max(max(min(_e753, _e764).x, min(_e758, _e766).x), min(_e763, _e768).x), _e679) <= min((min(min(max(_e753, _e764).x, max(_e758, _e766).x), max(_e763, _e768).x) + (max(max(_e763, _e768).x, -(min(_e763, _e768).x)) * 0.0000019073523f)), _e693.member.member_1)));
+    phi_1856_ = select(0u, 4294967295u, (_e109 == 0u));
+    phi_1858_ = (_e109 + 1u);
     loop {
-        let _e786 = phi_1844_;
-        let _e788 = phi_1847_;
-        let _e790 = phi_1849_;
         let _e792 = phi_1851_;
-        local_6 = _e786;
-        let _e793 = (_e788 <= 2147483647u);
-        if _e793 {
-            phi_1860_ = _e788;
-            phi_1863_ = _e790;
-            phi_1865_ = _e792;
+        let _e794 = phi_1854_;
+        let _e796 = phi_1856_;
+        let _e798 = phi_1858_;
+        local_6 = _e792;
+        let _e799 = (_e794 <= 2147483647u);
+        if _e799 {
+            phi_1867_ = _e794;
+            phi_1870_ = _e796;
+            phi_1872_ = _e798;
             loop {
-                let _e795 = phi_1860_;
-                let _e797 = phi_1863_;
-                let _e799 = phi_1865_;
-                local_2 = _e797;
-                local_3 = _e795;
-                local_4 = _e795;
-                local_8 = _e795;
-                local_9 = _e797;
-                local_10 = _e799;
-                let _e800 = (_e795 <= 2147483647u);
-                let _e803 = (_e800 && !((_e797 >= _e109)));
-                local_1 = _e800;
-                if _e803 {
-                    let _e809 = slimbvh_nodes.member[_e797].member[select(_e692, 2u, (2u < _e692))];
-                    let _e815 = slimbvh_nodes.member[_e797].member[select(_e693, 2u, (2u < _e693))];
-                    let _e821 = slimbvh_nodes.member[_e797].member[select(_e694, 2u, (2u < _e694))];
-                    let _e824 = bitcast<u32>(_e158);
-                    let _e829 = bitcast<f32>(_e809.x);
-                    let _e834 = (_e829 + (f32((_e809.w >> bitcast<u32>(5u))) * _e158));
-                    if (_e697 == 0u) {
-                        phi_1967_ = SlimbvhTypeL(_e809.z, _e834);
-                        phi_1968_ = SlimbvhTypeL(_e809.y, _e829);
-                    } else {
-                        phi_1967_ = SlimbvhTypeL(_e809.y, _e829);
-                        phi_1968_ = SlimbvhTypeL(_e809.z, _e834);
-                    }
-                    let _e845 = phi_1967_;
-                    let _e847 = phi_1968_;
-                    let _e851 = bitcast<f32>(((_e824 + ((_e809.w & 31u) << bitcast<u32>(23i))) ^ (_e697 << bitcast<u32>(31i))));
-                    let _e891 = bitcast<f32>(_e815.x);
-                    let _e896 = (_e891 + (f32((_e815.w >> bitcast<u32>(5u))) * _e158));
-                    if (_e700 == 0u) {
-                        phi_2027_ = SlimbvhTypeL(_e815.z, _e896);
-                        phi_2028_ = SlimbvhTypeL(_e815.y, _e891);
-                    } else {
-                        phi_2027_ = SlimbvhTypeL(_e815.y, _e891);
-                        phi_2028_ = SlimbvhTypeL(_e815.z, _e896);
-                    }
-                    let _e907 = phi_2027_;
-                    let _e909 = phi_2028_;
-                    let _e913 = bitcast<f32>(((_e824 + ((_e815.w & 31u) << bitcast<u32>(23i))) ^ (_e700 << bitcast<u32>(31i))));
-                    let _e953 = bitcast<f32>(_e821.x);
-                    let _e958 = (_e953 + (f32((_e821.w >> bitcast<u32>(5u))) * _e158));
+                let _e801 = phi_1867_;
+                let _e803 = phi_1870_;
+                let _e805 = phi_1872_;
+                local_2 = _e803;
+                local_3 = _e801;
+                local_4 = _e801;
+                local_8 = _e801;
+                local_9 = _e803;
+                local_10 = _e805;
+                let _e806 = (_e801 <= 2147483647u);
+                let _e808 = (_e803 + _e161);
+                let _e812 = (_e806 && !(((_e803 >= _e109) || (_e808 >= _e109))));
+                local_1 = _e806;
+                if _e812 {
+                    let _e818 = slimbvh_nodes.member[_e808].member[select(_e698, 2u, (2u < _e698))];
+                    let _e824 = slimbvh_nodes.member[_e808].member[select(_e699, 2u, (2u < _e699))];
+                    let _e830 = slimbvh_nodes.member[_e808].member[select(_e700, 2u, (2u < _e700))];
+                    let _e833 = bitcast<u32>(_e158);
+                    let _e838 = bitcast<f32>(_e818.x);
+                    let _e843 = (_e838 + (f32((_e818.w >> bitcast<u32>(5u))) * _e158));
                     if (_e703 == 0u) {
-                        phi_2087_ = SlimbvhTypeL(_e821.z, _e958);
-                        phi_2088_ = SlimbvhTypeL(_e821.y, _e953);
+                        phi_1978_ = SlimbvhTypeL(_e818.z, _e843);
+                        phi_1979_ = SlimbvhTypeL(_e818.y, _e838);
                     } else {
-                        phi_2087_ = SlimbvhTypeL(_e821.y, _e953);
-                        phi_2088_ = SlimbvhTypeL(_e821.z, _e958);
+                        phi_1978_ = SlimbvhTypeL(_e818.y, _e838);
+                        phi_1979_ = SlimbvhTypeL(_e818.z, _e843);
                     }
-                    let _e969 = phi_2087_;
-                    let _e971 = phi_2088_;
-                    let _e975 = bitcast<f32>(((_e824 + ((_e821.w & 31u) << bitcast<u32>(23i))) ^ (_e703 << bitcast<u32>(31i))));
-                    let _e1011 = (_e851 * _e633);
-                    let _e1018 = (((_e847.member_1 - _e630) * _e633) + (bitcast<f32>((bitcast<u32>(_e1011) & 2147483647u)) * -0.00012207031f));
-                    let _e1027 = (-(_e851) * _e633);
-                    let _e1034 = (((_e845.member_1 - _e631) * _e633) + (bitcast<f32>((bitcast<u32>(_e1027) & 2147483647u)) * 0.00012207031f));
-                    let _e1043 = (_e913 * _e649);
-                    let _e1050 = (((_e909.member_1 - _e646) * _e649) + (bitcast<f32>((bitcast<u32>(_e1043) & 2147483647u)) * -0.00012207031f));
-                    let _e1059 = (-(_e913) * _e649);
-                    let _e1066 = (((_e907.member_1 - _e647) * _e649) + (bitcast<f32>((bitcast<u32>(_e1059) & 2147483647u)) * 0.00012207031f));
-                    let _e1075 = (_e975 * _e665);
-                    let _e1082 = (((_e971.member_1 - _e662) * _e665) + (bitcast<f32>((bitcast<u32>(_e1075) & 2147483647u)) * -0.00012207031f));
-                    let _e1087 = ((f32((_e971.member & 255u)) * _e1075) + _e1082);
-                    let _e1088 = ((f32(((_e971.member >> bitcast<u32>(8u)) & 255u)) * _e1075) + _e1082);
-                    let _e1089 = ((f32(((_e971.member >> bitcast<u32>(16u)) & 255u)) * _e1075) + _e1082);
-                    let _e1090 = ((f32(((_e971.member >> bitcast<u32>(24u)) & 255u)) * _e1075) + _e1082);
-                    let _e1091 = (-(_e975) * _e665);
-                    let _e1098 = (((_e969.member_1 - _e663) * _e665) + (bitcast<f32>((bitcast<u32>(_e1091) & 2147483647u)) * 0.00012207031f));
-                    let _e1103 = ((f32((_e969.member & 255u)) * _e1091) + _e1098);
-                    let _e1104 = ((f32(((_e969.member >> bitcast<u32>(8u)) & 255u)) * _e1091) + _e1098);
-                    let _e1105 = ((f32(((_e969.member >> bitcast<u32>(16u)) & 255u)) * _e1091) + _e1098);
-                    let _e1106 = ((f32(((_e969.member >> bitcast<u32>(24u)) & 255u)) * _e1091) + _e1098);
-                    let _e1139 = max(max(max(((f32((_e847.member & 255u)) * _e1011) + _e1018), ((f32((_e909.member & 255u)) * _e1043) + _e1050)), _e1087), _e673);
-                    let _e1140 = max(max(max(((f32(((_e847.member >> bitcast<u32>(8u)) & 255u)) * _e1011) + _e1018), ((f32(((_e909.member >> bitcast<u32>(8u)) & 255u)) * _e1043) + _e1050)), _e1088), _e673);
-                    let _e1141 = max(max(max(((f32(((_e847.member >> bitcast<u32>(16u)) & 255u)) * _e1011) + _e1018), ((f32(((_e909.member >> bitcast<u32>(16u)) & 255u)) * _e1043) + _e1050)), _e1089), _e673);
-                    let _e1142 = max(max(max(((f32(((_e847.member >> bitcast<u32>(24u)) & 255u)) * _e1011) + _e1018), ((f32(((_e909.member >> bitcast<u32>(24u)) & 255u)) * _e1043) + _e1050)), _e1090), _e673);
-                    let _e1147 = (_e786.member.member_1 + (bitcast<f32>((bitcast<u32>(_e786.member.member_1) & 2147483647u)) * 0.0000004768374f));
-                    if (_e1139 <= min((min(min(((f32((_e845.member & 255u)) * _e1027) + _e1034), ((f32((_e907.member & 255u)) * _e1059) + _e1066)), _e1103) + (max(_e1103, -(_e1087)) * 0.0000023841915f)), _e1147)) {
-                        phi_2572_ = (((bitcast<u32>(_e1139) ^ select(0u, 4294967288u, _e687.member_1)) & 2147483640u) | 4u);
+                    let _e854 = phi_1978_;
+                    let _e856 = phi_1979_;
+                    let _e860 = bitcast<f32>(((_e833 + ((_e818.w & 31u) << bitcast<u32>(23i))) ^ (_e703 << bitcast<u32>(31i))));
+                    let _e900 = bitcast<f32>(_e824.x);
+                    let _e905 = (_e900 + (f32((_e824.w >> bitcast<u32>(5u))) * _e158));
+                    if (_e706 == 0u) {
+                        phi_2038_ = SlimbvhTypeL(_e824.z, _e905);
+                        phi_2039_ = SlimbvhTypeL(_e824.y, _e900);
                     } else {
-                        phi_2572_ = 4294967288u;
+                        phi_2038_ = SlimbvhTypeL(_e824.y, _e900);
+                        phi_2039_ = SlimbvhTypeL(_e824.z, _e905);
                     }
-                    let _e1162 = phi_2572_;
-                    if (_e1140 <= min((min(min(((f32(((_e845.member >> bitcast<u32>(8u)) & 255u)) * _e1027) + _e1034), ((f32(((_e907.member >> bitcast<u32>(8u)) & 255u)) * _e1059) + _e1066)), _e1104) + (max(_e1104, -(_e1088)) * 0.0000023841915f)), _e1147)) {
-                        phi_2585_ = ((((bitcast<u32>(_e1140) ^ select(0u, 4294967288u, _e687.member_1)) & 2147483640u) | 4u) | 1u);
+                    let _e916 = phi_2038_;
+                    let _e918 = phi_2039_;
+                    let _e922 = bitcast<f32>(((_e833 + ((_e824.w & 31u) << bitcast<u32>(23i))) ^ (_e706 << bitcast<u32>(31i))));
+                    let _e962 = bitcast<f32>(_e830.x);
+                    let _e967 = (_e962 + (f32((_e830.w >> bitcast<u32>(5u))) * _e158));
+                    if (_e709 == 0u) {
+                        phi_2098_ = SlimbvhTypeL(_e830.z, _e967);
+                        phi_2099_ = SlimbvhTypeL(_e830.y, _e962);
                     } else {
-                        phi_2585_ = 4294967288u;
+                        phi_2098_ = SlimbvhTypeL(_e830.y, _e962);
+                        phi_2099_ = SlimbvhTypeL(_e830.z, _e967);
                     }
-                    let _e1170 = phi_2585_;
-                    if (_e1141 <= min((min(min(((f32(((_e845.member >> bitcast<u32>(16u)) & 255u)) * _e1027) + _e1034), ((f32(((_e907.member >> bitcast<u32>(16u)) & 255u)) * _e1059) + _e1066)), _e1105) + (max(_e1105, -(_e1089)) * 0.0000023841915f)), _e1147)) {
-                        phi_2598_ = ((((bitcast<u32>(_e1141) ^ select(0u, 4294967288u, _e687.member_1)) & 2147483640u) | 4u) | 2u);
+                    let _e978 = phi_2098_;
+                    let _e980 = phi_2099_;
+                    let _e984 = bitcast<f32>(((_e833 + ((_e830.w & 31u) << bitcast<u32>(23i))) ^ (_e709 << bitcast<u32>(31i))));
+                    let _e1020 = (_e860 * _e639);
+                    let _e1027 = (((_e856.member_1 - _e636) * _e639) + (bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u)) * -0.00012207031f));
+                    let _e1036 = (-(_e860) * _e639);
+                    let _e1043 = (((_e854.member_1 - _e637) * _e639) + (bitcast<f32>((bitcast<u32>(_e1036) & 2147483647u)) * 0.00012207031f));
+                    let _e1052 = (_e922 * _e655);
+                    let _e1059 = (((_e918.member_1 - _e652) * _e655) + (bitcast<f32>((bitcast<u32>(_e1052) & 2147483647u)) * -0.00012207031f));
+                    let _e1068 = (-(_e922) * _e655);
+                    let _e1075 = (((_e916.member_1 - _e653) * _e655) + (bitcast<f32>((bitcast<u32>(_e1068) & 2147483647u)) * 0.00012207031f));
+                    let _e1084 = (_e984 * _e671);
+                    let _e1091 = (((_e980.member_1 - _e668) * _e671) + (bitcast<f32>((bitcast<u32>(_e1084) & 2147483647u)) * -0.00012207031f));
+                    let _e1096 = ((f32((_e980.member & 255u)) * _e1084) + _e1091);
+                    let _e1097 = ((f32(((_e980.member >> bitcast<u32>(8u)) & 255u)) * _e1084) + _e1091);
+                    let _e1098 = ((f32(((_e980.member >> bitcast<u32>(16u)) & 255u)) * _e1084) + _e1091);
+                    let _e1099 = ((f32(((_e980.member >> bitcast<u32>(24u)) & 255u)) * _e1084) + _e1091);
+                    let _e1100 = (-(_e984) * _e671);
+                    let _e1107 = (((_e978.member_1 - _e669) * _e671) + (bitcast<f32>((bitcast<u32>(_e1100) & 2147483647u)) * 0.00012207031f));
+                    let _e1112 = ((f32((_e978.member & 255u)) * _e1100) + _e1107);
+                    let _e1113 = ((f32(((_e978.member >> bitcast<u32>(8u)) & 255u)) * _e1100) + _e1107);
+                    let _e1114 = ((f32(((_e978.member >> bitcast<u32>(16u)) & 255u)) * _e1100) + _e1107);
+                    let _e1115 = ((f32(((_e978.member >> bitcast<u32>(24u)) & 255u)) * _e1100) + _e1107);
+                    let _e1148 = max(max(max(((f32((_e856.member & 255u)) * _e1020) + _e1027), ((f32((_e918.member & 255u)) * _e1052) + _e1059)), _e1096), _e679);
+                    let _e1149 = max(max(max(((f32(((_e856.member >> bitcast<u32>(8u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(8u)) & 255u)) * _e1052) + _e1059)), _e1097), _e679);
+                    let _e1150 = max(max(max(((f32(((_e856.member >> bitcast<u32>(16u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(16u)) & 255u)) * _e1052) + _e1059)), _e1098), _e679);
+                    let _e1151 = max(max(max(((f32(((_e856.member >> bitcast<u32>(24u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(24u)) & 255u)) * _e1052) + _e1059)), _e1099), _e679);
+                    let _e1156 = (_e792.member.member_1 + (bitcast<f32>((bitcast<u32>(_e792.member.member_1) & 2147483647u)) * 0.0000004768374f));
+                    if (_e1148 <= min((min(min(((f32((_e854.member & 255u)) * _e1036) + _e1043), ((f32((_e916.member & 255u)) * _e1068) + _e1075)), _e1112) + (max(_e1112, -(_e1096)) * 0.0000023841915f)), _e1156)) {
+                        phi_2583_ = (((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2598_ = 4294967288u;
+                        phi_2583_ = 4294967288u;
                     }
-                    let _e1178 = phi_2598_;
-                    if (_e1142 <= min((min(min(((f32(((_e845.member >> bitcast<u32>(24u)) & 255u)) * _e1027) + _e1034), ((f32(((_e907.member >> bitcast<u32>(24u)) & 255u)) * _e1059) + _e1066)), _e1106) + (max(_e1106, -(_e1090)) * 0.0000023841915f)), _e1147)) {
-                        phi_2611_ = ((((bitcast<u32>(_e1142) ^ select(0u, 4294967288u, _e687.member_1)) & 2147483640u) | 4u) | 3u);
+                    let _e1171 = phi_2583_;
+                    if (_e1149 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(8u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(8u)) & 255u)) * _e1068) + _e1075)), _e1113) + (max(_e1113, -(_e1097)) * 0.0000023841915f)), _e1156)) {
+                        phi_2596_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2611_ = 4294967288u;
+                        phi_2596_ = 4294967288u;
                     }
-                    let _e1186 = phi_2611_;
-                    if (_e1162 < _e1170) {
-                        phi_5246_ = SlimbvhTypeD(_e1162, _e1170);
+                    let _e1179 = phi_2596_;
+                    if (_e1150 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(16u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(16u)) & 255u)) * _e1068) + _e1075)), _e1114) + (max(_e1114, -(_e1098)) * 0.0000023841915f)), _e1156)) {
+                        phi_2609_ = ((((bitcast<u32>(_e1150) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_5246_ = SlimbvhTypeD(_e1170, _e1162);
+                        phi_2609_ = 4294967288u;
                     }
-                    let _e1191 = phi_5246_;
-                    if (_e1178 < _e1186) {
-                        phi_5258_ = SlimbvhTypeD(_e1178, _e1186);
+                    let _e1187 = phi_2609_;
+                    if (_e1151 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(24u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1068) + _e1075)), _e1115) + (max(_e1115, -(_e1099)) * 0.0000023841915f)), _e1156)) {
+                        phi_2622_ = ((((bitcast<u32>(_e1151) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_5258_ = SlimbvhTypeD(_e1186, _e1178);
+                        phi_2622_ = 4294967288u;
                     }
-                    let _e1198 = phi_5258_;
-                    if (_e1191.member < _e1198.member) {
-                        phi_5270_ = SlimbvhTypeD(_e1191.member, _e1198.member);
+                    let _e1195 = phi_2622_;
+                    if (_e1171 < _e1179) {
+                        phi_5257_ = SlimbvhTypeD(_e1171, _e1179);
                     } else {
-                        phi_5270_ = SlimbvhTypeD(_e1198.member, _e1191.member);
+                        phi_5257_ = SlimbvhTypeD(_e1179, _e1171);
                     }
-                    let _e1205 = phi_5270_;
-                    if (_e1191.member_1 < _e1198.member_1) {
-                        phi_5282_ = SlimbvhTypeD(_e1191.member_1, _e1198.member_1);
+                    let _e1200 = phi_5257_;
+                    if (_e1187 < _e1195) {
+                        phi_5269_ = SlimbvhTypeD(_e1187, _e1195);
                     } else {
-                        phi_5282_ = SlimbvhTypeD(_e1198.member_1, _e1191.member_1);
+                        phi_5269_ = SlimbvhTypeD(_e1195, _e1187);
                     }
-                    let _e1212 = phi_5282_;
-                    if (_e1212.member < _e1205.member_1) {
-                        phi_5294_ = SlimbvhTypeD(_e1212.member, _e1205.member_1);
+                    let _e1207 = phi_5269_;
+                    if (_e1200.member < _e1207.member) {
+                        phi_5281_ = SlimbvhTypeD(_e1200.member, _e1207.member);
                     } else {
-                        phi_5294_ = SlimbvhTypeD(_e1205.member_1, _e1212.member);
+                        phi_5281_ = SlimbvhTypeD(_e1207.member, _e1200.member);
                     }
-                    let _e1219 = phi_5294_;
-                    let _e1234 = (((_e1205.member & 7u) | ((_e1219.member & 7u) << bitcast<u32>(3u))) | (((_e1219.member_1 & 7u) | ((_e1212.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                    if (_e1234 == 0u) {
-                        let _e1252 = (_e795 - 1u);
-                        let _e1255 = local[(_e1252 % 128u)];
-                        let _e1256 = (_e1255 & 511u);
-                        let _e1258 = (_e1256 >> bitcast<u32>(3u));
-                        let _e1261 = ((_e1258 == 0u) || (_e1252 == 4294967295u));
-                        if _e1261 {
+                    let _e1214 = phi_5281_;
+                    if (_e1200.member_1 < _e1207.member_1) {
+                        phi_5293_ = SlimbvhTypeD(_e1200.member_1, _e1207.member_1);
+                    } else {
+                        phi_5293_ = SlimbvhTypeD(_e1207.member_1, _e1200.member_1);
+                    }
+                    let _e1221 = phi_5293_;
+                    if (_e1221.member < _e1214.member_1) {
+                        phi_5305_ = SlimbvhTypeD(_e1221.member, _e1214.member_1);
+                    } else {
+                        phi_5305_ = SlimbvhTypeD(_e1214.member_1, _e1221.member);
+                    }
+                    let _e1228 = phi_5305_;
+                    let _e1243 = (((_e1214.member & 7u) | ((_e1228.member & 7u) << bitcast<u32>(3u))) | (((_e1228.member_1 & 7u) | ((_e1221.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                    if (_e1243 == 0u) {
+                        let _e1261 = (_e801 - 1u);
+                        let _e1264 = local[(_e1261 % 128u)];
+                        let _e1265 = (_e1264 & 511u);
+                        let _e1267 = (_e1265 >> bitcast<u32>(3u));
+                        let _e1270 = ((_e1267 == 0u) || (_e1261 == 4294967295u));
+                        if _e1270 {
                         } else {
-                            local[(_e1252 % 128u)] = (((_e1255 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1258);
+                            local[(_e1261 % 128u)] = (((_e1264 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1267);
                         }
-                        phi_2697_ = select(_e795, _e1252, _e1261);
-                        phi_2698_ = (((_e1255 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1256 & 3u) & 3u));
+                        phi_2708_ = select(_e801, _e1261, _e1270);
+                        phi_2709_ = (((_e1264 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1265 & 3u) & 3u));
                     } else {
-                        let _e1237 = (_e1234 >> bitcast<u32>(3u));
-                        if (_e1237 == 0u) {
-                            phi_2692_ = _e795;
+                        let _e1246 = (_e1243 >> bitcast<u32>(3u));
+                        if (_e1246 == 0u) {
+                            phi_2703_ = _e801;
                         } else {
-                            local[(_e795 % 128u)] = ((_e797 << bitcast<u32>(9u)) | _e1237);
-                            phi_2692_ = (_e795 + 1u);
+                            local[(_e801 % 128u)] = ((_e808 << bitcast<u32>(9u)) | _e1246);
+                            phi_2703_ = (_e801 + 1u);
                         }
-                        let _e1246 = phi_2692_;
-                        phi_2697_ = _e1246;
-                        phi_2698_ = ((_e797 << bitcast<u32>(2i)) | ((_e1234 & 3u) & 3u));
+                        let _e1255 = phi_2703_;
+                        phi_2708_ = _e1255;
+                        phi_2709_ = ((_e808 << bitcast<u32>(2i)) | ((_e1243 & 3u) & 3u));
                     }
-                    let _e1276 = phi_2697_;
-                    let _e1278 = phi_2698_;
-                    let _e1280 = (_e1278 >> bitcast<u32>(2i));
-                    if (_e1280 < _e109) {
-                        let _e1286 = slimbvh_nodes.member[_e1280].member_1[(_e1278 & 3u)];
-                        if ((_e1286 & 2147483648u) != 0u) {
-                            phi_2728_ = (2147483648u | _e1278);
+                    let _e1285 = phi_2708_;
+                    let _e1287 = phi_2709_;
+                    let _e1289 = (_e1287 >> bitcast<u32>(2i));
+                    if (_e1289 < _e109) {
+                        let _e1295 = slimbvh_nodes.member[_e1289].member_1[(_e1287 & 3u)];
+                        if ((_e1295 & 2147483648u) != 0u) {
+                            phi_2739_ = (2147483648u | _e1287);
                         } else {
-                            phi_2728_ = _e1286;
+                            phi_2739_ = _e1295;
                         }
-                        let _e1291 = phi_2728_;
-                        phi_2729_ = _e1291;
+                        let _e1300 = phi_2739_;
+                        phi_2740_ = _e1300;
                     } else {
-                        phi_2729_ = 4294967295u;
+                        phi_2740_ = 4294967295u;
                     }
-                    let _e1293 = phi_2729_;
-                    let _e1294 = (_e799 - 1u);
-                    phi_1861_ = select(_e1276, 4294967295u, (_e1294 == 0u));
-                    phi_1864_ = _e1293;
-                    phi_1866_ = _e1294;
+                    let _e1302 = phi_2740_;
+                    let _e1303 = (_e805 - 1u);
+                    phi_1868_ = select(_e1285, 4294967295u, (_e1303 == 0u));
+                    phi_1871_ = _e1302;
+                    phi_1873_ = _e1303;
                 } else {
-                    phi_1861_ = u32();
-                    phi_1864_ = u32();
-                    phi_1866_ = u32();
+                    phi_1868_ = u32();
+                    phi_1871_ = u32();
+                    phi_1873_ = u32();
                 }
-                let _e1298 = phi_1861_;
-                let _e1300 = phi_1864_;
-                let _e1302 = phi_1866_;
+                let _e1307 = phi_1868_;
+                let _e1309 = phi_1871_;
+                let _e1311 = phi_1873_;
                 continue;
                 continuing {
-                    phi_1860_ = _e1298;
-                    phi_1863_ = _e1300;
-                    phi_1865_ = _e1302;
-                    break if !(_e803);
+                    phi_1867_ = _e1307;
+                    phi_1870_ = _e1309;
+                    phi_1872_ = _e1311;
+                    break if !(_e812);
                 }
             }
-            let _e1305 = local_1;
-            if _e1305 {
-                let _e1307 = local_2;
-                let _e1308 = (_e1307 & 2147483647u);
-                let _e1310 = (_e1308 >> bitcast<u32>(2i));
-                if (_e1310 >= _e109) {
-                    phi_2943_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+            let _e1314 = local_1;
+            if _e1314 {
+                let _e1316 = local_2;
+                let _e1317 = (_e1316 & 2147483647u);
+                let _e1319 = (_e1317 >> bitcast<u32>(2i));
+                if (_e1319 >= _e109) {
+                    phi_2954_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                 } else {
-                    let _e1317 = slimbvh_nodes.member[_e1310].member[select(_e692, 2u, (2u < _e692))];
-                    let _e1328 = slimbvh_nodes.member[_e1310].member[select(_e693, 2u, (2u < _e693))];
-                    let _e1339 = slimbvh_nodes.member[_e1310].member[select(_e694, 2u, (2u < _e694))];
-                    let _e1345 = (_e1308 & 3u);
-                    let _e1348 = (((8u * _e1345) & 31u) & 31u);
-                    let _e1356 = ((_e1317.w & 31u) & 31u);
-                    let _e1358 = (((_e1317.y >> bitcast<u32>(_e1348)) & 255u) << bitcast<u32>(_e1356));
-                    let _e1372 = ((_e1328.w & 31u) & 31u);
-                    let _e1374 = (((_e1328.y >> bitcast<u32>(_e1348)) & 255u) << bitcast<u32>(_e1372));
-                    let _e1388 = ((_e1339.w & 31u) & 31u);
-                    let _e1390 = (((_e1339.y >> bitcast<u32>(_e1348)) & 255u) << bitcast<u32>(_e1388));
-                    let _e1398 = (((((_e1317.w >> bitcast<u32>(5u)) - (((_e1317.z >> bitcast<u32>(_e1348)) & 255u) << bitcast<u32>(_e1356))) - _e1358) | (((_e1328.w >> bitcast<u32>(5u)) - (((_e1328.z >> bitcast<u32>(_e1348)) & 255u) << bitcast<u32>(_e1372))) - _e1374)) | (((_e1339.w >> bitcast<u32>(5u)) - (((_e1339.z >> bitcast<u32>(_e1348)) & 255u) << bitcast<u32>(_e1388))) - _e1390));
-                    if (_e1398 < 1024u) {
-                        phi_2879_ = 0u;
+                    let _e1326 = slimbvh_nodes.member[_e1319].member[select(_e698, 2u, (2u < _e698))];
+                    let _e1337 = slimbvh_nodes.member[_e1319].member[select(_e699, 2u, (2u < _e699))];
+                    let _e1348 = slimbvh_nodes.member[_e1319].member[select(_e700, 2u, (2u < _e700))];
+                    let _e1354 = (_e1317 & 3u);
+                    let _e1357 = (((8u * _e1354) & 31u) & 31u);
+                    let _e1365 = ((_e1326.w & 31u) & 31u);
+                    let _e1367 = (((_e1326.y >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1365));
+                    let _e1381 = ((_e1337.w & 31u) & 31u);
+                    let _e1383 = (((_e1337.y >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1381));
+                    let _e1397 = ((_e1348.w & 31u) & 31u);
+                    let _e1399 = (((_e1348.y >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1397));
+                    let _e1407 = (((((_e1326.w >> bitcast<u32>(5u)) - (((_e1326.z >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1365))) - _e1367) | (((_e1337.w >> bitcast<u32>(5u)) - (((_e1337.z >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1381))) - _e1383)) | (((_e1348.w >> bitcast<u32>(5u)) - (((_e1348.z >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1397))) - _e1399));
+                    if (_e1407 < 1024u) {
+                        phi_2890_ = 0u;
                     } else {
-                        phi_2879_ = select(2u, 1u, (_e1398 < 2097152u));
+                        phi_2890_ = select(2u, 1u, (_e1407 < 2097152u));
                     }
-                    let _e1403 = phi_2879_;
-                    let _e1418 = slimbvh_nodes.member[_e1310].member_1[_e1345];
-                    if ((_e1418 & 2147483648u) != 0u) {
-                        phi_2940_ = ((_e1418 >> bitcast<u32>(28u)) & 7u);
+                    let _e1412 = phi_2890_;
+                    let _e1427 = slimbvh_nodes.member[_e1319].member_1[_e1354];
+                    if ((_e1427 & 2147483648u) != 0u) {
+                        phi_2951_ = ((_e1427 >> bitcast<u32>(28u)) & 7u);
                     } else {
-                        phi_2940_ = 0u;
+                        phi_2951_ = 0u;
                     }
-                    let _e1425 = phi_2940_;
-                    phi_2943_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1317.x) + (f32(_e1358) * _e158)), (bitcast<f32>(_e1328.x) + (f32(_e1374) * _e158)), (bitcast<f32>(_e1339.x) + (f32(_e1390) * _e158)), 0f), _e1403), (_e1418 & 268435455u), _e1425);
+                    let _e1434 = phi_2951_;
+                    phi_2954_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1326.x) + (f32(_e1367) * _e158)), (bitcast<f32>(_e1337.x) + (f32(_e1383) * _e158)), (bitcast<f32>(_e1348.x) + (f32(_e1399) * _e158)), 0f), _e1412), (_e1427 & 268435455u), _e1434);
                 }
-                let _e1429 = phi_2943_;
-                phi_2947_ = _e786;
-                phi_2950_ = SlimbvhTypeD(0u, _e1429.member_2);
+                let _e1438 = phi_2954_;
+                let _e1440 = (_e1438.member_1 + _e164);
+                phi_2961_ = _e792;
+                phi_2964_ = SlimbvhTypeD(0u, _e1438.member_2);
                 loop {
-                    let _e1433 = phi_2947_;
-                    let _e1435 = phi_2950_;
-                    local_5 = _e1433;
-                    local_7 = _e1433;
-                    if (_e1435.member < _e1435.member_1) {
-                        phi_2951_ = SlimbvhTypeD((_e1435.member + 1u), _e1435.member_1);
-                        phi_2973_ = SlimbvhTypeD(1u, _e1435.member);
+                    let _e1445 = phi_2961_;
+                    let _e1447 = phi_2964_;
+                    local_5 = _e1445;
+                    local_7 = _e1445;
+                    if (_e1447.member < _e1447.member_1) {
+                        phi_2965_ = SlimbvhTypeD((_e1447.member + 1u), _e1447.member_1);
+                        phi_2987_ = SlimbvhTypeD(1u, _e1447.member);
                     } else {
-                        phi_2951_ = _e1435;
-                        phi_2973_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                        phi_2965_ = _e1447;
+                        phi_2987_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                     }
-                    let _e1448 = phi_2951_;
-                    let _e1450 = phi_2973_;
-                    let _e1454 = (bitcast<i32>(_e1450.member) != 0i);
-                    if _e1454 {
-                        switch bitcast<i32>(_e1429.member.member_1) {
-                            case 0: {
-                                phi_2991_ = 1u;
-                                break;
-                            }
-                            case 1: {
-                                phi_2991_ = 2u;
-                                break;
-                            }
-                            case 2: {
-                                phi_2991_ = 3u;
-                                break;
-                            }
-                            default: {
-                                phi_2991_ = u32();
-                                break;
-                            }
-                        }
-                        let _e1460 = phi_2991_;
-                        switch bitcast<i32>(_e1429.member.member_1) {
+                    let _e1460 = phi_2965_;
+                    let _e1462 = phi_2987_;
+                    let _e1466 = (bitcast<i32>(_e1462.member) != 0i);
+                    if _e1466 {
+                        switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
                                 phi_3002_ = 1u;
                                 break;
@@ -924,36 +909,35 @@ fn slimbvh_trace() {
                                 break;
                             }
                         }
-                        let _e1467 = phi_3002_;
-                        let _e1469 = ((_e1429.member_1 + (_e1450.member_1 * ((3u * _e1460) + 1u))) + (3u * _e1467));
-                        if (_e1469 < _e112) {
-                            let _e1472 = slimbvh_triangles.member[_e1469];
-                            phi_3018_ = _e1472;
-                        } else {
-                            phi_3018_ = 4294967295u;
-                        }
-                        let _e1474 = phi_3018_;
-                        switch bitcast<i32>(_e1429.member.member_1) {
+                        let _e1470 = phi_3002_;
+                        switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
-                                phi_3031_ = 1u;
+                                phi_3013_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3031_ = 2u;
+                                phi_3013_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3031_ = 3u;
+                                phi_3013_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3031_ = u32();
+                                phi_3013_ = u32();
                                 break;
                             }
                         }
-                        let _e1477 = phi_3031_;
-                        let _e1481 = (_e1429.member_1 + (_e1450.member_1 * ((3u * _e1477) + 1u)));
-                        switch bitcast<i32>(_e1429.member.member_1) {
+                        let _e1477 = phi_3013_;
+                        let _e1479 = ((_e1440 + (_e1462.member_1 * ((3u * _e1470) + 1u))) + (3u * _e1477));
+                        if (_e1479 < _e112) {
+                            let _e1482 = slimbvh_triangles.member[_e1479];
+                            phi_3029_ = _e1482;
+                        } else {
+                            phi_3029_ = 4294967295u;
+                        }
+                        let _e1484 = phi_3029_;
+                        switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
                                 phi_3042_ = 1u;
                                 break;
@@ -971,730 +955,750 @@ fn slimbvh_trace() {
                                 break;
                             }
                         }
-                        let _e1484 = phi_3042_;
-                        let _e1485 = (_e1481 + _e1484);
-                        let _e1487 = (_e1481 + (2u * _e1484));
-                        switch bitcast<i32>(_e1429.member.member_1) {
+                        let _e1487 = phi_3042_;
+                        let _e1491 = (_e1440 + (_e1462.member_1 * ((3u * _e1487) + 1u)));
+                        switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
-                                if (_e1481 < _e112) {
-                                    let _e1764 = slimbvh_triangles.member[_e1481];
-                                    phi_3069_ = _e1764;
-                                } else {
-                                    phi_3069_ = 0u;
-                                }
-                                let _e1766 = phi_3069_;
-                                let _e1769 = ((10u * _e218) & 31u);
-                                let _e1780 = ((10u * _e222) & 31u);
-                                let _e1791 = ((10u * _e214) & 31u);
-                                if (_e1485 < _e112) {
-                                    let _e1803 = slimbvh_triangles.member[_e1485];
-                                    phi_3115_ = _e1803;
-                                } else {
-                                    phi_3115_ = 0u;
-                                }
-                                let _e1805 = phi_3115_;
-                                if (_e1487 < _e112) {
-                                    let _e1833 = slimbvh_triangles.member[_e1487];
-                                    phi_3161_ = _e1833;
-                                } else {
-                                    phi_3161_ = 0u;
-                                }
-                                let _e1835 = phi_3161_;
-                                phi_3628_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1429.member.member.x + ((bitcast<f32>((1258291200u | ((_e1766 >> bitcast<u32>(_e1769)) & 1023u))) - 8388608f) * _e158)), (_e1429.member.member.y + ((bitcast<f32>((1258291200u | ((_e1766 >> bitcast<u32>(_e1780)) & 1023u))) - 8388608f) * _e158)), (_e1429.member.member.z + ((bitcast<f32>((1258291200u | ((_e1766 >> bitcast<u32>(_e1791)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1429.member.member.x + ((bitcast<f32>((1258291200u | ((_e1805 >> bitcast<u32>(_e1769)) & 1023u))) - 8388608f) * _e158)), (_e1429.member.member.y + ((bitcast<f32>((1258291200u | ((_e1805 >> bitcast<u32>(_e1780)) & 1023u))) - 8388608f) * _e158)), (_e1429.member.member.z + ((bitcast<f32>((1258291200u | ((_e1805 >> bitcast<u32>(_e1791)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1429.member.member.x + ((bitcast<f32>((1258291200u | ((_e1835 >> bitcast<u32>(_e1769)) & 1023u))) - 8388608f) * _e158)), (_e1429.member.member.y + ((bitcast<f32>((1258291200u | ((_e1835 >> bitcast<u32>(_e1780)) & 1023u))) - 8388608f) * _e158)), (_e1429.member.member.z + ((bitcast<f32>((1258291200u | ((_e1835 >> bitcast<u32>(_e1791)) & 1023u))) - 8388608f) * _e158))));
+                                phi_3053_ = 1u;
                                 break;
                             }
                             case 1: {
-                                if (_e1481 < _e112) {
-                                    let _e1577 = slimbvh_triangles.member[_e1481];
-                                    phi_3208_ = _e1577;
-                                } else {
-                                    phi_3208_ = 0u;
-                                }
-                                let _e1579 = phi_3208_;
-                                let _e1580 = (_e1481 + 1u);
-                                if (_e1580 < _e112) {
-                                    let _e1583 = slimbvh_triangles.member[_e1580];
-                                    phi_3221_ = _e1583;
-                                } else {
-                                    phi_3221_ = 0u;
-                                }
-                                let _e1585 = phi_3221_;
-                                let _e1587 = (_e218 == 1u);
-                                if _e1587 {
-                                    phi_3231_ = ((_e1579 >> bitcast<u32>(21i)) | (_e1585 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3231_ = (_e1585 >> bitcast<u32>(10i));
-                                }
-                                let _e1596 = phi_3231_;
-                                let _e1605 = (_e222 == 1u);
-                                if _e1605 {
-                                    phi_3252_ = ((_e1579 >> bitcast<u32>(21i)) | (_e1585 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3252_ = (_e1585 >> bitcast<u32>(10i));
-                                }
-                                let _e1614 = phi_3252_;
-                                let _e1623 = (_e214 == 1u);
-                                if _e1623 {
-                                    phi_3273_ = ((_e1579 >> bitcast<u32>(21i)) | (_e1585 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3273_ = (_e1585 >> bitcast<u32>(10i));
-                                }
-                                let _e1632 = phi_3273_;
-                                if (_e1485 < _e112) {
-                                    let _e1643 = slimbvh_triangles.member[_e1485];
-                                    phi_3300_ = _e1643;
-                                } else {
-                                    phi_3300_ = 0u;
-                                }
-                                let _e1645 = phi_3300_;
-                                let _e1646 = (_e1485 + 1u);
-                                if (_e1646 < _e112) {
-                                    let _e1649 = slimbvh_triangles.member[_e1646];
-                                    phi_3313_ = _e1649;
-                                } else {
-                                    phi_3313_ = 0u;
-                                }
-                                let _e1651 = phi_3313_;
-                                if _e1587 {
-                                    phi_3323_ = ((_e1645 >> bitcast<u32>(21i)) | (_e1651 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3323_ = (_e1651 >> bitcast<u32>(10i));
-                                }
-                                let _e1660 = phi_3323_;
-                                if _e1605 {
-                                    phi_3344_ = ((_e1645 >> bitcast<u32>(21i)) | (_e1651 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3344_ = (_e1651 >> bitcast<u32>(10i));
-                                }
-                                let _e1676 = phi_3344_;
-                                if _e1623 {
-                                    phi_3365_ = ((_e1645 >> bitcast<u32>(21i)) | (_e1651 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3365_ = (_e1651 >> bitcast<u32>(10i));
-                                }
-                                let _e1692 = phi_3365_;
-                                if (_e1487 < _e112) {
-                                    let _e1703 = slimbvh_triangles.member[_e1487];
-                                    phi_3392_ = _e1703;
-                                } else {
-                                    phi_3392_ = 0u;
-                                }
-                                let _e1705 = phi_3392_;
-                                let _e1706 = (_e1487 + 1u);
-                                if (_e1706 < _e112) {
-                                    let _e1709 = slimbvh_triangles.member[_e1706];
-                                    phi_3405_ = _e1709;
-                                } else {
-                                    phi_3405_ = 0u;
-                                }
-                                let _e1711 = phi_3405_;
-                                if _e1587 {
-                                    phi_3415_ = ((_e1705 >> bitcast<u32>(21i)) | (_e1711 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3415_ = (_e1711 >> bitcast<u32>(10i));
-                                }
-                                let _e1720 = phi_3415_;
-                                if _e1605 {
-                                    phi_3436_ = ((_e1705 >> bitcast<u32>(21i)) | (_e1711 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3436_ = (_e1711 >> bitcast<u32>(10i));
-                                }
-                                let _e1736 = phi_3436_;
-                                if _e1623 {
-                                    phi_3457_ = ((_e1705 >> bitcast<u32>(21i)) | (_e1711 << bitcast<u32>(11i)));
-                                } else {
-                                    phi_3457_ = (_e1711 >> bitcast<u32>(10i));
-                                }
-                                let _e1752 = phi_3457_;
-                                phi_3628_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1429.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1596, _e1579, _e223) & 2097151u))) - 8388608f) * _e158)), (_e1429.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1614, _e1579, _e226) & 2097151u))) - 8388608f) * _e158)), (_e1429.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1632, _e1579, _e230) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1429.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1660, _e1645, _e223) & 2097151u))) - 8388608f) * _e158)), (_e1429.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1676, _e1645, _e226) & 2097151u))) - 8388608f) * _e158)), (_e1429.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1692, _e1645, _e230) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1429.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1720, _e1705, _e223) & 2097151u))) - 8388608f) * _e158)), (_e1429.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1736, _e1705, _e226) & 2097151u))) - 8388608f) * _e158)), (_e1429.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1752, _e1705, _e230) & 2097151u))) - 8388608f) * _e158))));
+                                phi_3053_ = 2u;
                                 break;
                             }
                             case 2: {
-                                let _e1490 = (_e1481 + _e218);
-                                if (_e1490 < _e112) {
-                                    let _e1493 = slimbvh_triangles.member[_e1490];
-                                    phi_3486_ = _e1493;
-                                } else {
-                                    phi_3486_ = 0u;
-                                }
-                                let _e1495 = phi_3486_;
-                                let _e1496 = (_e1481 + _e222);
-                                if (_e1496 < _e112) {
-                                    let _e1499 = slimbvh_triangles.member[_e1496];
-                                    phi_3499_ = _e1499;
-                                } else {
-                                    phi_3499_ = 0u;
-                                }
-                                let _e1501 = phi_3499_;
-                                let _e1502 = (_e1481 + _e214);
-                                if (_e1502 < _e112) {
-                                    let _e1505 = slimbvh_triangles.member[_e1502];
-                                    phi_3512_ = _e1505;
-                                } else {
-                                    phi_3512_ = 0u;
-                                }
-                                let _e1507 = phi_3512_;
-                                let _e1518 = (_e1485 + _e218);
-                                if (_e1518 < _e112) {
-                                    let _e1521 = slimbvh_triangles.member[_e1518];
-                                    phi_3538_ = _e1521;
-                                } else {
-                                    phi_3538_ = 0u;
-                                }
-                                let _e1523 = phi_3538_;
-                                let _e1524 = (_e1485 + _e222);
-                                if (_e1524 < _e112) {
-                                    let _e1527 = slimbvh_triangles.member[_e1524];
-                                    phi_3551_ = _e1527;
-                                } else {
-                                    phi_3551_ = 0u;
-                                }
-                                let _e1529 = phi_3551_;
-                                let _e1530 = (_e1485 + _e214);
-                                if (_e1530 < _e112) {
-                                    let _e1533 = slimbvh_triangles.member[_e1530];
-                                    phi_3564_ = _e1533;
-                                } else {
-                                    phi_3564_ = 0u;
-                                }
-                                let _e1535 = phi_3564_;
-                                let _e1546 = (_e1487 + _e218);
-                                if (_e1546 < _e112) {
-                                    let _e1549 = slimbvh_triangles.member[_e1546];
-                                    phi_3590_ = _e1549;
-                                } else {
-                                    phi_3590_ = 0u;
-                                }
-                                let _e1551 = phi_3590_;
-                                let _e1552 = (_e1487 + _e222);
-                                if (_e1552 < _e112) {
-                                    let _e1555 = slimbvh_triangles.member[_e1552];
-                                    phi_3603_ = _e1555;
-                                } else {
-                                    phi_3603_ = 0u;
-                                }
-                                let _e1557 = phi_3603_;
-                                let _e1558 = (_e1487 + _e214);
-                                if (_e1558 < _e112) {
-                                    let _e1561 = slimbvh_triangles.member[_e1558];
-                                    phi_3616_ = _e1561;
-                                } else {
-                                    phi_3616_ = 0u;
-                                }
-                                let _e1563 = phi_3616_;
-                                phi_3628_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1495)) * _e158), (f32(bitcast<i32>(_e1501)) * _e158), (f32(bitcast<i32>(_e1507)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1523)) * _e158), (f32(bitcast<i32>(_e1529)) * _e158), (f32(bitcast<i32>(_e1535)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1551)) * _e158), (f32(bitcast<i32>(_e1557)) * _e158), (f32(bitcast<i32>(_e1563)) * _e158)));
+                                phi_3053_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3628_ = array<array<f32, 3>, 3>();
+                                phi_3053_ = u32();
                                 break;
                             }
                         }
-                        let _e1863 = phi_3628_;
-                        let _e1880 = (_e1863[0][2] - _e606.member[2]);
-                        let _e1883 = (((_e1863[0][0] - _e606.member[0]) * _e661) - (_e1880 * _e629));
-                        let _e1886 = (((_e1863[0][1] - _e606.member[1]) * _e661) - (_e1880 * _e645));
-                        let _e1889 = (_e1863[1][2] - _e606.member[2]);
-                        let _e1892 = (((_e1863[1][0] - _e606.member[0]) * _e661) - (_e1889 * _e629));
-                        let _e1895 = (((_e1863[1][1] - _e606.member[1]) * _e661) - (_e1889 * _e645));
-                        let _e1898 = (_e1863[2][2] - _e606.member[2]);
-                        let _e1901 = (((_e1863[2][0] - _e606.member[0]) * _e661) - (_e1898 * _e629));
-                        let _e1904 = (((_e1863[2][1] - _e606.member[1]) * _e661) - (_e1898 * _e645));
-                        let _e1905 = (_e1901 * _e1895);
-                        let _e1906 = (_e1904 * _e1892);
-                        let _e1907 = (_e1883 * _e1904);
-                        let _e1908 = (_e1886 * _e1901);
-                        let _e1909 = (_e1892 * _e1886);
-                        let _e1910 = (_e1895 * _e1883);
-                        let _e1915 = (((_e1905 >= _e1906) && (_e1907 >= _e1908)) && (_e1909 >= _e1910));
-                        let _e1921 = (_e1915 || (((_e1905 <= _e1906) && (_e1907 <= _e1908)) && (_e1909 <= _e1910)));
-                        if _e1921 {
-                            let _e1923 = select(-1f, 1f, _e1915);
-                            let _e1925 = ((_e1905 - _e1906) * _e1923);
-                            let _e1927 = select(0f, _e1925, (_e1925 > 0f));
-                            let _e1929 = ((_e1907 - _e1908) * _e1923);
-                            let _e1931 = select(0f, _e1929, (_e1929 > 0f));
-                            let _e1933 = ((_e1909 - _e1910) * _e1923);
-                            let _e1935 = select(0f, _e1933, (_e1933 > 0f));
-                            let _e1937 = ((_e1927 + _e1931) + _e1935);
-                            let _e1952 = ((min(min(_e1863[0][0], _e1863[1][0]), _e1863[2][0]) - _e630) * _e633);
-                            let _e1953 = ((max(max(_e1863[0][0], _e1863[1][0]), _e1863[2][0]) - _e631) * _e633);
-                            let _e1954 = vec4<f32>(_e1952, f32(), _e1953, f32());
-                            let _e1957 = ((min(min(_e1863[0][1], _e1863[1][1]), _e1863[2][1]) - _e646) * _e649);
-                            let _e1958 = ((max(max(_e1863[0][1], _e1863[1][1]), _e1863[2][1]) - _e647) * _e649);
-                            let _e1959 = vec4<f32>(_e1957, f32(), _e1958, f32());
-                            let _e1962 = ((min(min(_e1863[0][2], _e1863[1][2]), _e1863[2][2]) - _e662) * _e665);
-                            let _e1963 = ((max(max(_e1863[0][2], _e1863[1][2]), _e1863[2][2]) - _e663) * _e665);
+                        let _e1494 = phi_3053_;
+                        let _e1495 = (_e1491 + _e1494);
+                        let _e1497 = (_e1491 + (2u * _e1494));
+                        switch bitcast<i32>(_e1438.member.member_1) {
+                            case 0: {
+                                if (_e1491 < _e112) {
+                                    let _e1774 = slimbvh_triangles.member[_e1491];
+                                    phi_3080_ = _e1774;
+                                } else {
+                                    phi_3080_ = 0u;
+                                }
+                                let _e1776 = phi_3080_;
+                                let _e1779 = ((10u * _e224) & 31u);
+                                let _e1790 = ((10u * _e228) & 31u);
+                                let _e1801 = ((10u * _e220) & 31u);
+                                if (_e1495 < _e112) {
+                                    let _e1813 = slimbvh_triangles.member[_e1495];
+                                    phi_3126_ = _e1813;
+                                } else {
+                                    phi_3126_ = 0u;
+                                }
+                                let _e1815 = phi_3126_;
+                                if (_e1497 < _e112) {
+                                    let _e1843 = slimbvh_triangles.member[_e1497];
+                                    phi_3172_ = _e1843;
+                                } else {
+                                    phi_3172_ = 0u;
+                                }
+                                let _e1845 = phi_3172_;
+                                phi_3639_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))));
+                                break;
+                            }
+                            case 1: {
+                                if (_e1491 < _e112) {
+                                    let _e1587 = slimbvh_triangles.member[_e1491];
+                                    phi_3219_ = _e1587;
+                                } else {
+                                    phi_3219_ = 0u;
+                                }
+                                let _e1589 = phi_3219_;
+                                let _e1590 = (_e1491 + 1u);
+                                if (_e1590 < _e112) {
+                                    let _e1593 = slimbvh_triangles.member[_e1590];
+                                    phi_3232_ = _e1593;
+                                } else {
+                                    phi_3232_ = 0u;
+                                }
+                                let _e1595 = phi_3232_;
+                                let _e1597 = (_e224 == 1u);
+                                if _e1597 {
+                                    phi_3242_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3242_ = (_e1595 >> bitcast<u32>(10i));
+                                }
+                                let _e1606 = phi_3242_;
+                                let _e1615 = (_e228 == 1u);
+                                if _e1615 {
+                                    phi_3263_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3263_ = (_e1595 >> bitcast<u32>(10i));
+                                }
+                                let _e1624 = phi_3263_;
+                                let _e1633 = (_e220 == 1u);
+                                if _e1633 {
+                                    phi_3284_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3284_ = (_e1595 >> bitcast<u32>(10i));
+                                }
+                                let _e1642 = phi_3284_;
+                                if (_e1495 < _e112) {
+                                    let _e1653 = slimbvh_triangles.member[_e1495];
+                                    phi_3311_ = _e1653;
+                                } else {
+                                    phi_3311_ = 0u;
+                                }
+                                let _e1655 = phi_3311_;
+                                let _e1656 = (_e1495 + 1u);
+                                if (_e1656 < _e112) {
+                                    let _e1659 = slimbvh_triangles.member[_e1656];
+                                    phi_3324_ = _e1659;
+                                } else {
+                                    phi_3324_ = 0u;
+                                }
+                                let _e1661 = phi_3324_;
+                                if _e1597 {
+                                    phi_3334_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3334_ = (_e1661 >> bitcast<u32>(10i));
+                                }
+                                let _e1670 = phi_3334_;
+                                if _e1615 {
+                                    phi_3355_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3355_ = (_e1661 >> bitcast<u32>(10i));
+                                }
+                                let _e1686 = phi_3355_;
+                                if _e1633 {
+                                    phi_3376_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3376_ = (_e1661 >> bitcast<u32>(10i));
+                                }
+                                let _e1702 = phi_3376_;
+                                if (_e1497 < _e112) {
+                                    let _e1713 = slimbvh_triangles.member[_e1497];
+                                    phi_3403_ = _e1713;
+                                } else {
+                                    phi_3403_ = 0u;
+                                }
+                                let _e1715 = phi_3403_;
+                                let _e1716 = (_e1497 + 1u);
+                                if (_e1716 < _e112) {
+                                    let _e1719 = slimbvh_triangles.member[_e1716];
+                                    phi_3416_ = _e1719;
+                                } else {
+                                    phi_3416_ = 0u;
+                                }
+                                let _e1721 = phi_3416_;
+                                if _e1597 {
+                                    phi_3426_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3426_ = (_e1721 >> bitcast<u32>(10i));
+                                }
+                                let _e1730 = phi_3426_;
+                                if _e1615 {
+                                    phi_3447_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3447_ = (_e1721 >> bitcast<u32>(10i));
+                                }
+                                let _e1746 = phi_3447_;
+                                if _e1633 {
+                                    phi_3468_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
+                                } else {
+                                    phi_3468_ = (_e1721 >> bitcast<u32>(10i));
+                                }
+                                let _e1762 = phi_3468_;
+                                phi_3639_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1606, _e1589, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1624, _e1589, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1642, _e1589, _e236) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1670, _e1655, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1686, _e1655, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1702, _e1655, _e236) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1730, _e1715, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1746, _e1715, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1762, _e1715, _e236) & 2097151u))) - 8388608f) * _e158))));
+                                break;
+                            }
+                            case 2: {
+                                let _e1500 = (_e1491 + _e224);
+                                if (_e1500 < _e112) {
+                                    let _e1503 = slimbvh_triangles.member[_e1500];
+                                    phi_3497_ = _e1503;
+                                } else {
+                                    phi_3497_ = 0u;
+                                }
+                                let _e1505 = phi_3497_;
+                                let _e1506 = (_e1491 + _e228);
+                                if (_e1506 < _e112) {
+                                    let _e1509 = slimbvh_triangles.member[_e1506];
+                                    phi_3510_ = _e1509;
+                                } else {
+                                    phi_3510_ = 0u;
+                                }
+                                let _e1511 = phi_3510_;
+                                let _e1512 = (_e1491 + _e220);
+                                if (_e1512 < _e112) {
+                                    let _e1515 = slimbvh_triangles.member[_e1512];
+                                    phi_3523_ = _e1515;
+                                } else {
+                                    phi_3523_ = 0u;
+                                }
+                                let _e1517 = phi_3523_;
+                                let _e1528 = (_e1495 + _e224);
+                                if (_e1528 < _e112) {
+                                    let _e1531 = slimbvh_triangles.member[_e1528];
+                                    phi_3549_ = _e1531;
+                                } else {
+                                    phi_3549_ = 0u;
+                                }
+                                let _e1533 = phi_3549_;
+                                let _e1534 = (_e1495 + _e228);
+                                if (_e1534 < _e112) {
+                                    let _e1537 = slimbvh_triangles.member[_e1534];
+                                    phi_3562_ = _e1537;
+                                } else {
+                                    phi_3562_ = 0u;
+                                }
+                                let _e1539 = phi_3562_;
+                                let _e1540 = (_e1495 + _e220);
+                                if (_e1540 < _e112) {
+                                    let _e1543 = slimbvh_triangles.member[_e1540];
+                                    phi_3575_ = _e1543;
+                                } else {
+                                    phi_3575_ = 0u;
+                                }
+                                let _e1545 = phi_3575_;
+                                let _e1556 = (_e1497 + _e224);
+                                if (_e1556 < _e112) {
+                                    let _e1559 = slimbvh_triangles.member[_e1556];
+                                    phi_3601_ = _e1559;
+                                } else {
+                                    phi_3601_ = 0u;
+                                }
+                                let _e1561 = phi_3601_;
+                                let _e1562 = (_e1497 + _e228);
+                                if (_e1562 < _e112) {
+                                    let _e1565 = slimbvh_triangles.member[_e1562];
+                                    phi_3614_ = _e1565;
+                                } else {
+                                    phi_3614_ = 0u;
+                                }
+                                let _e1567 = phi_3614_;
+                                let _e1568 = (_e1497 + _e220);
+                                if (_e1568 < _e112) {
+                                    let _e1571 = slimbvh_triangles.member[_e1568];
+                                    phi_3627_ = _e1571;
+                                } else {
+                                    phi_3627_ = 0u;
+                                }
+                                let _e1573 = phi_3627_;
+                                phi_3639_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1505)) * _e158), (f32(bitcast<i32>(_e1511)) * _e158), (f32(bitcast<i32>(_e1517)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1533)) * _e158), (f32(bitcast<i32>(_e1539)) * _e158), (f32(bitcast<i32>(_e1545)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1561)) * _e158), (f32(bitcast<i32>(_e1567)) * _e158), (f32(bitcast<i32>(_e1573)) * _e158)));
+                                break;
+                            }
+                            default: {
+                                phi_3639_ = array<array<f32, 3>, 3>();
+                                break;
+                            }
+                        }
+                        let _e1873 = phi_3639_;
+                        let _e1890 = (_e1873[0][2] - _e612.member[2]);
+                        let _e1893 = (((_e1873[0][0] - _e612.member[0]) * _e667) - (_e1890 * _e635));
+                        let _e1896 = (((_e1873[0][1] - _e612.member[1]) * _e667) - (_e1890 * _e651));
+                        let _e1899 = (_e1873[1][2] - _e612.member[2]);
+                        let _e1902 = (((_e1873[1][0] - _e612.member[0]) * _e667) - (_e1899 * _e635));
+                        let _e1905 = (((_e1873[1][1] - _e612.member[1]) * _e667) - (_e1899 * _e651));
+                        let _e1908 = (_e1873[2][2] - _e612.member[2]);
+                        let _e1911 = (((_e1873[2][0] - _e612.member[0]) * _e667) - (_e1908 * _e635));
+                        let _e1914 = (((_e1873[2][1] - _e612.member[1]) * _e667) - (_e1908 * _e651));
+                        let _e1915 = (_e1911 * _e1905);
+                        let _e1916 = (_e1914 * _e1902);
+                        let _e1917 = (_e1893 * _e1914);
+                        let _e1918 = (_e1896 * _e1911);
+                        let _e1919 = (_e1902 * _e1896);
+                        let _e1920 = (_e1905 * _e1893);
+                        let _e1925 = (((_e1915 >= _e1916) && (_e1917 >= _e1918)) && (_e1919 >= _e1920));
+                        let _e1931 = (_e1925 || (((_e1915 <= _e1916) && (_e1917 <= _e1918)) && (_e1919 <= _e1920)));
+                        if _e1931 {
+                            let _e1933 = select(-1f, 1f, _e1925);
+                            let _e1935 = ((_e1915 - _e1916) * _e1933);
+                            let _e1937 = select(0f, _e1935, (_e1935 > 0f));
+                            let _e1939 = ((_e1917 - _e1918) * _e1933);
+                            let _e1941 = select(0f, _e1939, (_e1939 > 0f));
+                            let _e1943 = ((_e1919 - _e1920) * _e1933);
+                            let _e1945 = select(0f, _e1943, (_e1943 > 0f));
+                            let _e1947 = ((_e1937 + _e1941) + _e1945);
+                            let _e1962 = ((min(min(_e1873[0][0], _e1873[1][0]), _e1873[2][0]) - _e636) * _e639);
+                            let _e1963 = ((max(max(_e1873[0][0], _e1873[1][0]), _e1873[2][0]) - _e637) * _e639);
                             let _e1964 = vec4<f32>(_e1962, f32(), _e1963, f32());
-                            let _e1965 = vec4<f32>(_e1953, f32(), _e1952, f32());
-                            let _e1967 = vec4<f32>(_e1958, f32(), _e1957, f32());
-                            let _e1969 = vec4<f32>(_e1963, f32(), _e1962, f32());
-                            let _e1978 = max(max(min(_e1954, _e1965).x, min(_e1959, _e1967).x), min(_e1964, _e1969).x);
-                            let _e1983 = min(min(max(_e1954, _e1965).x, max(_e1959, _e1967).x), max(_e1964, _e1969).x);
-                            let _e1988 = max(_e1978, _e673);
-                            let _e2010 = (((((_e1921 && (_e1937 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1883, _e1892), _e1901) <= 0f) && (max(max(_e1883, _e1892), _e1901) >= 0f))) && ((min(min(_e1886, _e1895), _e1904) <= 0f) && (max(max(_e1886, _e1895), _e1904) >= 0f))) && (_e1988 <= (_e1983 + (max(max(_e1964, _e1969).x, -(min(_e1964, _e1969).x)) * 0.0000019073523f)))) && (_e1988 <= _e1433.member.member_1));
-                            if _e2010 {
-                                let _e2015 = (_e1863[1][0] - _e1863[0][0]);
-                                let _e2016 = (_e1863[1][1] - _e1863[0][1]);
-                                let _e2017 = (_e1863[1][2] - _e1863[0][2]);
-                                let _e2018 = vec3<f32>(_e2015, _e2016, _e2017);
-                                let _e2019 = (_e1863[2][0] - _e1863[1][0]);
-                                let _e2020 = (_e1863[2][1] - _e1863[1][1]);
-                                let _e2021 = (_e1863[2][2] - _e1863[1][2]);
-                                let _e2022 = vec3<f32>(_e2019, _e2020, _e2021);
-                                let _e2023 = (_e1863[0][0] - _e1863[2][0]);
-                                let _e2024 = (_e1863[0][1] - _e1863[2][1]);
-                                let _e2025 = (_e1863[0][2] - _e1863[2][2]);
-                                let _e2026 = vec3<f32>(_e2023, _e2024, _e2025);
-                                let _e2037 = max(max(bitcast<f32>((bitcast<u32>(_e2015) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2016) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2017) & 2147483647u)));
-                                let _e2048 = max(max(bitcast<f32>((bitcast<u32>(_e2019) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2020) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2021) & 2147483647u)));
-                                let _e2061 = max(max(_e2037, _e2048), max(max(bitcast<f32>((bitcast<u32>(_e2023) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2024) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2025) & 2147483647u))));
-                                if (_e2037 == _e2061) {
-                                    phi_3993_ = _e1895;
-                                    phi_3994_ = _e1892;
-                                    phi_3995_ = _e1886;
-                                    phi_3996_ = _e1883;
-                                    phi_3997_ = vec3<f32>(_e1863[0][0], _e1863[0][1], _e1863[0][2]);
-                                    phi_3998_ = _e2026;
-                                    phi_3999_ = _e2022;
-                                    phi_4000_ = _e2018;
+                            let _e1967 = ((min(min(_e1873[0][1], _e1873[1][1]), _e1873[2][1]) - _e652) * _e655);
+                            let _e1968 = ((max(max(_e1873[0][1], _e1873[1][1]), _e1873[2][1]) - _e653) * _e655);
+                            let _e1969 = vec4<f32>(_e1967, f32(), _e1968, f32());
+                            let _e1972 = ((min(min(_e1873[0][2], _e1873[1][2]), _e1873[2][2]) - _e668) * _e671);
+                            let _e1973 = ((max(max(_e1873[0][2], _e1873[1][2]), _e1873[2][2]) - _e669) * _e671);
+                            let _e1974 = vec4<f32>(_e1972, f32(), _e1973, f32());
+                            let _e1975 = vec4<f32>(_e1963, f32(), _e1962, f32());
+                            let _e1977 = vec4<f32>(_e1968, f32(), _e1967, f32());
+                            let _e1979 = vec4<f32>(_e1973, f32(), _e1972, f32());
+                            let _e1988 = max(max(min(_e1964, _e1975).x, min(_e1969, _e1977).x), min(_e1974, _e1979).x);
+                            let _e1993 = min(min(max(_e1964, _e1975).x, max(_e1969, _e1977).x), max(_e1974, _e1979).x);
+                            let _e1998 = max(_e1988, _e679);
+                            let _e2020 = (((((_e1931 && (_e1947 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1893, _e1902), _e1911) <= 0f) && (max(max(_e1893, _e1902), _e1911) >= 0f))) && ((min(min(_e1896, _e1905), _e1914) <= 0f) && (max(max(_e1896, _e1905), _e1914) >= 0f))) && (_e1998 <= (_e1993 + (max(max(_e1974, _e1979).x, -(min(_e1974, _e1979).x)) * 0.0000019073523f)))) && (_e1998 <= _e1445.member.member_1));
+                            if _e2020 {
+                                let _e2025 = (_e1873[1][0] - _e1873[0][0]);
+                                let _e2026 = (_e1873[1][1] - _e1873[0][1]);
+                                let _e2027 = (_e1873[1][2] - _e1873[0][2]);
+                                let _e2028 = vec3<f32>(_e2025, _e2026, _e2027);
+                                let _e2029 = (_e1873[2][0] - _e1873[1][0]);
+                                let _e2030 = (_e1873[2][1] - _e1873[1][1]);
+                                let _e2031 = (_e1873[2][2] - _e1873[1][2]);
+                                let _e2032 = vec3<f32>(_e2029, _e2030, _e2031);
+                                let _e2033 = (_e1873[0][0] - _e1873[2][0]);
+                                let _e2034 = (_e1873[0][1] - _e1873[2][1]);
+                                let _e2035 = (_e1873[0][2] - _e1873[2][2]);
+                                let _e2036 = vec3<f32>(_e2033, _e2034, _e2035);
+                                let _e2047 = max(max(bitcast<f32>((bitcast<u32>(_e2025) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2026) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2027) & 2147483647u)));
+                                let _e2058 = max(max(bitcast<f32>((bitcast<u32>(_e2029) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2030) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2031) & 2147483647u)));
+                                let _e2071 = max(max(_e2047, _e2058), max(max(bitcast<f32>((bitcast<u32>(_e2033) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2034) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2035) & 2147483647u))));
+                                if (_e2047 == _e2071) {
+                                    phi_4004_ = _e1905;
+                                    phi_4005_ = _e1902;
+                                    phi_4006_ = _e1896;
+                                    phi_4007_ = _e1893;
+                                    phi_4008_ = vec3<f32>(_e1873[0][0], _e1873[0][1], _e1873[0][2]);
+                                    phi_4009_ = _e2036;
+                                    phi_4010_ = _e2032;
+                                    phi_4011_ = _e2028;
                                 } else {
-                                    let _e2063 = (_e2048 == _e2061);
-                                    let _e2068 = vec3(_e2063);
-                                    phi_3993_ = select(_e1886, _e1904, _e2063);
-                                    phi_3994_ = select(_e1883, _e1901, _e2063);
-                                    phi_3995_ = select(_e1904, _e1895, _e2063);
-                                    phi_3996_ = select(_e1901, _e1892, _e2063);
-                                    phi_3997_ = select(vec3<f32>(_e1863[2][0], _e1863[2][1], _e1863[2][2]), vec3<f32>(_e1863[1][0], _e1863[1][1], _e1863[1][2]), _e2068);
-                                    phi_3998_ = select(_e2022, _e2018, _e2068);
-                                    phi_3999_ = select(_e2018, _e2026, _e2068);
-                                    phi_4000_ = select(_e2026, _e2022, _e2068);
+                                    let _e2073 = (_e2058 == _e2071);
+                                    let _e2078 = vec3(_e2073);
+                                    phi_4004_ = select(_e1896, _e1914, _e2073);
+                                    phi_4005_ = select(_e1893, _e1911, _e2073);
+                                    phi_4006_ = select(_e1914, _e1905, _e2073);
+                                    phi_4007_ = select(_e1911, _e1902, _e2073);
+                                    phi_4008_ = select(vec3<f32>(_e1873[2][0], _e1873[2][1], _e1873[2][2]), vec3<f32>(_e1873[1][0], _e1873[1][1], _e1873[1][2]), _e2078);
+                                    phi_4009_ = select(_e2032, _e2028, _e2078);
+                                    phi_4010_ = select(_e2028, _e2036, _e2078);
+                                    phi_4011_ = select(_e2036, _e2032, _e2078);
                                 }
-                                let _e2074 = phi_3993_;
-                                let _e2076 = phi_3994_;
-                                let _e2078 = phi_3995_;
-                                let _e2080 = phi_3996_;
-                                let _e2082 = phi_3997_;
-                                let _e2084 = phi_3998_;
-                                let _e2086 = phi_3999_;
-                                let _e2088 = phi_4000_;
-                                let _e2095 = ((_e2086.y * _e2084.z) - (_e2084.y * _e2086.z));
-                                let _e2100 = ((_e2086.z * _e2084.x) - (_e2084.z * _e2086.x));
-                                let _e2103 = ((_e2086.x * _e2084.y) - (_e2084.x * _e2086.y));
-                                let _e2106 = ((_e1927 >= _e1931) && (_e1927 >= _e1935));
-                                let _e2107 = (_e1931 >= _e1935);
-                                let _e2121 = (((_e2095 * (select(select(_e1863[2][0], _e1863[1][0], _e2107), _e1863[0][0], _e2106) - _e606.member[0])) + (_e2100 * (select(select(_e1863[2][1], _e1863[1][1], _e2107), _e1863[0][1], _e2106) - _e606.member[1]))) + (_e2103 * (select(select(_e1863[2][2], _e1863[1][2], _e2107), _e1863[0][2], _e2106) - _e606.member[2])));
-                                let _e2126 = (((_e2095 * _e629) + (_e2100 * _e645)) + (_e2103 * _e661));
-                                let _e2127 = (_e2076 - _e2080);
-                                let _e2128 = (_e2074 - _e2078);
-                                let _e2131 = ((_e2127 * _e2127) + (_e2128 * _e2128));
-                                let _e2138 = (-(((_e2080 * _e2127) + (_e2078 * _e2128))) / select(0.000000000000000000000000000000000000011754944f, _e2131, (_e2131 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e2140 = select(1f, _e2138, (_e2138 < 1f));
-                                let _e2142 = select(0f, _e2140, (_e2140 > 0f));
-                                let _e2151 = ((_e2082.x + (_e2088.x * _e2142)) - _e606.member[0]);
-                                let _e2154 = ((_e2082.y + (_e2088.y * _e2142)) - _e606.member[1]);
-                                let _e2157 = ((_e2082.z + (_e2088.z * _e2142)) - _e606.member[2]);
-                                let _e2222 = ((bitcast<f32>((bitcast<u32>(((((_e2095 * _e2151) + (_e2100 * _e2154)) + (_e2103 * _e2157)) - _e2121)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2151) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2154) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2157) & 2147483647u))), _e2061)) * max(max(bitcast<f32>((bitcast<u32>(_e2095) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2100) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2103) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2126) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2086.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2086.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2086.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2084.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2084.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2084.z) & 2147483647u)))))));
-                                let _e2223 = (_e2121 / _e2126);
-                                if (_e2010 && !(_e2222)) {
-                                    let _e2226 = (_e2157 / _e661);
-                                    let _e2234 = (((_e2095 * (_e2151 - (_e629 * _e2226))) + (_e2100 * (_e2154 - (_e645 * _e2226)))) / _e2126);
-                                    phi_4179_ = select(select(_e2226, (_e2226 + _e2234), (bitcast<f32>((bitcast<u32>(_e2234) & 2147483647u)) <= _e2061)), _e2223, _e2222);
+                                let _e2084 = phi_4004_;
+                                let _e2086 = phi_4005_;
+                                let _e2088 = phi_4006_;
+                                let _e2090 = phi_4007_;
+                                let _e2092 = phi_4008_;
+                                let _e2094 = phi_4009_;
+                                let _e2096 = phi_4010_;
+                                let _e2098 = phi_4011_;
+                                let _e2105 = ((_e2096.y * _e2094.z) - (_e2094.y * _e2096.z));
+                                let _e2110 = ((_e2096.z * _e2094.x) - (_e2094.z * _e2096.x));
+                                let _e2113 = ((_e2096.x * _e2094.y) - (_e2094.x * _e2096.y));
+                                let _e2116 = ((_e1937 >= _e1941) && (_e1937 >= _e1945));
+                                let _e2117 = (_e1941 >= _e1945);
+                                let _e2131 = (((_e2105 * (select(select(_e1873[2][0], _e1873[1][0], _e2117), _e1873[0][0], _e2116) - _e612.member[0])) + (_e2110 * (select(select(_e1873[2][1], _e1873[1][1], _e2117), _e1873[0][1], _e2116) - _e612.member[1]))) + (_e2113 * (select(select(_e1873[2][2], _e1873[1][2], _e2117), _e1873[0][2], _e2116) - _e612.member[2])));
+                                let _e2136 = (((_e2105 * _e635) + (_e2110 * _e651)) + (_e2113 * _e667));
+                                let _e2137 = (_e2086 - _e2090);
+                                let _e2138 = (_e2084 - _e2088);
+                                let _e2141 = ((_e2137 * _e2137) + (_e2138 * _e2138));
+                                let _e2148 = (-(((_e2090 * _e2137) + (_e2088 * _e2138))) / select(0.000000000000000000000000000000000000011754944f, _e2141, (_e2141 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e2150 = select(1f, _e2148, (_e2148 < 1f));
+                                let _e2152 = select(0f, _e2150, (_e2150 > 0f));
+                                let _e2161 = ((_e2092.x + (_e2098.x * _e2152)) - _e612.member[0]);
+                                let _e2164 = ((_e2092.y + (_e2098.y * _e2152)) - _e612.member[1]);
+                                let _e2167 = ((_e2092.z + (_e2098.z * _e2152)) - _e612.member[2]);
+                                let _e2232 = ((bitcast<f32>((bitcast<u32>(((((_e2105 * _e2161) + (_e2110 * _e2164)) + (_e2113 * _e2167)) - _e2131)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e2161) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2164) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2167) & 2147483647u))), _e2071)) * max(max(bitcast<f32>((bitcast<u32>(_e2105) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2110) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2113) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e2136) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e2096.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2096.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2096.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e2094.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2094.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2094.z) & 2147483647u)))))));
+                                let _e2233 = (_e2131 / _e2136);
+                                if (_e2020 && !(_e2232)) {
+                                    let _e2236 = (_e2167 / _e667);
+                                    let _e2244 = (((_e2105 * (_e2161 - (_e635 * _e2236))) + (_e2110 * (_e2164 - (_e651 * _e2236)))) / _e2136);
+                                    phi_4190_ = select(select(_e2236, (_e2236 + _e2244), (bitcast<f32>((bitcast<u32>(_e2244) & 2147483647u)) <= _e2071)), _e2233, _e2232);
                                 } else {
-                                    phi_4179_ = _e2223;
+                                    phi_4190_ = _e2233;
                                 }
-                                let _e2243 = phi_4179_;
-                                let _e2245 = select(_e1983, _e2243, (_e2243 < _e1983));
-                                let _e2247 = select(_e1978, _e2245, (_e2245 > _e1978));
-                                let _e2250 = select(_e2247, 0f, (bitcast<u32>(_e2247) == 2147483648u));
-                                let _e2251 = (1f / _e1937);
-                                phi_4205_ = SlimbvhTypeE(_e2250, (_e1931 * _e2251), (_e1935 * _e2251), ((_e2010 && (_e2250 >= _e673)) && (_e2250 <= _e1433.member.member_1)));
-                                phi_4206_ = SlimbvhTypeE();
+                                let _e2253 = phi_4190_;
+                                let _e2255 = select(_e1993, _e2253, (_e2253 < _e1993));
+                                let _e2257 = select(_e1988, _e2255, (_e2255 > _e1988));
+                                let _e2260 = select(_e2257, 0f, (bitcast<u32>(_e2257) == 2147483648u));
+                                let _e2261 = (1f / _e1947);
+                                phi_4216_ = SlimbvhTypeE(_e2260, (_e1941 * _e2261), (_e1945 * _e2261), ((_e2020 && (_e2260 >= _e679)) && (_e2260 <= _e1445.member.member_1)));
+                                phi_4217_ = SlimbvhTypeE();
                             } else {
-                                phi_4205_ = SlimbvhTypeE();
-                                phi_4206_ = SlimbvhTypeE(0f, 0f, 0f, _e2010);
+                                phi_4216_ = SlimbvhTypeE();
+                                phi_4217_ = SlimbvhTypeE(0f, 0f, 0f, _e2020);
                             }
-                            let _e2260 = phi_4205_;
-                            let _e2262 = phi_4206_;
-                            phi_4209_ = _e2260;
-                            phi_4210_ = _e2262;
-                            phi_4211_ = select(true, false, _e2010);
+                            let _e2270 = phi_4216_;
+                            let _e2272 = phi_4217_;
+                            phi_4220_ = _e2270;
+                            phi_4221_ = _e2272;
+                            phi_4222_ = select(true, false, _e2020);
                         } else {
-                            phi_4209_ = SlimbvhTypeE();
-                            phi_4210_ = SlimbvhTypeE(0f, 0f, 0f, _e1921);
-                            phi_4211_ = true;
+                            phi_4220_ = SlimbvhTypeE();
+                            phi_4221_ = SlimbvhTypeE(0f, 0f, 0f, _e1931);
+                            phi_4222_ = true;
                         }
-                        let _e2265 = phi_4209_;
-                        let _e2267 = phi_4210_;
-                        let _e2269 = phi_4211_;
-                        if _e2269 {
-                            phi_4215_ = _e2267;
+                        let _e2275 = phi_4220_;
+                        let _e2277 = phi_4221_;
+                        let _e2279 = phi_4222_;
+                        if _e2279 {
+                            phi_4226_ = _e2277;
                         } else {
-                            phi_4215_ = _e2265;
+                            phi_4226_ = _e2275;
                         }
-                        let _e2271 = phi_4215_;
-                        if _e2271.member_3 {
-                            phi_4224_ = SlimbvhTypeF(_e2271.member, _e2271.member_1, _e2271.member_2, _e1474);
+                        let _e2281 = phi_4226_;
+                        if _e2281.member_3 {
+                            phi_4235_ = SlimbvhTypeF(_e2281.member, _e2281.member_1, _e2281.member_2, _e1484);
                         } else {
-                            phi_4224_ = _e105;
+                            phi_4235_ = _e105;
                         }
-                        let _e2278 = phi_4224_;
-                        if (_e2278.member_3 != 4294967295u) {
-                            let _e2284 = slimbvh_target.member[0u][0u];
-                            let _e2288 = slimbvh_target.member[0u][1u];
-                            let _e2292 = slimbvh_target.member[0u][2u];
-                            let _e2296 = slimbvh_target.member[0u][3u];
-                            let _e2300 = slimbvh_target.member[1u][0u];
-                            let _e2304 = slimbvh_target.member[1u][1u];
-                            let _e2308 = slimbvh_target.member[1u][2u];
-                            let _e2312 = slimbvh_target.member[1u][3u];
-                            let _e2313 = bitcast<f32>(_e2284);
-                            let _e2314 = bitcast<f32>(_e2288);
-                            let _e2315 = bitcast<f32>(_e2292);
-                            let _e2317 = bitcast<f32>(_e2300);
-                            let _e2318 = array<u32, 3>(_e2304, _e2308, _e2312);
-                            if (_e176 < -126i) {
-                                phi_4277_ = -126i;
+                        let _e2288 = phi_4235_;
+                        if (_e2288.member_3 != 4294967295u) {
+                            let _e2294 = slimbvh_target.member[0u][0u];
+                            let _e2298 = slimbvh_target.member[0u][1u];
+                            let _e2302 = slimbvh_target.member[0u][2u];
+                            let _e2306 = slimbvh_target.member[0u][3u];
+                            let _e2310 = slimbvh_target.member[1u][0u];
+                            let _e2314 = slimbvh_target.member[1u][1u];
+                            let _e2318 = slimbvh_target.member[1u][2u];
+                            let _e2322 = slimbvh_target.member[1u][3u];
+                            let _e2323 = bitcast<f32>(_e2294);
+                            let _e2324 = bitcast<f32>(_e2298);
+                            let _e2325 = bitcast<f32>(_e2302);
+                            let _e2327 = bitcast<f32>(_e2310);
+                            let _e2328 = array<u32, 3>(_e2314, _e2318, _e2322);
+                            if (_e182 < -126i) {
+                                phi_4288_ = -126i;
                             } else {
-                                phi_4277_ = select(_e176, 127i, (_e176 > 127i));
+                                phi_4288_ = select(_e182, 127i, (_e182 > 127i));
                             }
-                            let _e2324 = phi_4277_;
-                            let _e2329 = bitcast<f32>((bitcast<u32>((_e2324 + 127i)) << bitcast<u32>(23i)));
-                            let _e2335 = bitcast<f32>((bitcast<u32>(((_e176 - _e2324) + 127i)) << bitcast<u32>(23i)));
-                            if (_e2296 == 0u) {
-                                phi_4417_ = SlimbvhTypeH(array<f32, 3>(_e2313, _e2314, _e2315), _e2296, _e2317, _e2318);
+                            let _e2334 = phi_4288_;
+                            let _e2339 = bitcast<f32>((bitcast<u32>((_e2334 + 127i)) << bitcast<u32>(23i)));
+                            let _e2345 = bitcast<f32>((bitcast<u32>(((_e182 - _e2334) + 127i)) << bitcast<u32>(23i)));
+                            if (_e2306 == 0u) {
+                                phi_4428_ = SlimbvhTypeH(array<f32, 3>(_e2323, _e2324, _e2325), _e2306, _e2327, _e2328);
                             } else {
-                                let _e2337 = bitcast<u32>(_e2313);
-                                let _e2339 = ((_e2337 & 2139095040u) != 0u);
-                                let _e2354 = bitcast<u32>(_e2314);
-                                let _e2356 = ((_e2354 & 2139095040u) != 0u);
-                                let _e2371 = bitcast<u32>(_e2315);
-                                let _e2373 = ((_e2371 & 2139095040u) != 0u);
-                                let _e2389 = bitcast<u32>(_e2317);
-                                let _e2391 = ((_e2389 & 2139095040u) != 0u);
-                                phi_4417_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2337 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2337 & 2147483648u))), _e2313, _e2339) * _e2329) * select(0.00000011920929f, 1f, _e2339)) * _e2335), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2354 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2354 & 2147483648u))), _e2314, _e2356) * _e2329) * select(0.00000011920929f, 1f, _e2356)) * _e2335), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2371 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2371 & 2147483648u))), _e2315, _e2373) * _e2329) * select(0.00000011920929f, 1f, _e2373)) * _e2335)), _e2296, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2389 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2389 & 2147483648u))), _e2317, _e2391) * _e2329) * select(0.00000011920929f, 1f, _e2391)) * _e2335), _e2318);
+                                let _e2347 = bitcast<u32>(_e2323);
+                                let _e2349 = ((_e2347 & 2139095040u) != 0u);
+                                let _e2364 = bitcast<u32>(_e2324);
+                                let _e2366 = ((_e2364 & 2139095040u) != 0u);
+                                let _e2381 = bitcast<u32>(_e2325);
+                                let _e2383 = ((_e2381 & 2139095040u) != 0u);
+                                let _e2399 = bitcast<u32>(_e2327);
+                                let _e2401 = ((_e2399 & 2139095040u) != 0u);
+                                phi_4428_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2347 & 2147483648u))), _e2323, _e2349) * _e2339) * select(0.00000011920929f, 1f, _e2349)) * _e2345), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2364 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2364 & 2147483648u))), _e2324, _e2366) * _e2339) * select(0.00000011920929f, 1f, _e2366)) * _e2345), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2381 & 2147483648u))), _e2325, _e2383) * _e2339) * select(0.00000011920929f, 1f, _e2383)) * _e2345)), _e2306, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2399 & 2147483648u))), _e2327, _e2401) * _e2339) * select(0.00000011920929f, 1f, _e2401)) * _e2345), _e2328);
                             }
-                            let _e2408 = phi_4417_;
-                            if (_e1474 == _e677) {
-                                phi_4746_ = false;
+                            let _e2418 = phi_4428_;
+                            if (_e1484 == _e683) {
+                                phi_4757_ = false;
                             } else {
-                                let _e2410 = (_e1474 / 16u);
-                                if (_e2410 < arrayLength((&slimbvh_sides.member))) {
-                                    let _e2413 = slimbvh_sides.member[_e2410];
-                                    phi_4441_ = _e2413;
+                                let _e2420 = (_e1484 / 16u);
+                                if (_e2420 < arrayLength((&slimbvh_sides.member))) {
+                                    let _e2423 = slimbvh_sides.member[_e2420];
+                                    phi_4452_ = _e2423;
                                 } else {
-                                    phi_4441_ = 0u;
+                                    phi_4452_ = 0u;
                                 }
-                                let _e2415 = phi_4441_;
-                                let _e2424 = (bitcast<i32>((_e2415 << bitcast<u32>(((30u - ((_e1474 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                let _e2425 = (_e2424 == 0i);
-                                if _e2425 {
-                                    phi_4745_ = true;
+                                let _e2425 = phi_4452_;
+                                let _e2434 = (bitcast<i32>((_e2425 << bitcast<u32>(((30u - ((_e1484 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                let _e2435 = (_e2434 == 0i);
+                                if _e2435 {
+                                    phi_4756_ = true;
                                 } else {
-                                    if _e223 {
-                                        phi_4471_ = vec3<f32>(_e1863[0][0], _e1863[0][1], _e1863[0][2]);
+                                    if _e229 {
+                                        phi_4482_ = vec3<f32>(_e1873[0][0], _e1873[0][1], _e1873[0][2]);
                                     } else {
-                                        if (_e218 == 1u) {
-                                            phi_4470_ = vec3<f32>(_e1863[0][2], _e1863[0][0], _e1863[0][1]);
+                                        if (_e224 == 1u) {
+                                            phi_4481_ = vec3<f32>(_e1873[0][2], _e1873[0][0], _e1873[0][1]);
                                         } else {
-                                            phi_4470_ = vec3<f32>(_e1863[0][1], _e1863[0][2], _e1863[0][0]);
+                                            phi_4481_ = vec3<f32>(_e1873[0][1], _e1873[0][2], _e1873[0][0]);
                                         }
-                                        let _e2430 = phi_4470_;
-                                        phi_4471_ = _e2430;
+                                        let _e2440 = phi_4481_;
+                                        phi_4482_ = _e2440;
                                     }
-                                    let _e2433 = phi_4471_;
-                                    if _e223 {
-                                        phi_4490_ = vec3<f32>(_e1863[1][0], _e1863[1][1], _e1863[1][2]);
+                                    let _e2443 = phi_4482_;
+                                    if _e229 {
+                                        phi_4501_ = vec3<f32>(_e1873[1][0], _e1873[1][1], _e1873[1][2]);
                                     } else {
-                                        if (_e218 == 1u) {
-                                            phi_4489_ = vec3<f32>(_e1863[1][2], _e1863[1][0], _e1863[1][1]);
+                                        if (_e224 == 1u) {
+                                            phi_4500_ = vec3<f32>(_e1873[1][2], _e1873[1][0], _e1873[1][1]);
                                         } else {
-                                            phi_4489_ = vec3<f32>(_e1863[1][1], _e1863[1][2], _e1863[1][0]);
+                                            phi_4500_ = vec3<f32>(_e1873[1][1], _e1873[1][2], _e1873[1][0]);
                                         }
-                                        let _e2438 = phi_4489_;
-                                        phi_4490_ = _e2438;
+                                        let _e2448 = phi_4500_;
+                                        phi_4501_ = _e2448;
                                     }
-                                    let _e2441 = phi_4490_;
-                                    if _e223 {
-                                        phi_4509_ = vec3<f32>(_e1863[2][0], _e1863[2][1], _e1863[2][2]);
+                                    let _e2451 = phi_4501_;
+                                    if _e229 {
+                                        phi_4520_ = vec3<f32>(_e1873[2][0], _e1873[2][1], _e1873[2][2]);
                                     } else {
-                                        if (_e218 == 1u) {
-                                            phi_4508_ = vec3<f32>(_e1863[2][2], _e1863[2][0], _e1863[2][1]);
+                                        if (_e224 == 1u) {
+                                            phi_4519_ = vec3<f32>(_e1873[2][2], _e1873[2][0], _e1873[2][1]);
                                         } else {
-                                            phi_4508_ = vec3<f32>(_e1863[2][1], _e1863[2][2], _e1863[2][0]);
+                                            phi_4519_ = vec3<f32>(_e1873[2][1], _e1873[2][2], _e1873[2][0]);
                                         }
-                                        let _e2446 = phi_4508_;
-                                        phi_4509_ = _e2446;
+                                        let _e2456 = phi_4519_;
+                                        phi_4520_ = _e2456;
                                     }
-                                    let _e2449 = phi_4509_;
-                                    let _e2452 = (_e2441.x - _e2433.x);
-                                    let _e2455 = (_e2441.y - _e2433.y);
-                                    let _e2458 = (_e2441.z - _e2433.z);
-                                    let _e2460 = (_e2449.x - _e2433.x);
-                                    let _e2462 = (_e2449.y - _e2433.y);
-                                    let _e2464 = (_e2449.z - _e2433.z);
-                                    if (_e2408.member_1 == 1u) {
-                                        phi_4545_ = (vec3<f32>(_e2408.member[0], _e2408.member[1], _e2408.member[2]) - _e2433);
+                                    let _e2459 = phi_4520_;
+                                    let _e2462 = (_e2451.x - _e2443.x);
+                                    let _e2465 = (_e2451.y - _e2443.y);
+                                    let _e2468 = (_e2451.z - _e2443.z);
+                                    let _e2470 = (_e2459.x - _e2443.x);
+                                    let _e2472 = (_e2459.y - _e2443.y);
+                                    let _e2474 = (_e2459.z - _e2443.z);
+                                    if (_e2418.member_1 == 1u) {
+                                        phi_4556_ = (vec3<f32>(_e2418.member[0], _e2418.member[1], _e2418.member[2]) - _e2443);
                                     } else {
-                                        phi_4545_ = vec3<f32>(_e2408.member[0], _e2408.member[1], _e2408.member[2]);
+                                        phi_4556_ = vec3<f32>(_e2418.member[0], _e2418.member[1], _e2418.member[2]);
                                     }
-                                    let _e2479 = phi_4545_;
-                                    let _e2485 = bitcast<f32>((bitcast<u32>((_e2452 * _e2462)) ^ _e2408.member_3[0]));
-                                    let _e2489 = bitcast<f32>((bitcast<u32>((_e2455 * _e2460)) ^ _e2408.member_3[0]));
-                                    let _e2493 = bitcast<f32>((bitcast<u32>((_e2455 * _e2464)) ^ _e2408.member_3[0]));
-                                    let _e2497 = bitcast<f32>((bitcast<u32>((_e2458 * _e2462)) ^ _e2408.member_3[0]));
-                                    let _e2501 = bitcast<f32>((bitcast<u32>((_e2458 * _e2460)) ^ _e2408.member_3[0]));
-                                    let _e2505 = bitcast<f32>((bitcast<u32>((_e2452 * _e2464)) ^ _e2408.member_3[0]));
-                                    let _e2506 = (_e2493 - _e2497);
-                                    let _e2507 = (_e2501 - _e2505);
-                                    let _e2508 = (_e2485 - _e2489);
-                                    let _e2532 = (bitcast<f32>((bitcast<u32>(_e2493) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2497) & 2147483647u)));
-                                    let _e2539 = (bitcast<f32>((bitcast<u32>(_e2501) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2505) & 2147483647u)));
-                                    let _e2546 = (bitcast<f32>((bitcast<u32>(_e2485) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2489) & 2147483647u)));
-                                    if (_e2408.member_2 == 0f) {
-                                        phi_4727_ = 0f;
+                                    let _e2489 = phi_4556_;
+                                    let _e2495 = bitcast<f32>((bitcast<u32>((_e2462 * _e2472)) ^ _e2418.member_3[0]));
+                                    let _e2499 = bitcast<f32>((bitcast<u32>((_e2465 * _e2470)) ^ _e2418.member_3[0]));
+                                    let _e2503 = bitcast<f32>((bitcast<u32>((_e2465 * _e2474)) ^ _e2418.member_3[0]));
+                                    let _e2507 = bitcast<f32>((bitcast<u32>((_e2468 * _e2472)) ^ _e2418.member_3[0]));
+                                    let _e2511 = bitcast<f32>((bitcast<u32>((_e2468 * _e2470)) ^ _e2418.member_3[0]));
+                                    let _e2515 = bitcast<f32>((bitcast<u32>((_e2462 * _e2474)) ^ _e2418.member_3[0]));
+                                    let _e2516 = (_e2503 - _e2507);
+                                    let _e2517 = (_e2511 - _e2515);
+                                    let _e2518 = (_e2495 - _e2499);
+                                    let _e2542 = (bitcast<f32>((bitcast<u32>(_e2503) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2507) & 2147483647u)));
+                                    let _e2549 = (bitcast<f32>((bitcast<u32>(_e2511) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2515) & 2147483647u)));
+                                    let _e2556 = (bitcast<f32>((bitcast<u32>(_e2495) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2499) & 2147483647u)));
+                                    if (_e2418.member_2 == 0f) {
+                                        phi_4738_ = 0f;
                                     } else {
-                                        let _e2576 = bitcast<f32>((bitcast<u32>(_e2506) & 2147483647u));
-                                        let _e2579 = bitcast<f32>((bitcast<u32>(_e2507) & 2147483647u));
-                                        let _e2582 = bitcast<f32>((bitcast<u32>(_e2508) & 2147483647u));
-                                        let _e2584 = select(_e2582, _e2579, (_e2579 > _e2582));
-                                        let _e2588 = select(_e2582, _e2579, (_e2579 < _e2582));
-                                        let _e2592 = select(_e2579, _e2576, (_e2576 < _e2579));
-                                        let _e2594 = select(_e2579, _e2576, (_e2576 > _e2579));
-                                        let _e2596 = select(_e2582, _e2594, (_e2594 < _e2582));
-                                        phi_4727_ = bitcast<f32>((bitcast<u32>((_e2408.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2584, _e2576, (_e2576 > _e2584)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2596, _e2592, (_e2592 > _e2596)))) ^ _e2408.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2588, _e2576, (_e2576 < _e2588)))) ^ _e2408.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2532 + _e2539) + _e2546))) ^ _e2408.member_3[0]))) * 1.0000005f)) ^ _e2408.member_3[0])))) ^ _e2408.member_3[0]));
+                                        let _e2586 = bitcast<f32>((bitcast<u32>(_e2516) & 2147483647u));
+                                        let _e2589 = bitcast<f32>((bitcast<u32>(_e2517) & 2147483647u));
+                                        let _e2592 = bitcast<f32>((bitcast<u32>(_e2518) & 2147483647u));
+                                        let _e2594 = select(_e2592, _e2589, (_e2589 > _e2592));
+                                        let _e2598 = select(_e2592, _e2589, (_e2589 < _e2592));
+                                        let _e2602 = select(_e2589, _e2586, (_e2586 < _e2589));
+                                        let _e2604 = select(_e2589, _e2586, (_e2586 > _e2589));
+                                        let _e2606 = select(_e2592, _e2604, (_e2604 < _e2592));
+                                        phi_4738_ = bitcast<f32>((bitcast<u32>((_e2418.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2594, _e2586, (_e2586 > _e2594)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2606, _e2602, (_e2602 > _e2606)))) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2598, _e2586, (_e2586 < _e2598)))) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2542 + _e2549) + _e2556))) ^ _e2418.member_3[0]))) * 1.0000005f)) ^ _e2418.member_3[0])))) ^ _e2418.member_3[0]));
                                     }
-                                    let _e2623 = phi_4727_;
-                                    phi_4745_ = (_e2425 || !(((((bitcast<f32>((bitcast<u32>((_e2479.x * _e2506)) ^ _e2408.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2479.y * _e2507)) ^ _e2408.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2479.z * _e2508)) ^ _e2408.member_3[0]))) * f32(-(_e2424))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2479.x) & 2147483647u)) * _e2532)) ^ _e2408.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2479.y) & 2147483647u)) * _e2539)) ^ _e2408.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2479.z) & 2147483647u)) * _e2546)) ^ _e2408.member_3[0]))))) ^ _e2408.member_3[0])) + _e2623) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e2633 = phi_4738_;
+                                    phi_4756_ = (_e2435 || !(((((bitcast<f32>((bitcast<u32>((_e2489.x * _e2516)) ^ _e2418.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2489.y * _e2517)) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2489.z * _e2518)) ^ _e2418.member_3[0]))) * f32(-(_e2434))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.x) & 2147483647u)) * _e2542)) ^ _e2418.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.y) & 2147483647u)) * _e2549)) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.z) & 2147483647u)) * _e2556)) ^ _e2418.member_3[0]))))) ^ _e2418.member_3[0])) + _e2633) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e2637 = phi_4745_;
-                                phi_4746_ = _e2637;
+                                let _e2647 = phi_4756_;
+                                phi_4757_ = _e2647;
                             }
-                            let _e2639 = phi_4746_;
-                            if _e2639 {
-                                if (_e2278.member < _e1433.member.member.member) {
-                                    phi_4766_ = true;
+                            let _e2649 = phi_4757_;
+                            if _e2649 {
+                                if (_e2288.member < _e1445.member.member.member) {
+                                    phi_4777_ = true;
                                 } else {
-                                    if (_e2278.member == _e1433.member.member.member) {
-                                        phi_4765_ = (_e2278.member_3 < _e1433.member.member.member_3);
+                                    if (_e2288.member == _e1445.member.member.member) {
+                                        phi_4776_ = (_e2288.member_3 < _e1445.member.member.member_3);
                                     } else {
-                                        phi_4765_ = false;
+                                        phi_4776_ = false;
                                     }
-                                    let _e2651 = phi_4765_;
-                                    phi_4766_ = _e2651;
+                                    let _e2661 = phi_4776_;
+                                    phi_4777_ = _e2661;
                                 }
-                                let _e2653 = phi_4766_;
-                                if _e2653 {
-                                    phi_4773_ = SlimbvhTypeQ(SlimbvhTypeI(_e2278, _e2278.member), _e1433.member_1);
+                                let _e2663 = phi_4777_;
+                                if _e2663 {
+                                    phi_4784_ = SlimbvhTypeQ(SlimbvhTypeI(_e2288, _e2288.member), _e1445.member_1);
                                 } else {
-                                    phi_4773_ = _e1433;
+                                    phi_4784_ = _e1445;
                                 }
-                                let _e2659 = phi_4773_;
-                                if _e2659.member_1 {
-                                    phi_4779_ = SlimbvhTypeQ(SlimbvhTypeI(_e2659.member.member, bitcast<f32>(4286578687u)), _e2659.member_1);
+                                let _e2669 = phi_4784_;
+                                if _e2669.member_1 {
+                                    phi_4790_ = SlimbvhTypeQ(SlimbvhTypeI(_e2669.member.member, bitcast<f32>(4286578687u)), _e2669.member_1);
                                 } else {
-                                    phi_4779_ = _e2659;
+                                    phi_4790_ = _e2669;
                                 }
-                                let _e2668 = phi_4779_;
-                                phi_4780_ = _e2668;
+                                let _e2678 = phi_4790_;
+                                phi_4791_ = _e2678;
                             } else {
-                                phi_4780_ = _e1433;
+                                phi_4791_ = _e1445;
                             }
-                            let _e2670 = phi_4780_;
-                            phi_4781_ = _e2670;
+                            let _e2680 = phi_4791_;
+                            phi_4792_ = _e2680;
                         } else {
-                            phi_4781_ = _e1433;
+                            phi_4792_ = _e1445;
                         }
-                        let _e2672 = phi_4781_;
-                        phi_2948_ = _e2672;
+                        let _e2682 = phi_4792_;
+                        phi_2962_ = _e2682;
                     } else {
-                        phi_2948_ = SlimbvhTypeQ();
+                        phi_2962_ = SlimbvhTypeQ();
                     }
-                    let _e2674 = phi_2948_;
+                    let _e2684 = phi_2962_;
                     continue;
                     continuing {
-                        phi_2947_ = _e2674;
-                        phi_2950_ = _e1448;
-                        break if !(_e1454);
+                        phi_2961_ = _e2684;
+                        phi_2964_ = _e1460;
+                        break if !(_e1466);
                     }
                 }
-                let _e2677 = local_3;
-                let _e2678 = (_e2677 - 1u);
-                let _e2681 = local[(_e2678 % 128u)];
-                let _e2682 = (_e2681 & 511u);
-                let _e2684 = (_e2682 >> bitcast<u32>(3u));
-                let _e2687 = ((_e2684 == 0u) || (_e2678 == 4294967295u));
-                if _e2687 {
+                let _e2687 = local_3;
+                let _e2688 = (_e2687 - 1u);
+                let _e2691 = local[(_e2688 % 128u)];
+                let _e2692 = (_e2691 & 511u);
+                let _e2694 = (_e2692 >> bitcast<u32>(3u));
+                let _e2697 = ((_e2694 == 0u) || (_e2688 == 4294967295u));
+                if _e2697 {
                 } else {
-                    local[(_e2678 % 128u)] = (((_e2681 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2684);
+                    local[(_e2688 % 128u)] = (((_e2691 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e2694);
                 }
-                let _e2694 = local_4;
-                let _e2702 = (((_e2681 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2682 & 3u) & 3u));
-                let _e2704 = (_e2702 >> bitcast<u32>(2i));
-                if (_e2704 < _e109) {
-                    let _e2710 = slimbvh_nodes.member[_e2704].member_1[(_e2702 & 3u)];
-                    if ((_e2710 & 2147483648u) != 0u) {
-                        phi_4846_ = (2147483648u | _e2702);
+                let _e2704 = local_4;
+                let _e2712 = (((_e2691 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e2692 & 3u) & 3u));
+                let _e2714 = (_e2712 >> bitcast<u32>(2i));
+                if (_e2714 < _e109) {
+                    let _e2720 = slimbvh_nodes.member[_e2714].member_1[(_e2712 & 3u)];
+                    if ((_e2720 & 2147483648u) != 0u) {
+                        phi_4857_ = (2147483648u | _e2712);
                     } else {
-                        phi_4846_ = _e2710;
+                        phi_4857_ = _e2720;
                     }
-                    let _e2715 = phi_4846_;
-                    phi_4847_ = _e2715;
+                    let _e2725 = phi_4857_;
+                    phi_4858_ = _e2725;
                 } else {
-                    phi_4847_ = 4294967295u;
+                    phi_4858_ = 4294967295u;
                 }
-                let _e2717 = phi_4847_;
-                let _e2719 = local_5;
-                let _e3018 = local_7;
-                phi_4856_ = _e3018;
-                phi_4857_ = select(select(_e2694, _e2678, _e2687), 4294967295u, (_e673 > _e2719.member.member_1));
-                phi_4858_ = _e2717;
+                let _e2727 = phi_4858_;
+                let _e2729 = local_5;
+                let _e3028 = local_7;
+                phi_4867_ = _e3028;
+                phi_4868_ = select(select(_e2704, _e2688, _e2697), 4294967295u, (_e679 > _e2729.member.member_1));
+                phi_4869_ = _e2727;
             } else {
-                phi_4856_ = _e786;
-                let _e3021 = local_8;
-                phi_4857_ = _e3021;
-                let _e3024 = local_9;
-                phi_4858_ = _e3024;
+                phi_4867_ = _e792;
+                let _e3031 = local_8;
+                phi_4868_ = _e3031;
+                let _e3034 = local_9;
+                phi_4869_ = _e3034;
             }
-            let _e2725 = phi_4856_;
-            let _e2727 = phi_4857_;
-            let _e2729 = phi_4858_;
-            phi_1845_ = _e2725;
-            phi_1848_ = _e2727;
-            phi_1850_ = _e2729;
-            let _e3030 = local_10;
-            phi_1852_ = _e3030;
+            let _e2735 = phi_4867_;
+            let _e2737 = phi_4868_;
+            let _e2739 = phi_4869_;
+            phi_1852_ = _e2735;
+            phi_1855_ = _e2737;
+            phi_1857_ = _e2739;
+            let _e3040 = local_10;
+            phi_1859_ = _e3040;
         } else {
-            phi_1845_ = SlimbvhTypeQ();
-            phi_1848_ = u32();
-            phi_1850_ = u32();
-            phi_1852_ = u32();
+            phi_1852_ = SlimbvhTypeQ();
+            phi_1855_ = u32();
+            phi_1857_ = u32();
+            phi_1859_ = u32();
         }
-        let _e2731 = phi_1845_;
-        let _e2733 = phi_1848_;
-        let _e2735 = phi_1850_;
-        let _e2737 = phi_1852_;
+        let _e2741 = phi_1852_;
+        let _e2743 = phi_1855_;
+        let _e2745 = phi_1857_;
+        let _e2747 = phi_1859_;
         continue;
         continuing {
-            phi_1844_ = _e2731;
-            phi_1847_ = _e2733;
-            phi_1849_ = _e2735;
-            phi_1851_ = _e2737;
-            break if !(_e793);
+            phi_1851_ = _e2741;
+            phi_1854_ = _e2743;
+            phi_1856_ = _e2745;
+            phi_1858_ = _e2747;
+            break if !(_e799);
         }
     }
-    let _e2740 = local_6;
-    if (_e2740.member.member.member_3 != 4294967295u) {
-        let _e2746 = -((_e176 + _e606.member_4));
-        let _e2747 = bitcast<u32>(_e2740.member.member.member);
-        let _e2751 = (bitcast<i32>((_e2747 >> bitcast<u32>(23i))) & 255i);
-        let _e2752 = (_e2751 + _e2746);
-        if (_e2751 == 255i) {
-            phi_4915_ = _e2740.member.member.member;
+    let _e2750 = local_6;
+    if (_e2750.member.member.member_3 != 4294967295u) {
+        let _e2756 = -((_e182 + _e612.member_4));
+        let _e2757 = bitcast<u32>(_e2750.member.member.member);
+        let _e2761 = (bitcast<i32>((_e2757 >> bitcast<u32>(23i))) & 255i);
+        let _e2762 = (_e2761 + _e2756);
+        if (_e2761 == 255i) {
+            phi_4926_ = _e2750.member.member.member;
         } else {
-            if (_e2751 > 0i) {
-                if (_e2752 > 0i) {
-                    let _e2756 = (_e2752 < 255i);
-                    if _e2756 {
-                        phi_4894_ = bitcast<f32>((_e2747 + bitcast<u32>((_e2746 << bitcast<u32>(23i)))));
+            if (_e2761 > 0i) {
+                if (_e2762 > 0i) {
+                    let _e2766 = (_e2762 < 255i);
+                    if _e2766 {
+                        phi_4905_ = bitcast<f32>((_e2757 + bitcast<u32>((_e2756 << bitcast<u32>(23i)))));
                     } else {
-                        phi_4894_ = f32();
+                        phi_4905_ = f32();
                     }
-                    let _e2763 = phi_4894_;
-                    phi_4896_ = _e2763;
-                    phi_4897_ = select(true, false, _e2756);
+                    let _e2773 = phi_4905_;
+                    phi_4907_ = _e2773;
+                    phi_4908_ = select(true, false, _e2766);
                 } else {
-                    phi_4896_ = f32();
-                    phi_4897_ = true;
+                    phi_4907_ = f32();
+                    phi_4908_ = true;
                 }
-                let _e2766 = phi_4896_;
-                let _e2768 = phi_4897_;
-                phi_4898_ = _e2766;
-                phi_4899_ = _e2768;
+                let _e2776 = phi_4907_;
+                let _e2778 = phi_4908_;
+                phi_4909_ = _e2776;
+                phi_4910_ = _e2778;
             } else {
-                phi_4898_ = f32();
-                phi_4899_ = true;
+                phi_4909_ = f32();
+                phi_4910_ = true;
             }
-            let _e2770 = phi_4898_;
-            let _e2772 = phi_4899_;
-            if _e2772 {
-                let _e2773 = (_e2747 & 2147483648u);
-                let _e2780 = ((_e2747 & 8388607u) | (select(0u, 1u, ((_e2747 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e2784 = (_e2780 == 0u);
-                if _e2784 {
-                    phi_5575_ = bitcast<f32>(_e2773);
+            let _e2780 = phi_4909_;
+            let _e2782 = phi_4910_;
+            if _e2782 {
+                let _e2783 = (_e2757 & 2147483648u);
+                let _e2790 = ((_e2757 & 8388607u) | (select(0u, 1u, ((_e2757 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e2794 = (_e2790 == 0u);
+                if _e2794 {
+                    phi_5586_ = bitcast<f32>(_e2783);
                 } else {
-                    let _e2789 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2780)), 32u, _e2784) - 8u);
-                    let _e2792 = (_e2780 << bitcast<u32>((_e2789 & 31u)));
-                    let _e2794 = ((_e2752 + select(0i, 1i, (_e2751 == 0i))) - bitcast<i32>(_e2789));
-                    if (_e2794 >= 255i) {
-                        phi_5565_ = bitcast<f32>((_e2773 | 2139095040u));
-                        phi_5566_ = f32();
-                        phi_5567_ = true;
+                    let _e2799 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2790)), 32u, _e2794) - 8u);
+                    let _e2802 = (_e2790 << bitcast<u32>((_e2799 & 31u)));
+                    let _e2804 = ((_e2762 + select(0i, 1i, (_e2761 == 0i))) - bitcast<i32>(_e2799));
+                    if (_e2804 >= 255i) {
+                        phi_5576_ = bitcast<f32>((_e2783 | 2139095040u));
+                        phi_5577_ = f32();
+                        phi_5578_ = true;
                     } else {
-                        let _e2796 = (_e2794 > 0i);
-                        if _e2796 {
-                            phi_5559_ = bitcast<f32>(((_e2773 | (bitcast<u32>(_e2794) << bitcast<u32>(23i))) | (_e2792 & 8388607u)));
-                            phi_5560_ = f32();
+                        let _e2806 = (_e2804 > 0i);
+                        if _e2806 {
+                            phi_5570_ = bitcast<f32>(((_e2783 | (bitcast<u32>(_e2804) << bitcast<u32>(23i))) | (_e2802 & 8388607u)));
+                            phi_5571_ = f32();
                         } else {
-                            if (_e2794 < -24i) {
-                                phi_5525_ = 26u;
+                            if (_e2804 < -24i) {
+                                phi_5536_ = 26u;
                             } else {
-                                phi_5525_ = bitcast<u32>((1i - _e2794));
+                                phi_5536_ = bitcast<u32>((1i - _e2804));
                             }
-                            let _e2801 = phi_5525_;
-                            let _e2802 = (_e2801 & 31u);
-                            let _e2804 = (_e2792 >> bitcast<u32>(_e2802));
-                            let _e2808 = (_e2792 & ((1u << bitcast<u32>(_e2802)) - 1u));
-                            let _e2812 = (1u << bitcast<u32>(((_e2801 - 1u) & 31u)));
-                            if (_e2808 > _e2812) {
-                                phi_5546_ = true;
+                            let _e2811 = phi_5536_;
+                            let _e2812 = (_e2811 & 31u);
+                            let _e2814 = (_e2802 >> bitcast<u32>(_e2812));
+                            let _e2818 = (_e2802 & ((1u << bitcast<u32>(_e2812)) - 1u));
+                            let _e2822 = (1u << bitcast<u32>(((_e2811 - 1u) & 31u)));
+                            if (_e2818 > _e2822) {
+                                phi_5557_ = true;
                             } else {
-                                if (_e2808 == _e2812) {
-                                    phi_5543_ = ((_e2804 & 1u) == 1u);
+                                if (_e2818 == _e2822) {
+                                    phi_5554_ = ((_e2814 & 1u) == 1u);
                                 } else {
-                                    phi_5543_ = false;
+                                    phi_5554_ = false;
                                 }
-                                let _e2818 = phi_5543_;
-                                phi_5546_ = _e2818;
+                                let _e2828 = phi_5554_;
+                                phi_5557_ = _e2828;
                             }
-                            let _e2820 = phi_5546_;
-                            phi_5559_ = f32();
-                            phi_5560_ = bitcast<f32>((_e2773 | (_e2804 + select(0u, 1u, _e2820))));
+                            let _e2830 = phi_5557_;
+                            phi_5570_ = f32();
+                            phi_5571_ = bitcast<f32>((_e2783 | (_e2814 + select(0u, 1u, _e2830))));
                         }
-                        let _e2833 = phi_5559_;
-                        let _e2835 = phi_5560_;
-                        phi_5565_ = _e2833;
-                        phi_5566_ = _e2835;
-                        phi_5567_ = _e2796;
+                        let _e2843 = phi_5570_;
+                        let _e2845 = phi_5571_;
+                        phi_5576_ = _e2843;
+                        phi_5577_ = _e2845;
+                        phi_5578_ = _e2806;
                     }
-                    let _e2839 = phi_5565_;
-                    let _e2841 = phi_5566_;
-                    let _e2843 = phi_5567_;
-                    phi_5575_ = select(_e2841, _e2839, _e2843);
+                    let _e2849 = phi_5576_;
+                    let _e2851 = phi_5577_;
+                    let _e2853 = phi_5578_;
+                    phi_5586_ = select(_e2851, _e2849, _e2853);
                 }
-                let _e2847 = phi_5575_;
-                phi_4914_ = _e2847;
+                let _e2857 = phi_5586_;
+                phi_4925_ = _e2857;
             } else {
-                phi_4914_ = _e2770;
+                phi_4925_ = _e2780;
             }
-            let _e2849 = phi_4914_;
-            phi_4915_ = _e2849;
+            let _e2859 = phi_4925_;
+            phi_4926_ = _e2859;
         }
-        let _e2851 = phi_4915_;
-        let _e2852 = bitcast<u32>(_e2851);
-        if ((_e2852 & 2147483647u) >= 2139095040u) {
-            phi_4927_ = bitcast<f32>(((_e2852 & 2147483648u) | 2139095039u));
+        let _e2861 = phi_4926_;
+        let _e2862 = bitcast<u32>(_e2861);
+        if ((_e2862 & 2147483647u) >= 2139095040u) {
+            phi_4938_ = bitcast<f32>(((_e2862 & 2147483648u) | 2139095039u));
         } else {
-            phi_4927_ = _e2851;
+            phi_4938_ = _e2861;
         }
-        let _e2859 = phi_4927_;
-        phi_4932_ = SlimbvhTypeF(_e2859, _e2740.member.member.member_1, _e2740.member.member.member_2, _e2740.member.member.member_3);
+        let _e2869 = phi_4938_;
+        phi_4943_ = SlimbvhTypeF(_e2869, _e2750.member.member.member_1, _e2750.member.member.member_2, _e2750.member.member.member_3);
     } else {
-        phi_4932_ = _e105;
+        phi_4943_ = _e105;
     }
-    let _e2864 = phi_4932_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2864.member), bitcast<u32>(_e2864.member_1), bitcast<u32>(_e2864.member_2), _e2864.member_3);
+    let _e2874 = phi_4943_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2874.member), bitcast<u32>(_e2874.member_1), bitcast<u32>(_e2874.member_2), _e2874.member_3);
     return;
 }
 

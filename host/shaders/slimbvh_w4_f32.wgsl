@@ -117,1160 +117,1163 @@ var<storage> slimbvh_nodes: SlimbvhTypeC;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
-    var phi_618_: u32;
-    var phi_624_: u32;
-    var phi_630_: u32;
-    var phi_895_: i32;
-    var phi_906_: i32;
-    var phi_1020_: i32;
-    var phi_1149_: i32;
-    var phi_1171_: u32;
-    var phi_1172_: u32;
-    var phi_1173_: bool;
-    var phi_1207_: i32;
-    var phi_1229_: u32;
-    var phi_1230_: u32;
-    var phi_1231_: bool;
-    var phi_792_: i32;
-    var phi_798_: u32;
-    var phi_817_: u32;
-    var phi_818_: u32;
-    var phi_819_: bool;
-    var phi_837_: i32;
-    var phi_843_: u32;
-    var phi_862_: u32;
-    var phi_863_: u32;
-    var phi_864_: bool;
-    var phi_1241_: SlimbvhTypeF;
-    var phi_1480_: SlimbvhTypeO;
-    var phi_1520_: SlimbvhTypeO;
-    var phi_1523_: u32;
-    var phi_1525_: u32;
-    var phi_1527_: u32;
-    var phi_1536_: u32;
+    var phi_631_: u32;
+    var phi_637_: u32;
+    var phi_643_: u32;
+    var phi_908_: i32;
+    var phi_919_: i32;
+    var phi_1033_: i32;
+    var phi_1162_: i32;
+    var phi_1184_: u32;
+    var phi_1185_: u32;
+    var phi_1186_: bool;
+    var phi_1220_: i32;
+    var phi_1242_: u32;
+    var phi_1243_: u32;
+    var phi_1244_: bool;
+    var phi_805_: i32;
+    var phi_811_: u32;
+    var phi_830_: u32;
+    var phi_831_: u32;
+    var phi_832_: bool;
+    var phi_850_: i32;
+    var phi_856_: u32;
+    var phi_875_: u32;
+    var phi_876_: u32;
+    var phi_877_: bool;
+    var phi_1254_: SlimbvhTypeF;
+    var phi_1493_: SlimbvhTypeO;
+    var phi_1534_: SlimbvhTypeO;
+    var phi_1537_: u32;
     var phi_1539_: u32;
     var phi_1541_: u32;
-    var phi_1978_: u32;
-    var phi_1991_: u32;
-    var phi_2004_: u32;
-    var phi_2017_: u32;
-    var phi_3740_: SlimbvhTypeG;
-    var phi_3752_: SlimbvhTypeG;
-    var phi_3764_: SlimbvhTypeG;
-    var phi_3776_: SlimbvhTypeG;
-    var phi_3788_: SlimbvhTypeG;
-    var phi_2098_: u32;
-    var phi_2103_: u32;
-    var phi_2104_: u32;
-    var phi_2125_: u32;
-    var phi_1537_: u32;
-    var phi_1540_: u32;
-    var phi_1542_: u32;
+    var phi_1550_: u32;
+    var phi_1553_: u32;
+    var phi_1555_: u32;
+    var phi_2011_: u32;
+    var phi_2024_: u32;
+    var phi_2037_: u32;
+    var phi_2050_: u32;
+    var phi_3780_: SlimbvhTypeG;
+    var phi_3792_: SlimbvhTypeG;
+    var phi_3804_: SlimbvhTypeG;
+    var phi_3816_: SlimbvhTypeG;
+    var phi_3828_: SlimbvhTypeG;
+    var phi_2131_: u32;
+    var phi_2136_: u32;
+    var phi_2137_: u32;
+    var phi_2161_: u32;
+    var phi_1551_: u32;
+    var phi_1554_: u32;
+    var phi_1556_: u32;
     var local_1: bool;
     var local_2: u32;
     var local_3: u32;
-    var phi_2141_: SlimbvhTypeO;
-    var phi_2144_: SlimbvhTypeG;
-    var phi_2145_: SlimbvhTypeG;
-    var phi_2167_: SlimbvhTypeG;
-    var phi_2246_: array<vec4<f32>, 3>;
-    var phi_2247_: array<vec4<f32>, 3>;
-    var phi_2327_: array<vec4<f32>, 3>;
-    var phi_2328_: array<vec4<f32>, 3>;
-    var phi_2351_: array<f32, 3>;
-    var phi_2352_: array<f32, 3>;
-    var phi_2366_: array<f32, 3>;
-    var phi_2367_: array<f32, 3>;
-    var phi_2381_: array<f32, 3>;
-    var phi_2382_: array<f32, 3>;
-    var phi_2741_: f32;
-    var phi_2742_: f32;
-    var phi_2743_: f32;
-    var phi_2744_: f32;
-    var phi_2745_: vec3<f32>;
-    var phi_2746_: vec3<f32>;
-    var phi_2747_: vec3<f32>;
-    var phi_2748_: vec3<f32>;
-    var phi_2927_: f32;
-    var phi_2953_: SlimbvhTypeH;
-    var phi_2954_: SlimbvhTypeH;
-    var phi_2957_: SlimbvhTypeH;
-    var phi_2958_: SlimbvhTypeH;
-    var phi_2959_: bool;
-    var phi_2963_: SlimbvhTypeH;
-    var phi_2972_: SlimbvhTypeI;
-    var phi_3025_: i32;
-    var phi_3165_: SlimbvhTypeK;
-    var phi_3189_: u32;
-    var phi_3217_: vec3<f32>;
-    var phi_3218_: vec3<f32>;
-    var phi_3235_: vec3<f32>;
-    var phi_3236_: vec3<f32>;
-    var phi_3253_: vec3<f32>;
+    var phi_2178_: SlimbvhTypeO;
+    var phi_2181_: SlimbvhTypeG;
+    var phi_2182_: SlimbvhTypeG;
+    var phi_2204_: SlimbvhTypeG;
+    var phi_2283_: array<vec4<f32>, 3>;
+    var phi_2284_: array<vec4<f32>, 3>;
+    var phi_2364_: array<vec4<f32>, 3>;
+    var phi_2365_: array<vec4<f32>, 3>;
+    var phi_2388_: array<f32, 3>;
+    var phi_2389_: array<f32, 3>;
+    var phi_2403_: array<f32, 3>;
+    var phi_2404_: array<f32, 3>;
+    var phi_2418_: array<f32, 3>;
+    var phi_2419_: array<f32, 3>;
+    var phi_2778_: f32;
+    var phi_2779_: f32;
+    var phi_2780_: f32;
+    var phi_2781_: f32;
+    var phi_2782_: vec3<f32>;
+    var phi_2783_: vec3<f32>;
+    var phi_2784_: vec3<f32>;
+    var phi_2785_: vec3<f32>;
+    var phi_2964_: f32;
+    var phi_2990_: SlimbvhTypeH;
+    var phi_2991_: SlimbvhTypeH;
+    var phi_2994_: SlimbvhTypeH;
+    var phi_2995_: SlimbvhTypeH;
+    var phi_2996_: bool;
+    var phi_3000_: SlimbvhTypeH;
+    var phi_3009_: SlimbvhTypeI;
+    var phi_3062_: i32;
+    var phi_3202_: SlimbvhTypeK;
+    var phi_3226_: u32;
     var phi_3254_: vec3<f32>;
+    var phi_3255_: vec3<f32>;
+    var phi_3272_: vec3<f32>;
+    var phi_3273_: vec3<f32>;
     var phi_3290_: vec3<f32>;
-    var phi_3472_: f32;
-    var phi_3490_: bool;
-    var phi_3491_: bool;
-    var phi_3510_: bool;
-    var phi_3511_: bool;
-    var phi_3518_: SlimbvhTypeO;
-    var phi_3524_: SlimbvhTypeO;
-    var phi_3525_: SlimbvhTypeO;
-    var phi_3526_: SlimbvhTypeO;
-    var phi_2142_: SlimbvhTypeO;
+    var phi_3291_: vec3<f32>;
+    var phi_3327_: vec3<f32>;
+    var phi_3509_: f32;
+    var phi_3527_: bool;
+    var phi_3528_: bool;
+    var phi_3547_: bool;
+    var phi_3548_: bool;
+    var phi_3555_: SlimbvhTypeO;
+    var phi_3561_: SlimbvhTypeO;
+    var phi_3562_: SlimbvhTypeO;
+    var phi_3563_: SlimbvhTypeO;
+    var phi_2179_: SlimbvhTypeO;
     var local_4: u32;
     var local_5: u32;
-    var phi_3582_: u32;
+    var phi_3622_: u32;
     var local_6: SlimbvhTypeO;
-    var phi_3591_: SlimbvhTypeO;
-    var phi_3592_: u32;
-    var phi_3593_: u32;
-    var phi_1521_: SlimbvhTypeO;
-    var phi_1524_: u32;
-    var phi_1526_: u32;
-    var phi_1528_: u32;
+    var phi_3631_: SlimbvhTypeO;
+    var phi_3632_: u32;
+    var phi_3633_: u32;
+    var phi_1535_: SlimbvhTypeO;
+    var phi_1538_: u32;
+    var phi_1540_: u32;
+    var phi_1542_: u32;
     var local_7: SlimbvhTypeO;
-    var phi_3629_: f32;
-    var phi_3631_: f32;
-    var phi_3632_: bool;
-    var phi_3633_: f32;
-    var phi_3634_: bool;
-    var phi_4019_: u32;
-    var phi_4037_: bool;
-    var phi_4040_: bool;
-    var phi_4053_: f32;
-    var phi_4054_: f32;
-    var phi_4059_: f32;
-    var phi_4060_: f32;
-    var phi_4061_: bool;
-    var phi_4069_: f32;
-    var phi_3649_: f32;
-    var phi_3650_: f32;
-    var phi_3662_: f32;
-    var phi_3667_: SlimbvhTypeI;
+    var phi_3669_: f32;
+    var phi_3671_: f32;
+    var phi_3672_: bool;
+    var phi_3673_: f32;
+    var phi_3674_: bool;
+    var phi_4059_: u32;
+    var phi_4077_: bool;
+    var phi_4080_: bool;
+    var phi_4093_: f32;
+    var phi_4094_: f32;
+    var phi_4099_: f32;
+    var phi_4100_: f32;
+    var phi_4101_: bool;
+    var phi_4109_: f32;
+    var phi_3689_: f32;
+    var phi_3690_: f32;
+    var phi_3702_: f32;
+    var phi_3707_: SlimbvhTypeI;
     var local_8: SlimbvhTypeO;
     var local_9: u32;
     var local_10: u32;
     var local_11: u32;
 
     let _e89 = SlimbvhTypeI(bitcast<f32>(2139095039u), 0f, 0f, 4294967295u);
-    let _e92 = arrayLength((&slimbvh_nodes.member));
+    let _e93 = arrayLength((&slimbvh_nodes.member));
+    let _e104 = slimbvh_exponent.member[1u];
+    let _e107 = slimbvh_exponent.member[2u];
     local = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
-    let _e101 = slimbvh_origin.member;
-    let _e107 = slimbvh_origin.member[3u];
-    let _e108 = slimbvh_direction.member;
-    let _e114 = slimbvh_direction.member[3u];
-    let _e117 = slimbvh_exponent.member[0u];
-    let _e118 = bitcast<i32>(_e117);
-    let _e120 = (bitcast<u32>(_e101.x) & 2147483647u);
-    let _e122 = (bitcast<u32>(_e101.y) & 2147483647u);
-    let _e124 = (bitcast<u32>(_e101.z) & 2147483647u);
-    let _e125 = bitcast<u32>(_e107);
-    let _e126 = (_e125 & 2147483647u);
-    let _e128 = (bitcast<u32>(_e108.x) & 2147483647u);
-    let _e130 = (bitcast<u32>(_e108.y) & 2147483647u);
-    let _e132 = (bitcast<u32>(_e108.z) & 2147483647u);
-    let _e133 = bitcast<u32>(_e114);
-    let _e134 = (_e133 & 2147483647u);
-    let _e136 = select(_e130, _e128, (_e130 < _e128));
-    let _e138 = select(_e132, _e136, (_e132 < _e136));
-    let _e140 = select(_e120, _e138, (_e120 < _e138));
-    let _e142 = select(_e122, _e140, (_e122 < _e140));
-    let _e144 = select(_e124, _e142, (_e124 < _e142));
-    let _e151 = (((select(_e126, _e144, (_e126 < _e144)) < 2139095040u) && (_e134 <= 2139095040u)) && (_e138 > 0u));
-    if (_e128 == _e138) {
-        phi_618_ = 0u;
+    let _e108 = slimbvh_origin.member;
+    let _e114 = slimbvh_origin.member[3u];
+    let _e115 = slimbvh_direction.member;
+    let _e121 = slimbvh_direction.member[3u];
+    let _e124 = slimbvh_exponent.member[0u];
+    let _e125 = bitcast<i32>(_e124);
+    let _e127 = (bitcast<u32>(_e108.x) & 2147483647u);
+    let _e129 = (bitcast<u32>(_e108.y) & 2147483647u);
+    let _e131 = (bitcast<u32>(_e108.z) & 2147483647u);
+    let _e132 = bitcast<u32>(_e114);
+    let _e133 = (_e132 & 2147483647u);
+    let _e135 = (bitcast<u32>(_e115.x) & 2147483647u);
+    let _e137 = (bitcast<u32>(_e115.y) & 2147483647u);
+    let _e139 = (bitcast<u32>(_e115.z) & 2147483647u);
+    let _e140 = bitcast<u32>(_e121);
+    let _e141 = (_e140 & 2147483647u);
+    let _e143 = select(_e137, _e135, (_e137 < _e135));
+    let _e145 = select(_e139, _e143, (_e139 < _e143));
+    let _e147 = select(_e127, _e145, (_e127 < _e145));
+    let _e149 = select(_e129, _e147, (_e129 < _e147));
+    let _e151 = select(_e131, _e149, (_e131 < _e149));
+    let _e158 = (((select(_e133, _e151, (_e133 < _e151)) < 2139095040u) && (_e141 <= 2139095040u)) && (_e145 > 0u));
+    if (_e135 == _e145) {
+        phi_631_ = 0u;
     } else {
-        phi_618_ = select(2u, 1u, (_e130 == _e138));
+        phi_631_ = select(2u, 1u, (_e137 == _e145));
     }
-    let _e156 = phi_618_;
-    let _e157 = (_e156 == 2u);
-    if _e157 {
-        phi_624_ = 0u;
+    let _e163 = phi_631_;
+    let _e164 = (_e163 == 2u);
+    if _e164 {
+        phi_637_ = 0u;
     } else {
-        phi_624_ = (_e156 + 1u);
+        phi_637_ = (_e163 + 1u);
     }
-    let _e160 = phi_624_;
-    let _e161 = (_e160 == 2u);
-    if _e161 {
-        phi_630_ = 0u;
+    let _e167 = phi_637_;
+    let _e168 = (_e167 == 2u);
+    if _e168 {
+        phi_643_ = 0u;
     } else {
-        phi_630_ = (_e160 + 1u);
+        phi_643_ = (_e167 + 1u);
     }
-    let _e164 = phi_630_;
-    let _e165 = (_e160 == 0u);
-    let _e167 = select(select(_e101.y, _e101.x, _e165), _e101.z, _e161);
-    let _e168 = (_e164 == 0u);
-    let _e170 = (_e164 == 2u);
-    let _e171 = select(select(_e101.y, _e101.x, _e168), _e101.z, _e170);
-    let _e172 = (_e156 == 0u);
-    let _e174 = select(select(_e101.y, _e101.x, _e172), _e101.z, _e157);
-    let _e176 = select(select(_e108.y, _e108.x, _e165), _e108.z, _e161);
-    let _e178 = select(select(_e108.y, _e108.x, _e168), _e108.z, _e170);
-    let _e180 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e157);
-    let _e181 = (_e126 - 1u);
-    let _e182 = (_e134 - 1u);
-    let _e184 = select(_e181, _e182, (_e182 < _e181));
-    let _e185 = (_e120 - 1u);
-    let _e186 = (_e122 - 1u);
-    let _e188 = select(_e185, _e186, (_e186 < _e185));
-    let _e189 = (_e124 - 1u);
+    let _e171 = phi_643_;
+    let _e172 = (_e167 == 0u);
+    let _e174 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e168);
+    let _e175 = (_e171 == 0u);
+    let _e177 = (_e171 == 2u);
+    let _e178 = select(select(_e108.y, _e108.x, _e175), _e108.z, _e177);
+    let _e179 = (_e163 == 0u);
+    let _e181 = select(select(_e108.y, _e108.x, _e179), _e108.z, _e164);
+    let _e183 = select(select(_e115.y, _e115.x, _e172), _e115.z, _e168);
+    let _e185 = select(select(_e115.y, _e115.x, _e175), _e115.z, _e177);
+    let _e187 = select(select(_e115.y, _e115.x, _e179), _e115.z, _e164);
+    let _e188 = (_e133 - 1u);
+    let _e189 = (_e141 - 1u);
     let _e191 = select(_e188, _e189, (_e189 < _e188));
-    let _e192 = (_e128 - 1u);
-    let _e193 = (_e130 - 1u);
+    let _e192 = (_e127 - 1u);
+    let _e193 = (_e129 - 1u);
     let _e195 = select(_e192, _e193, (_e193 < _e192));
-    let _e196 = (_e132 - 1u);
+    let _e196 = (_e131 - 1u);
     let _e198 = select(_e195, _e196, (_e196 < _e195));
-    let _e200 = select(_e191, _e198, (_e198 < _e191));
-    if (((select(_e200, _e184, (_e184 < _e200)) >= 8388607u) && (_e138 < 2130706432u)) && (bitcast<u32>((_e118 + 126i)) <= 253u)) {
-        let _e465 = bitcast<i32>((_e138 >> bitcast<u32>(23i)));
-        let _e466 = (_e465 - 127i);
-        let _e467 = (_e118 + _e466);
-        let _e472 = bitcast<f32>((bitcast<u32>((_e118 + 127i)) << bitcast<u32>(23i)));
-        let _e477 = bitcast<f32>((bitcast<u32>((254i - _e465)) << bitcast<u32>(23i)));
-        if (_e126 >= 2139095040u) {
-            phi_792_ = 255i;
+    let _e199 = (_e135 - 1u);
+    let _e200 = (_e137 - 1u);
+    let _e202 = select(_e199, _e200, (_e200 < _e199));
+    let _e203 = (_e139 - 1u);
+    let _e205 = select(_e202, _e203, (_e203 < _e202));
+    let _e207 = select(_e198, _e205, (_e205 < _e198));
+    if (((select(_e207, _e191, (_e191 < _e207)) >= 8388607u) && (_e145 < 2130706432u)) && (bitcast<u32>((_e125 + 126i)) <= 253u)) {
+        let _e472 = bitcast<i32>((_e145 >> bitcast<u32>(23i)));
+        let _e473 = (_e472 - 127i);
+        let _e474 = (_e125 + _e473);
+        let _e479 = bitcast<f32>((bitcast<u32>((_e125 + 127i)) << bitcast<u32>(23i)));
+        let _e484 = bitcast<f32>((bitcast<u32>((254i - _e472)) << bitcast<u32>(23i)));
+        if (_e133 >= 2139095040u) {
+            phi_805_ = 255i;
         } else {
-            phi_792_ = (bitcast<i32>((_e126 >> bitcast<u32>(23i))) + _e467);
+            phi_805_ = (bitcast<i32>((_e133 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e492 = phi_792_;
-        if (_e126 == 0u) {
-            phi_798_ = 0u;
+        let _e499 = phi_805_;
+        if (_e133 == 0u) {
+            phi_811_ = 0u;
         } else {
-            phi_798_ = (_e126 | 8388608u);
+            phi_811_ = (_e133 | 8388608u);
         }
-        let _e496 = phi_798_;
-        if (_e492 <= 0i) {
-            phi_818_ = u32();
-            phi_819_ = true;
+        let _e503 = phi_811_;
+        if (_e499 <= 0i) {
+            phi_831_ = u32();
+            phi_832_ = true;
         } else {
-            let _e503 = (_e496 == 0u);
-            if _e503 {
-                phi_817_ = u32();
+            let _e510 = (_e503 == 0u);
+            if _e510 {
+                phi_830_ = u32();
             } else {
-                phi_817_ = select(((bitcast<u32>(_e492) << bitcast<u32>(23i)) | (_e496 & 8388607u)), 2139095039u, (_e492 >= 255i));
+                phi_830_ = select(((bitcast<u32>(_e499) << bitcast<u32>(23i)) | (_e503 & 8388607u)), 2139095039u, (_e499 >= 255i));
             }
-            let _e507 = phi_817_;
-            phi_818_ = _e507;
-            phi_819_ = _e503;
+            let _e514 = phi_830_;
+            phi_831_ = _e514;
+            phi_832_ = _e510;
         }
-        let _e509 = phi_818_;
-        let _e511 = phi_819_;
-        if (_e134 >= 2139095040u) {
-            phi_837_ = 255i;
+        let _e516 = phi_831_;
+        let _e518 = phi_832_;
+        if (_e141 >= 2139095040u) {
+            phi_850_ = 255i;
         } else {
-            phi_837_ = (bitcast<i32>((_e134 >> bitcast<u32>(23i))) + _e467);
+            phi_850_ = (bitcast<i32>((_e141 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e522 = phi_837_;
-        if (_e134 == 0u) {
-            phi_843_ = 0u;
+        let _e529 = phi_850_;
+        if (_e141 == 0u) {
+            phi_856_ = 0u;
         } else {
-            phi_843_ = (_e134 | 8388608u);
+            phi_856_ = (_e141 | 8388608u);
         }
-        let _e526 = phi_843_;
-        if (_e522 <= 0i) {
-            phi_863_ = u32();
-            phi_864_ = true;
+        let _e533 = phi_856_;
+        if (_e529 <= 0i) {
+            phi_876_ = u32();
+            phi_877_ = true;
         } else {
-            let _e533 = (_e526 == 0u);
-            if _e533 {
-                phi_862_ = u32();
+            let _e540 = (_e533 == 0u);
+            if _e540 {
+                phi_875_ = u32();
             } else {
-                phi_862_ = select(((bitcast<u32>(_e522) << bitcast<u32>(23i)) | (_e526 & 8388607u)), 2139095039u, (_e522 >= 255i));
+                phi_875_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | (_e533 & 8388607u)), 2139095039u, (_e529 >= 255i));
             }
-            let _e537 = phi_862_;
-            phi_863_ = _e537;
-            phi_864_ = _e533;
+            let _e544 = phi_875_;
+            phi_876_ = _e544;
+            phi_877_ = _e540;
         }
-        let _e539 = phi_863_;
-        let _e541 = phi_864_;
-        phi_1241_ = SlimbvhTypeF(array<f32, 3>((_e167 * _e472), (_e171 * _e472), (_e174 * _e472)), array<f32, 3>((_e176 * _e477), (_e178 * _e477), (_e180 * _e477)), bitcast<f32>(((_e125 & 2147483648u) | select(_e509, 0u, _e511))), bitcast<f32>(((_e133 & 2147483648u) | select(_e539, 0u, _e541))), _e466);
+        let _e546 = phi_876_;
+        let _e548 = phi_877_;
+        phi_1254_ = SlimbvhTypeF(array<f32, 3>((_e174 * _e479), (_e178 * _e479), (_e181 * _e479)), array<f32, 3>((_e183 * _e484), (_e185 * _e484), (_e187 * _e484)), bitcast<f32>(((_e132 & 2147483648u) | select(_e516, 0u, _e518))), bitcast<f32>(((_e140 & 2147483648u) | select(_e546, 0u, _e548))), _e473);
     } else {
-        let _e213 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e138, _e151))) & 2147483647u);
-        if (_e213 >= 8388608u) {
-            phi_895_ = (bitcast<i32>((_e213 >> bitcast<u32>(23i))) - 127i);
+        let _e220 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e145, _e158))) & 2147483647u);
+        if (_e220 >= 8388608u) {
+            phi_908_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_895_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e213)), 32u, (_e213 == 0u))));
+            phi_908_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
         }
-        let _e227 = phi_895_;
-        let _e228 = (_e118 + _e227);
-        if (_e118 < -126i) {
-            phi_906_ = -126i;
+        let _e234 = phi_908_;
+        let _e235 = (_e125 + _e234);
+        if (_e125 < -126i) {
+            phi_919_ = -126i;
         } else {
-            phi_906_ = select(_e118, 127i, (_e118 > 127i));
+            phi_919_ = select(_e125, 127i, (_e125 > 127i));
         }
-        let _e233 = phi_906_;
-        let _e238 = bitcast<f32>((bitcast<u32>((_e233 + 127i)) << bitcast<u32>(23i)));
-        let _e244 = bitcast<f32>((bitcast<u32>(((_e118 - _e233) + 127i)) << bitcast<u32>(23i)));
-        let _e245 = bitcast<u32>(_e167);
-        let _e247 = ((_e245 & 2139095040u) != 0u);
-        let _e262 = bitcast<u32>(_e171);
-        let _e264 = ((_e262 & 2139095040u) != 0u);
-        let _e279 = bitcast<u32>(_e174);
-        let _e281 = ((_e279 & 2139095040u) != 0u);
-        let _e297 = -(_e227);
-        if (_e297 < -126i) {
-            phi_1020_ = -126i;
+        let _e240 = phi_919_;
+        let _e245 = bitcast<f32>((bitcast<u32>((_e240 + 127i)) << bitcast<u32>(23i)));
+        let _e251 = bitcast<f32>((bitcast<u32>(((_e125 - _e240) + 127i)) << bitcast<u32>(23i)));
+        let _e252 = bitcast<u32>(_e174);
+        let _e254 = ((_e252 & 2139095040u) != 0u);
+        let _e269 = bitcast<u32>(_e178);
+        let _e271 = ((_e269 & 2139095040u) != 0u);
+        let _e286 = bitcast<u32>(_e181);
+        let _e288 = ((_e286 & 2139095040u) != 0u);
+        let _e304 = -(_e234);
+        if (_e304 < -126i) {
+            phi_1033_ = -126i;
         } else {
-            phi_1020_ = select(_e297, 127i, (_e297 > 127i));
+            phi_1033_ = select(_e304, 127i, (_e304 > 127i));
         }
-        let _e302 = phi_1020_;
-        let _e307 = bitcast<f32>((bitcast<u32>((_e302 + 127i)) << bitcast<u32>(23i)));
-        let _e313 = bitcast<f32>((bitcast<u32>(((_e297 - _e302) + 127i)) << bitcast<u32>(23i)));
-        let _e314 = bitcast<u32>(_e176);
-        let _e316 = ((_e314 & 2139095040u) != 0u);
-        let _e331 = bitcast<u32>(_e178);
-        let _e333 = ((_e331 & 2139095040u) != 0u);
-        let _e348 = bitcast<u32>(_e180);
-        let _e350 = ((_e348 & 2139095040u) != 0u);
-        let _e372 = ((_e126 & 8388607u) | (select(0u, 1u, ((_e126 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e375 = bitcast<i32>((_e126 >> bitcast<u32>(23i)));
-        let _e382 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e372)), 32u, (_e372 == 0u))) - 8i);
-        if (_e375 == 255i) {
-            phi_1149_ = 255i;
+        let _e309 = phi_1033_;
+        let _e314 = bitcast<f32>((bitcast<u32>((_e309 + 127i)) << bitcast<u32>(23i)));
+        let _e320 = bitcast<f32>((bitcast<u32>(((_e304 - _e309) + 127i)) << bitcast<u32>(23i)));
+        let _e321 = bitcast<u32>(_e183);
+        let _e323 = ((_e321 & 2139095040u) != 0u);
+        let _e338 = bitcast<u32>(_e185);
+        let _e340 = ((_e338 & 2139095040u) != 0u);
+        let _e355 = bitcast<u32>(_e187);
+        let _e357 = ((_e355 & 2139095040u) != 0u);
+        let _e379 = ((_e133 & 8388607u) | (select(0u, 1u, ((_e133 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e382 = bitcast<i32>((_e133 >> bitcast<u32>(23i)));
+        let _e389 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e379)), 32u, (_e379 == 0u))) - 8i);
+        if (_e382 == 255i) {
+            phi_1162_ = 255i;
         } else {
-            phi_1149_ = (((_e375 + select(0i, 1i, (_e375 == 0i))) - _e382) + _e228);
+            phi_1162_ = (((_e382 + select(0i, 1i, (_e382 == 0i))) - _e389) + _e235);
         }
-        let _e390 = phi_1149_;
-        let _e394 = (_e372 << bitcast<u32>(((_e382 & 31i) & 31i)));
-        if (_e390 <= 0i) {
-            phi_1172_ = u32();
-            phi_1173_ = true;
+        let _e397 = phi_1162_;
+        let _e401 = (_e379 << bitcast<u32>(((_e389 & 31i) & 31i)));
+        if (_e397 <= 0i) {
+            phi_1185_ = u32();
+            phi_1186_ = true;
         } else {
-            let _e401 = (_e394 == 0u);
-            if _e401 {
-                phi_1171_ = u32();
+            let _e408 = (_e401 == 0u);
+            if _e408 {
+                phi_1184_ = u32();
             } else {
-                phi_1171_ = select(((bitcast<u32>(_e390) << bitcast<u32>(23i)) | (_e394 & 8388607u)), 2139095039u, (_e390 >= 255i));
+                phi_1184_ = select(((bitcast<u32>(_e397) << bitcast<u32>(23i)) | (_e401 & 8388607u)), 2139095039u, (_e397 >= 255i));
             }
-            let _e405 = phi_1171_;
-            phi_1172_ = _e405;
-            phi_1173_ = _e401;
+            let _e412 = phi_1184_;
+            phi_1185_ = _e412;
+            phi_1186_ = _e408;
         }
-        let _e407 = phi_1172_;
-        let _e409 = phi_1173_;
-        let _e420 = ((_e134 & 8388607u) | (select(0u, 1u, ((_e134 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-        let _e423 = bitcast<i32>((_e134 >> bitcast<u32>(23i)));
-        let _e430 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e420)), 32u, (_e420 == 0u))) - 8i);
-        if (_e423 == 255i) {
-            phi_1207_ = 255i;
+        let _e414 = phi_1185_;
+        let _e416 = phi_1186_;
+        let _e427 = ((_e141 & 8388607u) | (select(0u, 1u, ((_e141 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+        let _e430 = bitcast<i32>((_e141 >> bitcast<u32>(23i)));
+        let _e437 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e427)), 32u, (_e427 == 0u))) - 8i);
+        if (_e430 == 255i) {
+            phi_1220_ = 255i;
         } else {
-            phi_1207_ = (((_e423 + select(0i, 1i, (_e423 == 0i))) - _e430) + _e228);
+            phi_1220_ = (((_e430 + select(0i, 1i, (_e430 == 0i))) - _e437) + _e235);
         }
-        let _e438 = phi_1207_;
-        let _e442 = (_e420 << bitcast<u32>(((_e430 & 31i) & 31i)));
-        if (_e438 <= 0i) {
-            phi_1230_ = u32();
-            phi_1231_ = true;
+        let _e445 = phi_1220_;
+        let _e449 = (_e427 << bitcast<u32>(((_e437 & 31i) & 31i)));
+        if (_e445 <= 0i) {
+            phi_1243_ = u32();
+            phi_1244_ = true;
         } else {
-            let _e449 = (_e442 == 0u);
-            if _e449 {
-                phi_1229_ = u32();
+            let _e456 = (_e449 == 0u);
+            if _e456 {
+                phi_1242_ = u32();
             } else {
-                phi_1229_ = select(((bitcast<u32>(_e438) << bitcast<u32>(23i)) | (_e442 & 8388607u)), 2139095039u, (_e438 >= 255i));
+                phi_1242_ = select(((bitcast<u32>(_e445) << bitcast<u32>(23i)) | (_e449 & 8388607u)), 2139095039u, (_e445 >= 255i));
             }
-            let _e453 = phi_1229_;
-            phi_1230_ = _e453;
-            phi_1231_ = _e449;
+            let _e460 = phi_1242_;
+            phi_1243_ = _e460;
+            phi_1244_ = _e456;
         }
-        let _e455 = phi_1230_;
-        let _e457 = phi_1231_;
-        phi_1241_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e245 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e245 & 2147483648u))), _e167, _e247) * _e238) * select(0.00000011920929f, 1f, _e247)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e262 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e262 & 2147483648u))), _e171, _e264) * _e238) * select(0.00000011920929f, 1f, _e264)) * _e244), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e279 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e279 & 2147483648u))), _e174, _e281) * _e238) * select(0.00000011920929f, 1f, _e281)) * _e244)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e314 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e314 & 2147483648u))), _e176, _e316) * _e307) * select(0.00000011920929f, 1f, _e316)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e331 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e331 & 2147483648u))), _e178, _e333) * _e307) * select(0.00000011920929f, 1f, _e333)) * _e313), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e348 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e348 & 2147483648u))), _e180, _e350) * _e307) * select(0.00000011920929f, 1f, _e350)) * _e313)), bitcast<f32>(((_e125 & 2147483648u) | select(_e407, 0u, _e409))), bitcast<f32>(((_e133 & 2147483648u) | select(_e455, 0u, _e457))), _e227);
+        let _e462 = phi_1243_;
+        let _e464 = phi_1244_;
+        phi_1254_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e174, _e254) * _e245) * select(0.00000011920929f, 1f, _e254)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e178, _e271) * _e245) * select(0.00000011920929f, 1f, _e271)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e286 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e286 & 2147483648u))), _e181, _e288) * _e245) * select(0.00000011920929f, 1f, _e288)) * _e251)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e183, _e323) * _e314) * select(0.00000011920929f, 1f, _e323)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e185, _e340) * _e314) * select(0.00000011920929f, 1f, _e340)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e187, _e357) * _e314) * select(0.00000011920929f, 1f, _e357)) * _e320)), bitcast<f32>(((_e132 & 2147483648u) | select(_e414, 0u, _e416))), bitcast<f32>(((_e140 & 2147483648u) | select(_e462, 0u, _e464))), _e234);
     }
-    let _e548 = phi_1241_;
-    let _e563 = (bitcast<f32>((bitcast<u32>(_e548.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e566 = bitcast<f32>((bitcast<u32>(_e548.member[0]) & 2147483647u));
-    let _e567 = (_e566 * 0.00000011920929f);
-    let _e570 = select(select(0.00000000000011368684f, _e567, (_e567 > 0.00000000000011368684f)), 0f, _e563);
-    let _e571 = select(0f, _e548.member_1[0], _e563);
-    let _e572 = (_e548.member[0] + _e570);
-    let _e573 = (_e548.member[0] - _e570);
-    let _e575 = select(38685626000000000000000000f, (1f / _e548.member_1[0]), _e563);
-    let _e579 = (bitcast<f32>((bitcast<u32>(_e548.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e582 = bitcast<f32>((bitcast<u32>(_e548.member[1]) & 2147483647u));
-    let _e583 = (_e582 * 0.00000011920929f);
-    let _e586 = select(select(0.00000000000011368684f, _e583, (_e583 > 0.00000000000011368684f)), 0f, _e579);
-    let _e587 = select(0f, _e548.member_1[1], _e579);
-    let _e588 = (_e548.member[1] + _e586);
-    let _e589 = (_e548.member[1] - _e586);
-    let _e591 = select(38685626000000000000000000f, (1f / _e548.member_1[1]), _e579);
-    let _e595 = (bitcast<f32>((bitcast<u32>(_e548.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
-    let _e598 = bitcast<f32>((bitcast<u32>(_e548.member[2]) & 2147483647u));
-    let _e599 = (_e598 * 0.00000011920929f);
-    let _e602 = select(select(0.00000000000011368684f, _e599, (_e599 > 0.00000000000011368684f)), 0f, _e595);
-    let _e603 = select(0f, _e548.member_1[2], _e595);
-    let _e604 = (_e548.member[2] + _e602);
-    let _e605 = (_e548.member[2] - _e602);
-    let _e607 = select(38685626000000000000000000f, (1f / _e548.member_1[2]), _e595);
-    let _e609 = select(_e582, _e566, (_e566 > _e582));
-    let _e613 = (_e151 && (select(_e598, _e609, (_e609 > _e598)) <= 1099511600000f));
-    let _e614 = select(0f, _e548.member_3, _e613);
-    let _e615 = select(1f, _e548.member_2, _e613);
-    let _e619 = slimbvh_question.member[1u];
-    let _e622 = slimbvh_question.member[0u];
-    if (_e622 == 1u) {
-        phi_1480_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e614), true);
+    let _e555 = phi_1254_;
+    let _e570 = (bitcast<f32>((bitcast<u32>(_e555.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e573 = bitcast<f32>((bitcast<u32>(_e555.member[0]) & 2147483647u));
+    let _e574 = (_e573 * 0.00000011920929f);
+    let _e577 = select(select(0.00000000000011368684f, _e574, (_e574 > 0.00000000000011368684f)), 0f, _e570);
+    let _e578 = select(0f, _e555.member_1[0], _e570);
+    let _e579 = (_e555.member[0] + _e577);
+    let _e580 = (_e555.member[0] - _e577);
+    let _e582 = select(38685626000000000000000000f, (1f / _e555.member_1[0]), _e570);
+    let _e586 = (bitcast<f32>((bitcast<u32>(_e555.member_1[1]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e589 = bitcast<f32>((bitcast<u32>(_e555.member[1]) & 2147483647u));
+    let _e590 = (_e589 * 0.00000011920929f);
+    let _e593 = select(select(0.00000000000011368684f, _e590, (_e590 > 0.00000000000011368684f)), 0f, _e586);
+    let _e594 = select(0f, _e555.member_1[1], _e586);
+    let _e595 = (_e555.member[1] + _e593);
+    let _e596 = (_e555.member[1] - _e593);
+    let _e598 = select(38685626000000000000000000f, (1f / _e555.member_1[1]), _e586);
+    let _e602 = (bitcast<f32>((bitcast<u32>(_e555.member_1[2]) & 2147483647u)) >= 0.00000000000000000086736174f);
+    let _e605 = bitcast<f32>((bitcast<u32>(_e555.member[2]) & 2147483647u));
+    let _e606 = (_e605 * 0.00000011920929f);
+    let _e609 = select(select(0.00000000000011368684f, _e606, (_e606 > 0.00000000000011368684f)), 0f, _e602);
+    let _e610 = select(0f, _e555.member_1[2], _e602);
+    let _e611 = (_e555.member[2] + _e609);
+    let _e612 = (_e555.member[2] - _e609);
+    let _e614 = select(38685626000000000000000000f, (1f / _e555.member_1[2]), _e602);
+    let _e616 = select(_e589, _e573, (_e573 > _e589));
+    let _e620 = (_e158 && (select(_e605, _e616, (_e616 > _e605)) <= 1099511600000f));
+    let _e621 = select(0f, _e555.member_3, _e620);
+    let _e622 = select(1f, _e555.member_2, _e620);
+    let _e626 = slimbvh_question.member[1u];
+    let _e629 = slimbvh_question.member[0u];
+    if (_e629 == 1u) {
+        phi_1493_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e621), true);
     } else {
-        phi_1480_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e614), false);
+        phi_1493_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e621), false);
     }
-    let _e629 = phi_1480_;
-    phi_1520_ = _e629;
-    phi_1523_ = select(4294967295u, 0u, (_e615 <= _e614));
-    phi_1525_ = 0u;
-    phi_1527_ = (_e92 + 1u);
+    let _e636 = phi_1493_;
+    phi_1534_ = _e636;
+    phi_1537_ = select(4294967295u, 0u, (_e622 <= _e621));
+    phi_1539_ = 0u;
+    phi_1541_ = (_e93 + 1u);
     loop {
-        let _e647 = phi_1520_;
-        let _e649 = phi_1523_;
-        let _e651 = phi_1525_;
-        let _e653 = phi_1527_;
-        local_7 = _e647;
-        let _e654 = (_e649 <= 2147483647u);
-        if _e654 {
-            phi_1536_ = _e649;
-            phi_1539_ = _e651;
-            phi_1541_ = _e653;
+        let _e654 = phi_1534_;
+        let _e656 = phi_1537_;
+        let _e658 = phi_1539_;
+        let _e660 = phi_1541_;
+        local_7 = _e654;
+        let _e661 = (_e656 <= 2147483647u);
+        if _e661 {
+            phi_1550_ = _e656;
+            phi_1553_ = _e658;
+            phi_1555_ = _e660;
             loop {
-                let _e656 = phi_1536_;
-                let _e658 = phi_1539_;
-                let _e660 = phi_1541_;
-                local_2 = _e658;
-                local_3 = _e658;
-                local_4 = _e656;
-                local_5 = _e656;
-                local_9 = _e656;
-                local_10 = _e658;
-                local_11 = _e660;
-                let _e661 = (_e656 <= 2147483647u);
-                let _e664 = (_e661 && !((_e658 >= _e92)));
-                local_1 = _e661;
-                if _e664 {
-                    let _e666 = ((2u * (_e160 & 3u)) + (bitcast<u32>(_e575) >> bitcast<u32>(31i)));
-                    let _e668 = ((2u * (_e164 & 3u)) + (bitcast<u32>(_e591) >> bitcast<u32>(31i)));
-                    let _e670 = ((2u * (_e156 & 3u)) + (bitcast<u32>(_e607) >> bitcast<u32>(31i)));
-                    let _e677 = slimbvh_nodes.member[_e658].member[select(_e666, 5u, (5u < _e666))];
-                    let _e684 = slimbvh_nodes.member[_e658].member[select(_e668, 5u, (5u < _e668))];
-                    let _e691 = slimbvh_nodes.member[_e658].member[select(_e670, 5u, (5u < _e670))];
-                    let _e692 = (_e666 ^ 1u);
-                    let _e699 = slimbvh_nodes.member[_e658].member[select(_e692, 5u, (5u < _e692))];
-                    let _e700 = (_e668 ^ 1u);
-                    let _e707 = slimbvh_nodes.member[_e658].member[select(_e700, 5u, (5u < _e700))];
-                    let _e708 = (_e670 ^ 1u);
-                    let _e715 = slimbvh_nodes.member[_e658].member[select(_e708, 5u, (5u < _e708))];
-                    let _e774 = ((_e691.x - _e604) * _e607);
-                    let _e775 = ((_e691.y - _e604) * _e607);
-                    let _e776 = ((_e691.z - _e604) * _e607);
-                    let _e777 = ((_e691.w - _e604) * _e607);
-                    let _e786 = ((_e715.x - _e605) * _e607);
-                    let _e787 = ((_e715.y - _e605) * _e607);
-                    let _e788 = ((_e715.z - _e605) * _e607);
-                    let _e789 = ((_e715.w - _e605) * _e607);
-                    let _e822 = max(max(max(((_e677.x - _e572) * _e575), ((_e684.x - _e588) * _e591)), _e774), _e615);
-                    let _e823 = max(max(max(((_e677.y - _e572) * _e575), ((_e684.y - _e588) * _e591)), _e775), _e615);
-                    let _e824 = max(max(max(((_e677.z - _e572) * _e575), ((_e684.z - _e588) * _e591)), _e776), _e615);
-                    let _e825 = max(max(max(((_e677.w - _e572) * _e575), ((_e684.w - _e588) * _e591)), _e777), _e615);
-                    if (_e822 <= min((min(min(((_e699.x - _e573) * _e575), ((_e707.x - _e589) * _e591)), _e786) + (max(_e786, -(_e774)) * 0.0000019073523f)), _e647.member.member_1)) {
-                        phi_1978_ = (((bitcast<u32>(_e822) ^ select(0u, 4294967288u, _e629.member_1)) & 2147483640u) | 4u);
+                let _e663 = phi_1550_;
+                let _e665 = phi_1553_;
+                let _e667 = phi_1555_;
+                local_2 = _e665;
+                local_3 = _e665;
+                local_4 = _e663;
+                local_5 = _e663;
+                local_9 = _e663;
+                local_10 = _e665;
+                local_11 = _e667;
+                let _e668 = (_e663 <= 2147483647u);
+                let _e670 = (_e665 + _e104);
+                let _e674 = (_e668 && !(((_e665 >= _e93) || (_e670 >= _e93))));
+                local_1 = _e668;
+                if _e674 {
+                    let _e676 = ((2u * (_e167 & 3u)) + (bitcast<u32>(_e582) >> bitcast<u32>(31i)));
+                    let _e678 = ((2u * (_e171 & 3u)) + (bitcast<u32>(_e598) >> bitcast<u32>(31i)));
+                    let _e680 = ((2u * (_e163 & 3u)) + (bitcast<u32>(_e614) >> bitcast<u32>(31i)));
+                    let _e686 = slimbvh_nodes.member[_e670].member[select(_e676, 5u, (5u < _e676))];
+                    let _e692 = slimbvh_nodes.member[_e670].member[select(_e678, 5u, (5u < _e678))];
+                    let _e698 = slimbvh_nodes.member[_e670].member[select(_e680, 5u, (5u < _e680))];
+                    let _e699 = (_e676 ^ 1u);
+                    let _e705 = slimbvh_nodes.member[_e670].member[select(_e699, 5u, (5u < _e699))];
+                    let _e706 = (_e678 ^ 1u);
+                    let _e712 = slimbvh_nodes.member[_e670].member[select(_e706, 5u, (5u < _e706))];
+                    let _e713 = (_e680 ^ 1u);
+                    let _e719 = slimbvh_nodes.member[_e670].member[select(_e713, 5u, (5u < _e713))];
+                    let _e778 = ((_e698.x - _e611) * _e614);
+                    let _e779 = ((_e698.y - _e611) * _e614);
+                    let _e780 = ((_e698.z - _e611) * _e614);
+                    let _e781 = ((_e698.w - _e611) * _e614);
+                    let _e790 = ((_e719.x - _e612) * _e614);
+                    let _e791 = ((_e719.y - _e612) * _e614);
+                    let _e792 = ((_e719.z - _e612) * _e614);
+                    let _e793 = ((_e719.w - _e612) * _e614);
+                    let _e826 = max(max(max(((_e686.x - _e579) * _e582), ((_e692.x - _e595) * _e598)), _e778), _e622);
+                    let _e827 = max(max(max(((_e686.y - _e579) * _e582), ((_e692.y - _e595) * _e598)), _e779), _e622);
+                    let _e828 = max(max(max(((_e686.z - _e579) * _e582), ((_e692.z - _e595) * _e598)), _e780), _e622);
+                    let _e829 = max(max(max(((_e686.w - _e579) * _e582), ((_e692.w - _e595) * _e598)), _e781), _e622);
+                    if (_e826 <= min((min(min(((_e705.x - _e580) * _e582), ((_e712.x - _e596) * _e598)), _e790) + (max(_e790, -(_e778)) * 0.0000019073523f)), _e654.member.member_1)) {
+                        phi_2011_ = (((bitcast<u32>(_e826) ^ select(0u, 4294967288u, _e636.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_1978_ = 4294967288u;
+                        phi_2011_ = 4294967288u;
                     }
-                    let _e840 = phi_1978_;
-                    if (_e823 <= min((min(min(((_e699.y - _e573) * _e575), ((_e707.y - _e589) * _e591)), _e787) + (max(_e787, -(_e775)) * 0.0000019073523f)), _e647.member.member_1)) {
-                        phi_1991_ = ((((bitcast<u32>(_e823) ^ select(0u, 4294967288u, _e629.member_1)) & 2147483640u) | 4u) | 1u);
+                    let _e844 = phi_2011_;
+                    if (_e827 <= min((min(min(((_e705.y - _e580) * _e582), ((_e712.y - _e596) * _e598)), _e791) + (max(_e791, -(_e779)) * 0.0000019073523f)), _e654.member.member_1)) {
+                        phi_2024_ = ((((bitcast<u32>(_e827) ^ select(0u, 4294967288u, _e636.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_1991_ = 4294967288u;
+                        phi_2024_ = 4294967288u;
                     }
-                    let _e848 = phi_1991_;
-                    if (_e824 <= min((min(min(((_e699.z - _e573) * _e575), ((_e707.z - _e589) * _e591)), _e788) + (max(_e788, -(_e776)) * 0.0000019073523f)), _e647.member.member_1)) {
-                        phi_2004_ = ((((bitcast<u32>(_e824) ^ select(0u, 4294967288u, _e629.member_1)) & 2147483640u) | 4u) | 2u);
+                    let _e852 = phi_2024_;
+                    if (_e828 <= min((min(min(((_e705.z - _e580) * _e582), ((_e712.z - _e596) * _e598)), _e792) + (max(_e792, -(_e780)) * 0.0000019073523f)), _e654.member.member_1)) {
+                        phi_2037_ = ((((bitcast<u32>(_e828) ^ select(0u, 4294967288u, _e636.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_2004_ = 4294967288u;
+                        phi_2037_ = 4294967288u;
                     }
-                    let _e856 = phi_2004_;
-                    if (_e825 <= min((min(min(((_e699.w - _e573) * _e575), ((_e707.w - _e589) * _e591)), _e789) + (max(_e789, -(_e777)) * 0.0000019073523f)), _e647.member.member_1)) {
-                        phi_2017_ = ((((bitcast<u32>(_e825) ^ select(0u, 4294967288u, _e629.member_1)) & 2147483640u) | 4u) | 3u);
+                    let _e860 = phi_2037_;
+                    if (_e829 <= min((min(min(((_e705.w - _e580) * _e582), ((_e712.w - _e596) * _e598)), _e793) + (max(_e793, -(_e781)) * 0.0000019073523f)), _e654.member.member_1)) {
+                        phi_2050_ = ((((bitcast<u32>(_e829) ^ select(0u, 4294967288u, _e636.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_2017_ = 4294967288u;
+                        phi_2050_ = 4294967288u;
                     }
-                    let _e864 = phi_2017_;
-                    if (_e840 < _e848) {
-                        phi_3740_ = SlimbvhTypeG(_e840, _e848);
+                    let _e868 = phi_2050_;
+                    if (_e844 < _e852) {
+                        phi_3780_ = SlimbvhTypeG(_e844, _e852);
                     } else {
-                        phi_3740_ = SlimbvhTypeG(_e848, _e840);
+                        phi_3780_ = SlimbvhTypeG(_e852, _e844);
                     }
-                    let _e869 = phi_3740_;
-                    if (_e856 < _e864) {
-                        phi_3752_ = SlimbvhTypeG(_e856, _e864);
+                    let _e873 = phi_3780_;
+                    if (_e860 < _e868) {
+                        phi_3792_ = SlimbvhTypeG(_e860, _e868);
                     } else {
-                        phi_3752_ = SlimbvhTypeG(_e864, _e856);
+                        phi_3792_ = SlimbvhTypeG(_e868, _e860);
                     }
-                    let _e876 = phi_3752_;
-                    if (_e869.member < _e876.member) {
-                        phi_3764_ = SlimbvhTypeG(_e869.member, _e876.member);
+                    let _e880 = phi_3792_;
+                    if (_e873.member < _e880.member) {
+                        phi_3804_ = SlimbvhTypeG(_e873.member, _e880.member);
                     } else {
-                        phi_3764_ = SlimbvhTypeG(_e876.member, _e869.member);
+                        phi_3804_ = SlimbvhTypeG(_e880.member, _e873.member);
                     }
-                    let _e883 = phi_3764_;
-                    if (_e869.member_1 < _e876.member_1) {
-                        phi_3776_ = SlimbvhTypeG(_e869.member_1, _e876.member_1);
+                    let _e887 = phi_3804_;
+                    if (_e873.member_1 < _e880.member_1) {
+                        phi_3816_ = SlimbvhTypeG(_e873.member_1, _e880.member_1);
                     } else {
-                        phi_3776_ = SlimbvhTypeG(_e876.member_1, _e869.member_1);
+                        phi_3816_ = SlimbvhTypeG(_e880.member_1, _e873.member_1);
                     }
-                    let _e890 = phi_3776_;
-                    if (_e890.member < _e883.member_1) {
-                        phi_3788_ = SlimbvhTypeG(_e890.member, _e883.member_1);
+                    let _e894 = phi_3816_;
+                    if (_e894.member < _e887.member_1) {
+                        phi_3828_ = SlimbvhTypeG(_e894.member, _e887.member_1);
                     } else {
-                        phi_3788_ = SlimbvhTypeG(_e883.member_1, _e890.member);
+                        phi_3828_ = SlimbvhTypeG(_e887.member_1, _e894.member);
                     }
-                    let _e897 = phi_3788_;
-                    let _e912 = (((_e883.member & 7u) | ((_e897.member & 7u) << bitcast<u32>(3u))) | (((_e897.member_1 & 7u) | ((_e890.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
-                    if (_e912 == 0u) {
-                        let _e930 = (_e656 - 1u);
-                        let _e933 = local[(_e930 % 128u)];
-                        let _e934 = (_e933 & 511u);
-                        let _e936 = (_e934 >> bitcast<u32>(3u));
-                        let _e939 = ((_e936 == 0u) || (_e930 == 4294967295u));
-                        if _e939 {
+                    let _e901 = phi_3828_;
+                    let _e916 = (((_e887.member & 7u) | ((_e901.member & 7u) << bitcast<u32>(3u))) | (((_e901.member_1 & 7u) | ((_e894.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
+                    if (_e916 == 0u) {
+                        let _e934 = (_e663 - 1u);
+                        let _e937 = local[(_e934 % 128u)];
+                        let _e938 = (_e937 & 511u);
+                        let _e940 = (_e938 >> bitcast<u32>(3u));
+                        let _e943 = ((_e940 == 0u) || (_e934 == 4294967295u));
+                        if _e943 {
                         } else {
-                            local[(_e930 % 128u)] = (((_e933 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e936);
+                            local[(_e934 % 128u)] = (((_e937 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e940);
                         }
-                        phi_2103_ = select(_e656, _e930, _e939);
-                        phi_2104_ = (((_e933 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e934 & 3u) & 3u));
+                        phi_2136_ = select(_e663, _e934, _e943);
+                        phi_2137_ = (((_e937 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e938 & 3u) & 3u));
                     } else {
-                        let _e915 = (_e912 >> bitcast<u32>(3u));
-                        if (_e915 == 0u) {
-                            phi_2098_ = _e656;
+                        let _e919 = (_e916 >> bitcast<u32>(3u));
+                        if (_e919 == 0u) {
+                            phi_2131_ = _e663;
                         } else {
-                            local[(_e656 % 128u)] = ((_e658 << bitcast<u32>(9u)) | _e915);
-                            phi_2098_ = (_e656 + 1u);
+                            local[(_e663 % 128u)] = ((_e670 << bitcast<u32>(9u)) | _e919);
+                            phi_2131_ = (_e663 + 1u);
                         }
-                        let _e924 = phi_2098_;
-                        phi_2103_ = _e924;
-                        phi_2104_ = ((_e658 << bitcast<u32>(2i)) | ((_e912 & 3u) & 3u));
+                        let _e928 = phi_2131_;
+                        phi_2136_ = _e928;
+                        phi_2137_ = ((_e670 << bitcast<u32>(2i)) | ((_e916 & 3u) & 3u));
                     }
-                    let _e954 = phi_2103_;
-                    let _e956 = phi_2104_;
-                    let _e958 = (_e956 >> bitcast<u32>(2i));
-                    if (_e958 < _e92) {
-                        let _e965 = slimbvh_nodes.member[_e958].member_1[(_e956 & 3u)];
-                        phi_2125_ = _e965;
+                    let _e958 = phi_2136_;
+                    let _e960 = phi_2137_;
+                    let _e962 = (_e960 >> bitcast<u32>(2i));
+                    if (_e962 < _e93) {
+                        let _e968 = slimbvh_nodes.member[_e962].member_1[(_e960 & 3u)];
+                        phi_2161_ = _e968;
                     } else {
-                        phi_2125_ = 2147483648u;
+                        phi_2161_ = 2147483648u;
                     }
-                    let _e967 = phi_2125_;
-                    let _e968 = (_e660 - 1u);
-                    phi_1537_ = select(_e954, 4294967295u, (_e968 == 0u));
-                    phi_1540_ = _e967;
-                    phi_1542_ = _e968;
+                    let _e970 = phi_2161_;
+                    let _e971 = (_e667 - 1u);
+                    phi_1551_ = select(_e958, 4294967295u, (_e971 == 0u));
+                    phi_1554_ = _e970;
+                    phi_1556_ = _e971;
                 } else {
-                    phi_1537_ = u32();
-                    phi_1540_ = u32();
-                    phi_1542_ = u32();
+                    phi_1551_ = u32();
+                    phi_1554_ = u32();
+                    phi_1556_ = u32();
                 }
-                let _e972 = phi_1537_;
-                let _e974 = phi_1540_;
-                let _e976 = phi_1542_;
+                let _e975 = phi_1551_;
+                let _e977 = phi_1554_;
+                let _e979 = phi_1556_;
                 continue;
                 continuing {
-                    phi_1536_ = _e972;
-                    phi_1539_ = _e974;
-                    phi_1541_ = _e976;
-                    break if !(_e664);
+                    phi_1550_ = _e975;
+                    phi_1553_ = _e977;
+                    phi_1555_ = _e979;
+                    break if !(_e674);
                 }
             }
-            let _e979 = local_1;
-            if _e979 {
-                let _e981 = local_2;
-                let _e984 = local_3;
-                phi_2141_ = _e647;
-                phi_2144_ = SlimbvhTypeG(0u, ((_e984 >> bitcast<u32>(28u)) & 7u));
+            let _e982 = local_1;
+            if _e982 {
+                let _e984 = local_2;
+                let _e987 = local_3;
+                phi_2178_ = _e654;
+                phi_2181_ = SlimbvhTypeG(0u, ((_e987 >> bitcast<u32>(28u)) & 7u));
                 loop {
-                    let _e990 = phi_2141_;
-                    let _e992 = phi_2144_;
-                    local_6 = _e990;
-                    local_8 = _e990;
-                    if (_e992.member < _e992.member_1) {
-                        phi_2145_ = SlimbvhTypeG((_e992.member + 1u), _e992.member_1);
-                        phi_2167_ = SlimbvhTypeG(1u, _e992.member);
+                    let _e994 = phi_2178_;
+                    let _e996 = phi_2181_;
+                    local_6 = _e994;
+                    local_8 = _e994;
+                    if (_e996.member < _e996.member_1) {
+                        phi_2182_ = SlimbvhTypeG((_e996.member + 1u), _e996.member_1);
+                        phi_2204_ = SlimbvhTypeG(1u, _e996.member);
                     } else {
-                        phi_2145_ = _e992;
-                        phi_2167_ = SlimbvhTypeG(0u, SlimbvhTypeG().member_1);
+                        phi_2182_ = _e996;
+                        phi_2204_ = SlimbvhTypeG(0u, SlimbvhTypeG().member_1);
                     }
-                    let _e1005 = phi_2145_;
-                    let _e1007 = phi_2167_;
-                    let _e1011 = (bitcast<i32>(_e1007.member) != 0i);
-                    if _e1011 {
-                        let _e1012 = ((_e981 & 268435455u) + _e1007.member_1);
-                        let _e1013 = (_e1012 / 2u);
-                        let _e1014 = (_e1012 % 2u);
-                        let _e1015 = (_e1013 >= arrayLength((&slimbvh_triangles.member)));
-                        if _e1015 {
-                            phi_2247_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                    let _e1009 = phi_2182_;
+                    let _e1011 = phi_2204_;
+                    let _e1015 = (bitcast<i32>(_e1011.member) != 0i);
+                    if _e1015 {
+                        let _e1016 = (((_e984 & 268435455u) + _e107) + _e1011.member_1);
+                        let _e1017 = (_e1016 / 2u);
+                        let _e1018 = (_e1016 % 2u);
+                        let _e1019 = (_e1017 >= arrayLength((&slimbvh_triangles.member)));
+                        if _e1019 {
+                            phi_2284_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e1016 = (2u * _e1014);
-                            let _e1020 = slimbvh_triangles.member[_e1013][_e1016];
-                            let _e1025 = slimbvh_triangles.member[_e1013][(_e1016 + 1u)];
-                            let _e1030 = slimbvh_triangles.member[_e1013][(_e1016 + 2u)];
-                            if (_e1014 == 0u) {
-                                phi_2246_ = array<vec4<f32>, 3>(_e1020, _e1025, _e1030);
+                            let _e1020 = (2u * _e1018);
+                            let _e1024 = slimbvh_triangles.member[_e1017][_e1020];
+                            let _e1029 = slimbvh_triangles.member[_e1017][(_e1020 + 1u)];
+                            let _e1034 = slimbvh_triangles.member[_e1017][(_e1020 + 2u)];
+                            if (_e1018 == 0u) {
+                                phi_2283_ = array<vec4<f32>, 3>(_e1024, _e1029, _e1034);
                             } else {
-                                phi_2246_ = array<vec4<f32>, 3>(vec4<f32>(_e1020.z, _e1020.w, _e1025.x, _e1025.y), vec4<f32>(_e1025.z, _e1025.w, _e1030.x, _e1030.y), vec4<f32>(_e1030.z, _e1030.w, 0f, 0f));
+                                phi_2283_ = array<vec4<f32>, 3>(vec4<f32>(_e1024.z, _e1024.w, _e1029.x, _e1029.y), vec4<f32>(_e1029.z, _e1029.w, _e1034.x, _e1034.y), vec4<f32>(_e1034.z, _e1034.w, 0f, 0f));
                             }
-                            let _e1048 = phi_2246_;
-                            phi_2247_ = _e1048;
+                            let _e1052 = phi_2283_;
+                            phi_2284_ = _e1052;
                         }
-                        let _e1050 = phi_2247_;
-                        let _e1053 = bitcast<u32>(_e1050[2].y);
-                        if _e1015 {
-                            phi_2328_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                        let _e1054 = phi_2284_;
+                        let _e1057 = bitcast<u32>(_e1054[2].y);
+                        if _e1019 {
+                            phi_2365_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
-                            let _e1054 = (2u * _e1014);
-                            let _e1058 = slimbvh_triangles.member[_e1013][_e1054];
-                            let _e1063 = slimbvh_triangles.member[_e1013][(_e1054 + 1u)];
-                            let _e1068 = slimbvh_triangles.member[_e1013][(_e1054 + 2u)];
-                            if (_e1014 == 0u) {
-                                phi_2327_ = array<vec4<f32>, 3>(_e1058, _e1063, _e1068);
+                            let _e1058 = (2u * _e1018);
+                            let _e1062 = slimbvh_triangles.member[_e1017][_e1058];
+                            let _e1067 = slimbvh_triangles.member[_e1017][(_e1058 + 1u)];
+                            let _e1072 = slimbvh_triangles.member[_e1017][(_e1058 + 2u)];
+                            if (_e1018 == 0u) {
+                                phi_2364_ = array<vec4<f32>, 3>(_e1062, _e1067, _e1072);
                             } else {
-                                phi_2327_ = array<vec4<f32>, 3>(vec4<f32>(_e1058.z, _e1058.w, _e1063.x, _e1063.y), vec4<f32>(_e1063.z, _e1063.w, _e1068.x, _e1068.y), vec4<f32>(_e1068.z, _e1068.w, 0f, 0f));
+                                phi_2364_ = array<vec4<f32>, 3>(vec4<f32>(_e1062.z, _e1062.w, _e1067.x, _e1067.y), vec4<f32>(_e1067.z, _e1067.w, _e1072.x, _e1072.y), vec4<f32>(_e1072.z, _e1072.w, 0f, 0f));
                             }
-                            let _e1086 = phi_2327_;
-                            phi_2328_ = _e1086;
+                            let _e1090 = phi_2364_;
+                            phi_2365_ = _e1090;
                         }
-                        let _e1088 = phi_2328_;
-                        if _e165 {
-                            phi_2352_ = array<f32, 3>(_e1088[0].x, _e1088[0].y, _e1088[0].z);
+                        let _e1092 = phi_2365_;
+                        if _e172 {
+                            phi_2389_ = array<f32, 3>(_e1092[0].x, _e1092[0].y, _e1092[0].z);
                         } else {
-                            if (_e160 == 1u) {
-                                phi_2351_ = array<f32, 3>(_e1088[0].y, _e1088[0].z, _e1088[0].x);
+                            if (_e167 == 1u) {
+                                phi_2388_ = array<f32, 3>(_e1092[0].y, _e1092[0].z, _e1092[0].x);
                             } else {
-                                phi_2351_ = array<f32, 3>(_e1088[0].z, _e1088[0].x, _e1088[0].y);
+                                phi_2388_ = array<f32, 3>(_e1092[0].z, _e1092[0].x, _e1092[0].y);
                             }
-                            let _e1111 = phi_2351_;
-                            phi_2352_ = _e1111;
+                            let _e1115 = phi_2388_;
+                            phi_2389_ = _e1115;
                         }
-                        let _e1114 = phi_2352_;
-                        if _e165 {
-                            phi_2367_ = array<f32, 3>(_e1088[0].w, _e1088[1].x, _e1088[1].y);
+                        let _e1118 = phi_2389_;
+                        if _e172 {
+                            phi_2404_ = array<f32, 3>(_e1092[0].w, _e1092[1].x, _e1092[1].y);
                         } else {
-                            if (_e160 == 1u) {
-                                phi_2366_ = array<f32, 3>(_e1088[1].x, _e1088[1].y, _e1088[0].w);
+                            if (_e167 == 1u) {
+                                phi_2403_ = array<f32, 3>(_e1092[1].x, _e1092[1].y, _e1092[0].w);
                             } else {
-                                phi_2366_ = array<f32, 3>(_e1088[1].y, _e1088[0].w, _e1088[1].x);
+                                phi_2403_ = array<f32, 3>(_e1092[1].y, _e1092[0].w, _e1092[1].x);
                             }
-                            let _e1119 = phi_2366_;
-                            phi_2367_ = _e1119;
+                            let _e1123 = phi_2403_;
+                            phi_2404_ = _e1123;
                         }
-                        let _e1122 = phi_2367_;
-                        if _e165 {
-                            phi_2382_ = array<f32, 3>(_e1088[1].z, _e1088[1].w, _e1088[2].x);
+                        let _e1126 = phi_2404_;
+                        if _e172 {
+                            phi_2419_ = array<f32, 3>(_e1092[1].z, _e1092[1].w, _e1092[2].x);
                         } else {
-                            if (_e160 == 1u) {
-                                phi_2381_ = array<f32, 3>(_e1088[1].w, _e1088[2].x, _e1088[1].z);
+                            if (_e167 == 1u) {
+                                phi_2418_ = array<f32, 3>(_e1092[1].w, _e1092[2].x, _e1092[1].z);
                             } else {
-                                phi_2381_ = array<f32, 3>(_e1088[2].x, _e1088[1].z, _e1088[1].w);
+                                phi_2418_ = array<f32, 3>(_e1092[2].x, _e1092[1].z, _e1092[1].w);
                             }
-                            let _e1127 = phi_2381_;
-                            phi_2382_ = _e1127;
+                            let _e1131 = phi_2418_;
+                            phi_2419_ = _e1131;
                         }
-                        let _e1130 = phi_2382_;
-                        let _e1144 = (_e1114[2] - _e548.member[2]);
-                        let _e1147 = (((_e1114[0] - _e548.member[0]) * _e603) - (_e1144 * _e571));
-                        let _e1150 = (((_e1114[1] - _e548.member[1]) * _e603) - (_e1144 * _e587));
-                        let _e1153 = (_e1122[2] - _e548.member[2]);
-                        let _e1156 = (((_e1122[0] - _e548.member[0]) * _e603) - (_e1153 * _e571));
-                        let _e1159 = (((_e1122[1] - _e548.member[1]) * _e603) - (_e1153 * _e587));
-                        let _e1162 = (_e1130[2] - _e548.member[2]);
-                        let _e1165 = (((_e1130[0] - _e548.member[0]) * _e603) - (_e1162 * _e571));
-                        let _e1168 = (((_e1130[1] - _e548.member[1]) * _e603) - (_e1162 * _e587));
-                        let _e1169 = (_e1165 * _e1159);
-                        let _e1170 = (_e1168 * _e1156);
-                        let _e1171 = (_e1147 * _e1168);
-                        let _e1172 = (_e1150 * _e1165);
-                        let _e1173 = (_e1156 * _e1150);
-                        let _e1174 = (_e1159 * _e1147);
-                        let _e1179 = (((_e1169 >= _e1170) && (_e1171 >= _e1172)) && (_e1173 >= _e1174));
-                        let _e1185 = (_e1179 || (((_e1169 <= _e1170) && (_e1171 <= _e1172)) && (_e1173 <= _e1174)));
-                        if _e1185 {
-                            let _e1187 = select(-1f, 1f, _e1179);
-                            let _e1189 = ((_e1169 - _e1170) * _e1187);
-                            let _e1191 = select(0f, _e1189, (_e1189 > 0f));
-                            let _e1193 = ((_e1171 - _e1172) * _e1187);
+                        let _e1134 = phi_2419_;
+                        let _e1148 = (_e1118[2] - _e555.member[2]);
+                        let _e1151 = (((_e1118[0] - _e555.member[0]) * _e610) - (_e1148 * _e578));
+                        let _e1154 = (((_e1118[1] - _e555.member[1]) * _e610) - (_e1148 * _e594));
+                        let _e1157 = (_e1126[2] - _e555.member[2]);
+                        let _e1160 = (((_e1126[0] - _e555.member[0]) * _e610) - (_e1157 * _e578));
+                        let _e1163 = (((_e1126[1] - _e555.member[1]) * _e610) - (_e1157 * _e594));
+                        let _e1166 = (_e1134[2] - _e555.member[2]);
+                        let _e1169 = (((_e1134[0] - _e555.member[0]) * _e610) - (_e1166 * _e578));
+                        let _e1172 = (((_e1134[1] - _e555.member[1]) * _e610) - (_e1166 * _e594));
+                        let _e1173 = (_e1169 * _e1163);
+                        let _e1174 = (_e1172 * _e1160);
+                        let _e1175 = (_e1151 * _e1172);
+                        let _e1176 = (_e1154 * _e1169);
+                        let _e1177 = (_e1160 * _e1154);
+                        let _e1178 = (_e1163 * _e1151);
+                        let _e1183 = (((_e1173 >= _e1174) && (_e1175 >= _e1176)) && (_e1177 >= _e1178));
+                        let _e1189 = (_e1183 || (((_e1173 <= _e1174) && (_e1175 <= _e1176)) && (_e1177 <= _e1178)));
+                        if _e1189 {
+                            let _e1191 = select(-1f, 1f, _e1183);
+                            let _e1193 = ((_e1173 - _e1174) * _e1191);
                             let _e1195 = select(0f, _e1193, (_e1193 > 0f));
-                            let _e1197 = ((_e1173 - _e1174) * _e1187);
+                            let _e1197 = ((_e1175 - _e1176) * _e1191);
                             let _e1199 = select(0f, _e1197, (_e1197 > 0f));
-                            let _e1201 = ((_e1191 + _e1195) + _e1199);
-                            let _e1216 = ((min(min(_e1114[0], _e1122[0]), _e1130[0]) - _e572) * _e575);
-                            let _e1217 = ((max(max(_e1114[0], _e1122[0]), _e1130[0]) - _e573) * _e575);
-                            let _e1218 = vec4<f32>(_e1216, f32(), _e1217, f32());
-                            let _e1221 = ((min(min(_e1114[1], _e1122[1]), _e1130[1]) - _e588) * _e591);
-                            let _e1222 = ((max(max(_e1114[1], _e1122[1]), _e1130[1]) - _e589) * _e591);
-                            let _e1223 = vec4<f32>(_e1221, f32(), _e1222, f32());
-                            let _e1226 = ((min(min(_e1114[2], _e1122[2]), _e1130[2]) - _e604) * _e607);
-                            let _e1227 = ((max(max(_e1114[2], _e1122[2]), _e1130[2]) - _e605) * _e607);
-                            let _e1228 = vec4<f32>(_e1226, f32(), _e1227, f32());
-                            let _e1229 = vec4<f32>(_e1217, f32(), _e1216, f32());
-                            let _e1231 = vec4<f32>(_e1222, f32(), _e1221, f32());
-                            let _e1233 = vec4<f32>(_e1227, f32(), _e1226, f32());
-                            let _e1242 = max(max(min(_e1218, _e1229).x, min(_e1223, _e1231).x), min(_e1228, _e1233).x);
-                            let _e1247 = min(min(max(_e1218, _e1229).x, max(_e1223, _e1231).x), max(_e1228, _e1233).x);
-                            let _e1252 = max(_e1242, _e615);
-                            let _e1274 = (((((_e1185 && (_e1201 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1147, _e1156), _e1165) <= 0f) && (max(max(_e1147, _e1156), _e1165) >= 0f))) && ((min(min(_e1150, _e1159), _e1168) <= 0f) && (max(max(_e1150, _e1159), _e1168) >= 0f))) && (_e1252 <= (_e1247 + (max(max(_e1228, _e1233).x, -(min(_e1228, _e1233).x)) * 0.0000019073523f)))) && (_e1252 <= _e990.member.member_1));
-                            if _e1274 {
-                                let _e1279 = (_e1122[0] - _e1114[0]);
-                                let _e1280 = (_e1122[1] - _e1114[1]);
-                                let _e1281 = (_e1122[2] - _e1114[2]);
-                                let _e1282 = vec3<f32>(_e1279, _e1280, _e1281);
-                                let _e1283 = (_e1130[0] - _e1122[0]);
-                                let _e1284 = (_e1130[1] - _e1122[1]);
-                                let _e1285 = (_e1130[2] - _e1122[2]);
+                            let _e1201 = ((_e1177 - _e1178) * _e1191);
+                            let _e1203 = select(0f, _e1201, (_e1201 > 0f));
+                            let _e1205 = ((_e1195 + _e1199) + _e1203);
+                            let _e1220 = ((min(min(_e1118[0], _e1126[0]), _e1134[0]) - _e579) * _e582);
+                            let _e1221 = ((max(max(_e1118[0], _e1126[0]), _e1134[0]) - _e580) * _e582);
+                            let _e1222 = vec4<f32>(_e1220, f32(), _e1221, f32());
+                            let _e1225 = ((min(min(_e1118[1], _e1126[1]), _e1134[1]) - _e595) * _e598);
+                            let _e1226 = ((max(max(_e1118[1], _e1126[1]), _e1134[1]) - _e596) * _e598);
+                            let _e1227 = vec4<f32>(_e1225, f32(), _e1226, f32());
+                            let _e1230 = ((min(min(_e1118[2], _e1126[2]), _e1134[2]) - _e611) * _e614);
+                            let _e1231 = ((max(max(_e1118[2], _e1126[2]), _e1134[2]) - _e612) * _e614);
+                            let _e1232 = vec4<f32>(_e1230, f32(), _e1231, f32());
+                            let _e1233 = vec4<f32>(_e1221, f32(), _e1220, f32());
+                            let _e1235 = vec4<f32>(_e1226, f32(), _e1225, f32());
+                            let _e1237 = vec4<f32>(_e1231, f32(), _e1230, f32());
+                            let _e1246 = max(max(min(_e1222, _e1233).x, min(_e1227, _e1235).x), min(_e1232, _e1237).x);
+                            let _e1251 = min(min(max(_e1222, _e1233).x, max(_e1227, _e1235).x), max(_e1232, _e1237).x);
+                            let _e1256 = max(_e1246, _e622);
+                            let _e1278 = (((((_e1189 && (_e1205 >= 0.000000000000000000000000000000000000011754944f)) && ((min(min(_e1151, _e1160), _e1169) <= 0f) && (max(max(_e1151, _e1160), _e1169) >= 0f))) && ((min(min(_e1154, _e1163), _e1172) <= 0f) && (max(max(_e1154, _e1163), _e1172) >= 0f))) && (_e1256 <= (_e1251 + (max(max(_e1232, _e1237).x, -(min(_e1232, _e1237).x)) * 0.0000019073523f)))) && (_e1256 <= _e994.member.member_1));
+                            if _e1278 {
+                                let _e1283 = (_e1126[0] - _e1118[0]);
+                                let _e1284 = (_e1126[1] - _e1118[1]);
+                                let _e1285 = (_e1126[2] - _e1118[2]);
                                 let _e1286 = vec3<f32>(_e1283, _e1284, _e1285);
-                                let _e1287 = (_e1114[0] - _e1130[0]);
-                                let _e1288 = (_e1114[1] - _e1130[1]);
-                                let _e1289 = (_e1114[2] - _e1130[2]);
+                                let _e1287 = (_e1134[0] - _e1126[0]);
+                                let _e1288 = (_e1134[1] - _e1126[1]);
+                                let _e1289 = (_e1134[2] - _e1126[2]);
                                 let _e1290 = vec3<f32>(_e1287, _e1288, _e1289);
-                                let _e1301 = max(max(bitcast<f32>((bitcast<u32>(_e1279) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1280) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1281) & 2147483647u)));
-                                let _e1312 = max(max(bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1285) & 2147483647u)));
-                                let _e1325 = max(max(_e1301, _e1312), max(max(bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1288) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1289) & 2147483647u))));
-                                if (_e1301 == _e1325) {
-                                    phi_2741_ = _e1159;
-                                    phi_2742_ = _e1156;
-                                    phi_2743_ = _e1150;
-                                    phi_2744_ = _e1147;
-                                    phi_2745_ = vec3<f32>(_e1114[0], _e1114[1], _e1114[2]);
-                                    phi_2746_ = _e1290;
-                                    phi_2747_ = _e1286;
-                                    phi_2748_ = _e1282;
+                                let _e1291 = (_e1118[0] - _e1134[0]);
+                                let _e1292 = (_e1118[1] - _e1134[1]);
+                                let _e1293 = (_e1118[2] - _e1134[2]);
+                                let _e1294 = vec3<f32>(_e1291, _e1292, _e1293);
+                                let _e1305 = max(max(bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1285) & 2147483647u)));
+                                let _e1316 = max(max(bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1288) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1289) & 2147483647u)));
+                                let _e1329 = max(max(_e1305, _e1316), max(max(bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1293) & 2147483647u))));
+                                if (_e1305 == _e1329) {
+                                    phi_2778_ = _e1163;
+                                    phi_2779_ = _e1160;
+                                    phi_2780_ = _e1154;
+                                    phi_2781_ = _e1151;
+                                    phi_2782_ = vec3<f32>(_e1118[0], _e1118[1], _e1118[2]);
+                                    phi_2783_ = _e1294;
+                                    phi_2784_ = _e1290;
+                                    phi_2785_ = _e1286;
                                 } else {
-                                    let _e1327 = (_e1312 == _e1325);
-                                    let _e1332 = vec3(_e1327);
-                                    phi_2741_ = select(_e1150, _e1168, _e1327);
-                                    phi_2742_ = select(_e1147, _e1165, _e1327);
-                                    phi_2743_ = select(_e1168, _e1159, _e1327);
-                                    phi_2744_ = select(_e1165, _e1156, _e1327);
-                                    phi_2745_ = select(vec3<f32>(_e1130[0], _e1130[1], _e1130[2]), vec3<f32>(_e1122[0], _e1122[1], _e1122[2]), _e1332);
-                                    phi_2746_ = select(_e1286, _e1282, _e1332);
-                                    phi_2747_ = select(_e1282, _e1290, _e1332);
-                                    phi_2748_ = select(_e1290, _e1286, _e1332);
+                                    let _e1331 = (_e1316 == _e1329);
+                                    let _e1336 = vec3(_e1331);
+                                    phi_2778_ = select(_e1154, _e1172, _e1331);
+                                    phi_2779_ = select(_e1151, _e1169, _e1331);
+                                    phi_2780_ = select(_e1172, _e1163, _e1331);
+                                    phi_2781_ = select(_e1169, _e1160, _e1331);
+                                    phi_2782_ = select(vec3<f32>(_e1134[0], _e1134[1], _e1134[2]), vec3<f32>(_e1126[0], _e1126[1], _e1126[2]), _e1336);
+                                    phi_2783_ = select(_e1290, _e1286, _e1336);
+                                    phi_2784_ = select(_e1286, _e1294, _e1336);
+                                    phi_2785_ = select(_e1294, _e1290, _e1336);
                                 }
-                                let _e1338 = phi_2741_;
-                                let _e1340 = phi_2742_;
-                                let _e1342 = phi_2743_;
-                                let _e1344 = phi_2744_;
-                                let _e1346 = phi_2745_;
-                                let _e1348 = phi_2746_;
-                                let _e1350 = phi_2747_;
-                                let _e1352 = phi_2748_;
-                                let _e1359 = ((_e1350.y * _e1348.z) - (_e1348.y * _e1350.z));
-                                let _e1364 = ((_e1350.z * _e1348.x) - (_e1348.z * _e1350.x));
-                                let _e1367 = ((_e1350.x * _e1348.y) - (_e1348.x * _e1350.y));
-                                let _e1370 = ((_e1191 >= _e1195) && (_e1191 >= _e1199));
-                                let _e1371 = (_e1195 >= _e1199);
-                                let _e1385 = (((_e1359 * (select(select(_e1130[0], _e1122[0], _e1371), _e1114[0], _e1370) - _e548.member[0])) + (_e1364 * (select(select(_e1130[1], _e1122[1], _e1371), _e1114[1], _e1370) - _e548.member[1]))) + (_e1367 * (select(select(_e1130[2], _e1122[2], _e1371), _e1114[2], _e1370) - _e548.member[2])));
-                                let _e1390 = (((_e1359 * _e571) + (_e1364 * _e587)) + (_e1367 * _e603));
-                                let _e1391 = (_e1340 - _e1344);
-                                let _e1392 = (_e1338 - _e1342);
-                                let _e1395 = ((_e1391 * _e1391) + (_e1392 * _e1392));
-                                let _e1402 = (-(((_e1344 * _e1391) + (_e1342 * _e1392))) / select(0.000000000000000000000000000000000000011754944f, _e1395, (_e1395 > 0.000000000000000000000000000000000000011754944f)));
-                                let _e1404 = select(1f, _e1402, (_e1402 < 1f));
-                                let _e1406 = select(0f, _e1404, (_e1404 > 0f));
-                                let _e1415 = ((_e1346.x + (_e1352.x * _e1406)) - _e548.member[0]);
-                                let _e1418 = ((_e1346.y + (_e1352.y * _e1406)) - _e548.member[1]);
-                                let _e1421 = ((_e1346.z + (_e1352.z * _e1406)) - _e548.member[2]);
-                                let _e1486 = ((bitcast<f32>((bitcast<u32>(((((_e1359 * _e1415) + (_e1364 * _e1418)) + (_e1367 * _e1421)) - _e1385)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u))), _e1325)) * max(max(bitcast<f32>((bitcast<u32>(_e1359) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1367) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1350.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1350.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1350.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1348.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1348.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1348.z) & 2147483647u)))))));
-                                let _e1487 = (_e1385 / _e1390);
-                                if (_e1274 && !(_e1486)) {
-                                    let _e1490 = (_e1421 / _e603);
-                                    let _e1498 = (((_e1359 * (_e1415 - (_e571 * _e1490))) + (_e1364 * (_e1418 - (_e587 * _e1490)))) / _e1390);
-                                    phi_2927_ = select(select(_e1490, (_e1490 + _e1498), (bitcast<f32>((bitcast<u32>(_e1498) & 2147483647u)) <= _e1325)), _e1487, _e1486);
+                                let _e1342 = phi_2778_;
+                                let _e1344 = phi_2779_;
+                                let _e1346 = phi_2780_;
+                                let _e1348 = phi_2781_;
+                                let _e1350 = phi_2782_;
+                                let _e1352 = phi_2783_;
+                                let _e1354 = phi_2784_;
+                                let _e1356 = phi_2785_;
+                                let _e1363 = ((_e1354.y * _e1352.z) - (_e1352.y * _e1354.z));
+                                let _e1368 = ((_e1354.z * _e1352.x) - (_e1352.z * _e1354.x));
+                                let _e1371 = ((_e1354.x * _e1352.y) - (_e1352.x * _e1354.y));
+                                let _e1374 = ((_e1195 >= _e1199) && (_e1195 >= _e1203));
+                                let _e1375 = (_e1199 >= _e1203);
+                                let _e1389 = (((_e1363 * (select(select(_e1134[0], _e1126[0], _e1375), _e1118[0], _e1374) - _e555.member[0])) + (_e1368 * (select(select(_e1134[1], _e1126[1], _e1375), _e1118[1], _e1374) - _e555.member[1]))) + (_e1371 * (select(select(_e1134[2], _e1126[2], _e1375), _e1118[2], _e1374) - _e555.member[2])));
+                                let _e1394 = (((_e1363 * _e578) + (_e1368 * _e594)) + (_e1371 * _e610));
+                                let _e1395 = (_e1344 - _e1348);
+                                let _e1396 = (_e1342 - _e1346);
+                                let _e1399 = ((_e1395 * _e1395) + (_e1396 * _e1396));
+                                let _e1406 = (-(((_e1348 * _e1395) + (_e1346 * _e1396))) / select(0.000000000000000000000000000000000000011754944f, _e1399, (_e1399 > 0.000000000000000000000000000000000000011754944f)));
+                                let _e1408 = select(1f, _e1406, (_e1406 < 1f));
+                                let _e1410 = select(0f, _e1408, (_e1408 > 0f));
+                                let _e1419 = ((_e1350.x + (_e1356.x * _e1410)) - _e555.member[0]);
+                                let _e1422 = ((_e1350.y + (_e1356.y * _e1410)) - _e555.member[1]);
+                                let _e1425 = ((_e1350.z + (_e1356.z * _e1410)) - _e555.member[2]);
+                                let _e1490 = ((bitcast<f32>((bitcast<u32>(((((_e1363 * _e1419) + (_e1368 * _e1422)) + (_e1371 * _e1425)) - _e1389)) & 2147483647u)) <= ((0.0000009536743f * max(max(max(bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u))), _e1329)) * max(max(bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1371) & 2147483647u))))) && !((bitcast<f32>((bitcast<u32>(_e1394) & 2147483647u)) <= ((0.0000038146973f * max(max(bitcast<f32>((bitcast<u32>(_e1354.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1354.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1354.z) & 2147483647u)))) * max(max(bitcast<f32>((bitcast<u32>(_e1352.x) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1352.y) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1352.z) & 2147483647u)))))));
+                                let _e1491 = (_e1389 / _e1394);
+                                if (_e1278 && !(_e1490)) {
+                                    let _e1494 = (_e1425 / _e610);
+                                    let _e1502 = (((_e1363 * (_e1419 - (_e578 * _e1494))) + (_e1368 * (_e1422 - (_e594 * _e1494)))) / _e1394);
+                                    phi_2964_ = select(select(_e1494, (_e1494 + _e1502), (bitcast<f32>((bitcast<u32>(_e1502) & 2147483647u)) <= _e1329)), _e1491, _e1490);
                                 } else {
-                                    phi_2927_ = _e1487;
+                                    phi_2964_ = _e1491;
                                 }
-                                let _e1507 = phi_2927_;
-                                let _e1509 = select(_e1247, _e1507, (_e1507 < _e1247));
-                                let _e1511 = select(_e1242, _e1509, (_e1509 > _e1242));
-                                let _e1514 = select(_e1511, 0f, (bitcast<u32>(_e1511) == 2147483648u));
-                                let _e1515 = (1f / _e1201);
-                                phi_2953_ = SlimbvhTypeH(_e1514, (_e1195 * _e1515), (_e1199 * _e1515), ((_e1274 && (_e1514 >= _e615)) && (_e1514 <= _e990.member.member_1)));
-                                phi_2954_ = SlimbvhTypeH();
+                                let _e1511 = phi_2964_;
+                                let _e1513 = select(_e1251, _e1511, (_e1511 < _e1251));
+                                let _e1515 = select(_e1246, _e1513, (_e1513 > _e1246));
+                                let _e1518 = select(_e1515, 0f, (bitcast<u32>(_e1515) == 2147483648u));
+                                let _e1519 = (1f / _e1205);
+                                phi_2990_ = SlimbvhTypeH(_e1518, (_e1199 * _e1519), (_e1203 * _e1519), ((_e1278 && (_e1518 >= _e622)) && (_e1518 <= _e994.member.member_1)));
+                                phi_2991_ = SlimbvhTypeH();
                             } else {
-                                phi_2953_ = SlimbvhTypeH();
-                                phi_2954_ = SlimbvhTypeH(0f, 0f, 0f, _e1274);
+                                phi_2990_ = SlimbvhTypeH();
+                                phi_2991_ = SlimbvhTypeH(0f, 0f, 0f, _e1278);
                             }
-                            let _e1524 = phi_2953_;
-                            let _e1526 = phi_2954_;
-                            phi_2957_ = _e1524;
-                            phi_2958_ = _e1526;
-                            phi_2959_ = select(true, false, _e1274);
+                            let _e1528 = phi_2990_;
+                            let _e1530 = phi_2991_;
+                            phi_2994_ = _e1528;
+                            phi_2995_ = _e1530;
+                            phi_2996_ = select(true, false, _e1278);
                         } else {
-                            phi_2957_ = SlimbvhTypeH();
-                            phi_2958_ = SlimbvhTypeH(0f, 0f, 0f, _e1185);
-                            phi_2959_ = true;
+                            phi_2994_ = SlimbvhTypeH();
+                            phi_2995_ = SlimbvhTypeH(0f, 0f, 0f, _e1189);
+                            phi_2996_ = true;
                         }
-                        let _e1529 = phi_2957_;
-                        let _e1531 = phi_2958_;
-                        let _e1533 = phi_2959_;
-                        if _e1533 {
-                            phi_2963_ = _e1531;
+                        let _e1533 = phi_2994_;
+                        let _e1535 = phi_2995_;
+                        let _e1537 = phi_2996_;
+                        if _e1537 {
+                            phi_3000_ = _e1535;
                         } else {
-                            phi_2963_ = _e1529;
+                            phi_3000_ = _e1533;
                         }
-                        let _e1535 = phi_2963_;
-                        if _e1535.member_3 {
-                            phi_2972_ = SlimbvhTypeI(_e1535.member, _e1535.member_1, _e1535.member_2, _e1053);
+                        let _e1539 = phi_3000_;
+                        if _e1539.member_3 {
+                            phi_3009_ = SlimbvhTypeI(_e1539.member, _e1539.member_1, _e1539.member_2, _e1057);
                         } else {
-                            phi_2972_ = _e89;
+                            phi_3009_ = _e89;
                         }
-                        let _e1542 = phi_2972_;
-                        if (_e1542.member_3 != 4294967295u) {
-                            let _e1548 = slimbvh_target.member[0u][0u];
-                            let _e1552 = slimbvh_target.member[0u][1u];
-                            let _e1556 = slimbvh_target.member[0u][2u];
-                            let _e1560 = slimbvh_target.member[0u][3u];
-                            let _e1564 = slimbvh_target.member[1u][0u];
-                            let _e1568 = slimbvh_target.member[1u][1u];
-                            let _e1572 = slimbvh_target.member[1u][2u];
-                            let _e1576 = slimbvh_target.member[1u][3u];
-                            let _e1577 = bitcast<f32>(_e1548);
-                            let _e1578 = bitcast<f32>(_e1552);
-                            let _e1579 = bitcast<f32>(_e1556);
-                            let _e1581 = bitcast<f32>(_e1564);
-                            let _e1582 = array<u32, 3>(_e1568, _e1572, _e1576);
-                            if (_e118 < -126i) {
-                                phi_3025_ = -126i;
+                        let _e1546 = phi_3009_;
+                        if (_e1546.member_3 != 4294967295u) {
+                            let _e1552 = slimbvh_target.member[0u][0u];
+                            let _e1556 = slimbvh_target.member[0u][1u];
+                            let _e1560 = slimbvh_target.member[0u][2u];
+                            let _e1564 = slimbvh_target.member[0u][3u];
+                            let _e1568 = slimbvh_target.member[1u][0u];
+                            let _e1572 = slimbvh_target.member[1u][1u];
+                            let _e1576 = slimbvh_target.member[1u][2u];
+                            let _e1580 = slimbvh_target.member[1u][3u];
+                            let _e1581 = bitcast<f32>(_e1552);
+                            let _e1582 = bitcast<f32>(_e1556);
+                            let _e1583 = bitcast<f32>(_e1560);
+                            let _e1585 = bitcast<f32>(_e1568);
+                            let _e1586 = array<u32, 3>(_e1572, _e1576, _e1580);
+                            if (_e125 < -126i) {
+                                phi_3062_ = -126i;
                             } else {
-                                phi_3025_ = select(_e118, 127i, (_e118 > 127i));
+                                phi_3062_ = select(_e125, 127i, (_e125 > 127i));
                             }
-                            let _e1588 = phi_3025_;
-                            let _e1593 = bitcast<f32>((bitcast<u32>((_e1588 + 127i)) << bitcast<u32>(23i)));
-                            let _e1599 = bitcast<f32>((bitcast<u32>(((_e118 - _e1588) + 127i)) << bitcast<u32>(23i)));
-                            if (_e1560 == 0u) {
-                                phi_3165_ = SlimbvhTypeK(array<f32, 3>(_e1577, _e1578, _e1579), _e1560, _e1581, _e1582);
+                            let _e1592 = phi_3062_;
+                            let _e1597 = bitcast<f32>((bitcast<u32>((_e1592 + 127i)) << bitcast<u32>(23i)));
+                            let _e1603 = bitcast<f32>((bitcast<u32>(((_e125 - _e1592) + 127i)) << bitcast<u32>(23i)));
+                            if (_e1564 == 0u) {
+                                phi_3202_ = SlimbvhTypeK(array<f32, 3>(_e1581, _e1582, _e1583), _e1564, _e1585, _e1586);
                             } else {
-                                let _e1601 = bitcast<u32>(_e1577);
-                                let _e1603 = ((_e1601 & 2139095040u) != 0u);
-                                let _e1618 = bitcast<u32>(_e1578);
-                                let _e1620 = ((_e1618 & 2139095040u) != 0u);
-                                let _e1635 = bitcast<u32>(_e1579);
-                                let _e1637 = ((_e1635 & 2139095040u) != 0u);
-                                let _e1653 = bitcast<u32>(_e1581);
-                                let _e1655 = ((_e1653 & 2139095040u) != 0u);
-                                phi_3165_ = SlimbvhTypeK(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1601 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1601 & 2147483648u))), _e1577, _e1603) * _e1593) * select(0.00000011920929f, 1f, _e1603)) * _e1599), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1618 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1618 & 2147483648u))), _e1578, _e1620) * _e1593) * select(0.00000011920929f, 1f, _e1620)) * _e1599), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1635 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1635 & 2147483648u))), _e1579, _e1637) * _e1593) * select(0.00000011920929f, 1f, _e1637)) * _e1599)), _e1560, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1653 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1653 & 2147483648u))), _e1581, _e1655) * _e1593) * select(0.00000011920929f, 1f, _e1655)) * _e1599), _e1582);
+                                let _e1605 = bitcast<u32>(_e1581);
+                                let _e1607 = ((_e1605 & 2139095040u) != 0u);
+                                let _e1622 = bitcast<u32>(_e1582);
+                                let _e1624 = ((_e1622 & 2139095040u) != 0u);
+                                let _e1639 = bitcast<u32>(_e1583);
+                                let _e1641 = ((_e1639 & 2139095040u) != 0u);
+                                let _e1657 = bitcast<u32>(_e1585);
+                                let _e1659 = ((_e1657 & 2139095040u) != 0u);
+                                phi_3202_ = SlimbvhTypeK(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1605 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1605 & 2147483648u))), _e1581, _e1607) * _e1597) * select(0.00000011920929f, 1f, _e1607)) * _e1603), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1622 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1622 & 2147483648u))), _e1582, _e1624) * _e1597) * select(0.00000011920929f, 1f, _e1624)) * _e1603), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1639 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1639 & 2147483648u))), _e1583, _e1641) * _e1597) * select(0.00000011920929f, 1f, _e1641)) * _e1603)), _e1564, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1657 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1657 & 2147483648u))), _e1585, _e1659) * _e1597) * select(0.00000011920929f, 1f, _e1659)) * _e1603), _e1586);
                             }
-                            let _e1672 = phi_3165_;
-                            if (_e1053 == _e619) {
-                                phi_3491_ = false;
+                            let _e1676 = phi_3202_;
+                            if (_e1057 == _e626) {
+                                phi_3528_ = false;
                             } else {
-                                let _e1674 = (_e1053 / 16u);
-                                if (_e1674 < arrayLength((&slimbvh_sides.member))) {
-                                    let _e1677 = slimbvh_sides.member[_e1674];
-                                    phi_3189_ = _e1677;
+                                let _e1678 = (_e1057 / 16u);
+                                if (_e1678 < arrayLength((&slimbvh_sides.member))) {
+                                    let _e1681 = slimbvh_sides.member[_e1678];
+                                    phi_3226_ = _e1681;
                                 } else {
-                                    phi_3189_ = 0u;
+                                    phi_3226_ = 0u;
                                 }
-                                let _e1679 = phi_3189_;
-                                let _e1688 = (bitcast<i32>((_e1679 << bitcast<u32>(((30u - ((_e1053 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
-                                let _e1689 = (_e1688 == 0i);
-                                if _e1689 {
-                                    phi_3490_ = true;
+                                let _e1683 = phi_3226_;
+                                let _e1692 = (bitcast<i32>((_e1683 << bitcast<u32>(((30u - ((_e1057 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
+                                let _e1693 = (_e1692 == 0i);
+                                if _e1693 {
+                                    phi_3527_ = true;
                                 } else {
-                                    if _e165 {
-                                        phi_3218_ = vec3<f32>(_e1114[0], _e1114[1], _e1114[2]);
+                                    if _e172 {
+                                        phi_3255_ = vec3<f32>(_e1118[0], _e1118[1], _e1118[2]);
                                     } else {
-                                        if (_e160 == 1u) {
-                                            phi_3217_ = vec3<f32>(_e1114[2], _e1114[0], _e1114[1]);
+                                        if (_e167 == 1u) {
+                                            phi_3254_ = vec3<f32>(_e1118[2], _e1118[0], _e1118[1]);
                                         } else {
-                                            phi_3217_ = vec3<f32>(_e1114[1], _e1114[2], _e1114[0]);
+                                            phi_3254_ = vec3<f32>(_e1118[1], _e1118[2], _e1118[0]);
                                         }
-                                        let _e1694 = phi_3217_;
-                                        phi_3218_ = _e1694;
+                                        let _e1698 = phi_3254_;
+                                        phi_3255_ = _e1698;
                                     }
-                                    let _e1697 = phi_3218_;
-                                    if _e165 {
-                                        phi_3236_ = vec3<f32>(_e1122[0], _e1122[1], _e1122[2]);
+                                    let _e1701 = phi_3255_;
+                                    if _e172 {
+                                        phi_3273_ = vec3<f32>(_e1126[0], _e1126[1], _e1126[2]);
                                     } else {
-                                        if (_e160 == 1u) {
-                                            phi_3235_ = vec3<f32>(_e1122[2], _e1122[0], _e1122[1]);
+                                        if (_e167 == 1u) {
+                                            phi_3272_ = vec3<f32>(_e1126[2], _e1126[0], _e1126[1]);
                                         } else {
-                                            phi_3235_ = vec3<f32>(_e1122[1], _e1122[2], _e1122[0]);
+                                            phi_3272_ = vec3<f32>(_e1126[1], _e1126[2], _e1126[0]);
                                         }
-                                        let _e1702 = phi_3235_;
-                                        phi_3236_ = _e1702;
+                                        let _e1706 = phi_3272_;
+                                        phi_3273_ = _e1706;
                                     }
-                                    let _e1705 = phi_3236_;
-                                    if _e165 {
-                                        phi_3254_ = vec3<f32>(_e1130[0], _e1130[1], _e1130[2]);
+                                    let _e1709 = phi_3273_;
+                                    if _e172 {
+                                        phi_3291_ = vec3<f32>(_e1134[0], _e1134[1], _e1134[2]);
                                     } else {
-                                        if (_e160 == 1u) {
-                                            phi_3253_ = vec3<f32>(_e1130[2], _e1130[0], _e1130[1]);
+                                        if (_e167 == 1u) {
+                                            phi_3290_ = vec3<f32>(_e1134[2], _e1134[0], _e1134[1]);
                                         } else {
-                                            phi_3253_ = vec3<f32>(_e1130[1], _e1130[2], _e1130[0]);
+                                            phi_3290_ = vec3<f32>(_e1134[1], _e1134[2], _e1134[0]);
                                         }
-                                        let _e1710 = phi_3253_;
-                                        phi_3254_ = _e1710;
+                                        let _e1714 = phi_3290_;
+                                        phi_3291_ = _e1714;
                                     }
-                                    let _e1713 = phi_3254_;
-                                    let _e1716 = (_e1705.x - _e1697.x);
-                                    let _e1719 = (_e1705.y - _e1697.y);
-                                    let _e1722 = (_e1705.z - _e1697.z);
-                                    let _e1724 = (_e1713.x - _e1697.x);
-                                    let _e1726 = (_e1713.y - _e1697.y);
-                                    let _e1728 = (_e1713.z - _e1697.z);
-                                    if (_e1672.member_1 == 1u) {
-                                        phi_3290_ = (vec3<f32>(_e1672.member[0], _e1672.member[1], _e1672.member[2]) - _e1697);
+                                    let _e1717 = phi_3291_;
+                                    let _e1720 = (_e1709.x - _e1701.x);
+                                    let _e1723 = (_e1709.y - _e1701.y);
+                                    let _e1726 = (_e1709.z - _e1701.z);
+                                    let _e1728 = (_e1717.x - _e1701.x);
+                                    let _e1730 = (_e1717.y - _e1701.y);
+                                    let _e1732 = (_e1717.z - _e1701.z);
+                                    if (_e1676.member_1 == 1u) {
+                                        phi_3327_ = (vec3<f32>(_e1676.member[0], _e1676.member[1], _e1676.member[2]) - _e1701);
                                     } else {
-                                        phi_3290_ = vec3<f32>(_e1672.member[0], _e1672.member[1], _e1672.member[2]);
+                                        phi_3327_ = vec3<f32>(_e1676.member[0], _e1676.member[1], _e1676.member[2]);
                                     }
-                                    let _e1743 = phi_3290_;
-                                    let _e1749 = bitcast<f32>((bitcast<u32>((_e1716 * _e1726)) ^ _e1672.member_3[0]));
-                                    let _e1753 = bitcast<f32>((bitcast<u32>((_e1719 * _e1724)) ^ _e1672.member_3[0]));
-                                    let _e1757 = bitcast<f32>((bitcast<u32>((_e1719 * _e1728)) ^ _e1672.member_3[0]));
-                                    let _e1761 = bitcast<f32>((bitcast<u32>((_e1722 * _e1726)) ^ _e1672.member_3[0]));
-                                    let _e1765 = bitcast<f32>((bitcast<u32>((_e1722 * _e1724)) ^ _e1672.member_3[0]));
-                                    let _e1769 = bitcast<f32>((bitcast<u32>((_e1716 * _e1728)) ^ _e1672.member_3[0]));
-                                    let _e1770 = (_e1757 - _e1761);
-                                    let _e1771 = (_e1765 - _e1769);
-                                    let _e1772 = (_e1749 - _e1753);
-                                    let _e1796 = (bitcast<f32>((bitcast<u32>(_e1757) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1761) & 2147483647u)));
-                                    let _e1803 = (bitcast<f32>((bitcast<u32>(_e1765) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1769) & 2147483647u)));
-                                    let _e1810 = (bitcast<f32>((bitcast<u32>(_e1749) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1753) & 2147483647u)));
-                                    if (_e1672.member_2 == 0f) {
-                                        phi_3472_ = 0f;
+                                    let _e1747 = phi_3327_;
+                                    let _e1753 = bitcast<f32>((bitcast<u32>((_e1720 * _e1730)) ^ _e1676.member_3[0]));
+                                    let _e1757 = bitcast<f32>((bitcast<u32>((_e1723 * _e1728)) ^ _e1676.member_3[0]));
+                                    let _e1761 = bitcast<f32>((bitcast<u32>((_e1723 * _e1732)) ^ _e1676.member_3[0]));
+                                    let _e1765 = bitcast<f32>((bitcast<u32>((_e1726 * _e1730)) ^ _e1676.member_3[0]));
+                                    let _e1769 = bitcast<f32>((bitcast<u32>((_e1726 * _e1728)) ^ _e1676.member_3[0]));
+                                    let _e1773 = bitcast<f32>((bitcast<u32>((_e1720 * _e1732)) ^ _e1676.member_3[0]));
+                                    let _e1774 = (_e1761 - _e1765);
+                                    let _e1775 = (_e1769 - _e1773);
+                                    let _e1776 = (_e1753 - _e1757);
+                                    let _e1800 = (bitcast<f32>((bitcast<u32>(_e1761) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1765) & 2147483647u)));
+                                    let _e1807 = (bitcast<f32>((bitcast<u32>(_e1769) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1773) & 2147483647u)));
+                                    let _e1814 = (bitcast<f32>((bitcast<u32>(_e1753) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1757) & 2147483647u)));
+                                    if (_e1676.member_2 == 0f) {
+                                        phi_3509_ = 0f;
                                     } else {
-                                        let _e1840 = bitcast<f32>((bitcast<u32>(_e1770) & 2147483647u));
-                                        let _e1843 = bitcast<f32>((bitcast<u32>(_e1771) & 2147483647u));
-                                        let _e1846 = bitcast<f32>((bitcast<u32>(_e1772) & 2147483647u));
-                                        let _e1848 = select(_e1846, _e1843, (_e1843 > _e1846));
-                                        let _e1852 = select(_e1846, _e1843, (_e1843 < _e1846));
-                                        let _e1856 = select(_e1843, _e1840, (_e1840 < _e1843));
-                                        let _e1858 = select(_e1843, _e1840, (_e1840 > _e1843));
-                                        let _e1860 = select(_e1846, _e1858, (_e1858 < _e1846));
-                                        phi_3472_ = bitcast<f32>((bitcast<u32>((_e1672.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1848, _e1840, (_e1840 > _e1848)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1860, _e1856, (_e1856 > _e1860)))) ^ _e1672.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1852, _e1840, (_e1840 < _e1852)))) ^ _e1672.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1796 + _e1803) + _e1810))) ^ _e1672.member_3[0]))) * 1.0000005f)) ^ _e1672.member_3[0])))) ^ _e1672.member_3[0]));
+                                        let _e1844 = bitcast<f32>((bitcast<u32>(_e1774) & 2147483647u));
+                                        let _e1847 = bitcast<f32>((bitcast<u32>(_e1775) & 2147483647u));
+                                        let _e1850 = bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u));
+                                        let _e1852 = select(_e1850, _e1847, (_e1847 > _e1850));
+                                        let _e1856 = select(_e1850, _e1847, (_e1847 < _e1850));
+                                        let _e1860 = select(_e1847, _e1844, (_e1844 < _e1847));
+                                        let _e1862 = select(_e1847, _e1844, (_e1844 > _e1847));
+                                        let _e1864 = select(_e1850, _e1862, (_e1862 < _e1850));
+                                        phi_3509_ = bitcast<f32>((bitcast<u32>((_e1676.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1852, _e1844, (_e1844 > _e1852)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1864, _e1860, (_e1860 > _e1864)))) ^ _e1676.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1856, _e1844, (_e1844 < _e1856)))) ^ _e1676.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1800 + _e1807) + _e1814))) ^ _e1676.member_3[0]))) * 1.0000005f)) ^ _e1676.member_3[0])))) ^ _e1676.member_3[0]));
                                     }
-                                    let _e1887 = phi_3472_;
-                                    phi_3490_ = (_e1689 || !(((((bitcast<f32>((bitcast<u32>((_e1743.x * _e1770)) ^ _e1672.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1743.y * _e1771)) ^ _e1672.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1743.z * _e1772)) ^ _e1672.member_3[0]))) * f32(-(_e1688))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1743.x) & 2147483647u)) * _e1796)) ^ _e1672.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1743.y) & 2147483647u)) * _e1803)) ^ _e1672.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1743.z) & 2147483647u)) * _e1810)) ^ _e1672.member_3[0]))))) ^ _e1672.member_3[0])) + _e1887) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e1891 = phi_3509_;
+                                    phi_3527_ = (_e1693 || !(((((bitcast<f32>((bitcast<u32>((_e1747.x * _e1774)) ^ _e1676.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1747.y * _e1775)) ^ _e1676.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1747.z * _e1776)) ^ _e1676.member_3[0]))) * f32(-(_e1692))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1747.x) & 2147483647u)) * _e1800)) ^ _e1676.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1747.y) & 2147483647u)) * _e1807)) ^ _e1676.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1747.z) & 2147483647u)) * _e1814)) ^ _e1676.member_3[0]))))) ^ _e1676.member_3[0])) + _e1891) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e1901 = phi_3490_;
-                                phi_3491_ = _e1901;
+                                let _e1905 = phi_3527_;
+                                phi_3528_ = _e1905;
                             }
-                            let _e1903 = phi_3491_;
-                            if _e1903 {
-                                if (_e1542.member < _e990.member.member.member) {
-                                    phi_3511_ = true;
+                            let _e1907 = phi_3528_;
+                            if _e1907 {
+                                if (_e1546.member < _e994.member.member.member) {
+                                    phi_3548_ = true;
                                 } else {
-                                    if (_e1542.member == _e990.member.member.member) {
-                                        phi_3510_ = (_e1542.member_3 < _e990.member.member.member_3);
+                                    if (_e1546.member == _e994.member.member.member) {
+                                        phi_3547_ = (_e1546.member_3 < _e994.member.member.member_3);
                                     } else {
-                                        phi_3510_ = false;
+                                        phi_3547_ = false;
                                     }
-                                    let _e1915 = phi_3510_;
-                                    phi_3511_ = _e1915;
+                                    let _e1919 = phi_3547_;
+                                    phi_3548_ = _e1919;
                                 }
-                                let _e1917 = phi_3511_;
-                                if _e1917 {
-                                    phi_3518_ = SlimbvhTypeO(SlimbvhTypeL(_e1542, _e1542.member), _e990.member_1);
+                                let _e1921 = phi_3548_;
+                                if _e1921 {
+                                    phi_3555_ = SlimbvhTypeO(SlimbvhTypeL(_e1546, _e1546.member), _e994.member_1);
                                 } else {
-                                    phi_3518_ = _e990;
+                                    phi_3555_ = _e994;
                                 }
-                                let _e1923 = phi_3518_;
-                                if _e1923.member_1 {
-                                    phi_3524_ = SlimbvhTypeO(SlimbvhTypeL(_e1923.member.member, bitcast<f32>(4286578687u)), _e1923.member_1);
+                                let _e1927 = phi_3555_;
+                                if _e1927.member_1 {
+                                    phi_3561_ = SlimbvhTypeO(SlimbvhTypeL(_e1927.member.member, bitcast<f32>(4286578687u)), _e1927.member_1);
                                 } else {
-                                    phi_3524_ = _e1923;
+                                    phi_3561_ = _e1927;
                                 }
-                                let _e1932 = phi_3524_;
-                                phi_3525_ = _e1932;
+                                let _e1936 = phi_3561_;
+                                phi_3562_ = _e1936;
                             } else {
-                                phi_3525_ = _e990;
+                                phi_3562_ = _e994;
                             }
-                            let _e1934 = phi_3525_;
-                            phi_3526_ = _e1934;
+                            let _e1938 = phi_3562_;
+                            phi_3563_ = _e1938;
                         } else {
-                            phi_3526_ = _e990;
+                            phi_3563_ = _e994;
                         }
-                        let _e1936 = phi_3526_;
-                        phi_2142_ = _e1936;
+                        let _e1940 = phi_3563_;
+                        phi_2179_ = _e1940;
                     } else {
-                        phi_2142_ = SlimbvhTypeO();
+                        phi_2179_ = SlimbvhTypeO();
                     }
-                    let _e1938 = phi_2142_;
+                    let _e1942 = phi_2179_;
                     continue;
                     continuing {
-                        phi_2141_ = _e1938;
-                        phi_2144_ = _e1005;
-                        break if !(_e1011);
+                        phi_2178_ = _e1942;
+                        phi_2181_ = _e1009;
+                        break if !(_e1015);
                     }
                 }
-                let _e1941 = local_4;
-                let _e1942 = (_e1941 - 1u);
-                let _e1945 = local[(_e1942 % 128u)];
-                let _e1946 = (_e1945 & 511u);
-                let _e1948 = (_e1946 >> bitcast<u32>(3u));
-                let _e1951 = ((_e1948 == 0u) || (_e1942 == 4294967295u));
-                if _e1951 {
+                let _e1945 = local_4;
+                let _e1946 = (_e1945 - 1u);
+                let _e1949 = local[(_e1946 % 128u)];
+                let _e1950 = (_e1949 & 511u);
+                let _e1952 = (_e1950 >> bitcast<u32>(3u));
+                let _e1955 = ((_e1952 == 0u) || (_e1946 == 4294967295u));
+                if _e1955 {
                 } else {
-                    local[(_e1942 % 128u)] = (((_e1945 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1948);
+                    local[(_e1946 % 128u)] = (((_e1949 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1952);
                 }
-                let _e1958 = local_5;
-                let _e1966 = (((_e1945 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1946 & 3u) & 3u));
-                let _e1968 = (_e1966 >> bitcast<u32>(2i));
-                if (_e1968 < _e92) {
-                    let _e1975 = slimbvh_nodes.member[_e1968].member_1[(_e1966 & 3u)];
-                    phi_3582_ = _e1975;
+                let _e1962 = local_5;
+                let _e1970 = (((_e1949 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1950 & 3u) & 3u));
+                let _e1972 = (_e1970 >> bitcast<u32>(2i));
+                if (_e1972 < _e93) {
+                    let _e1978 = slimbvh_nodes.member[_e1972].member_1[(_e1970 & 3u)];
+                    phi_3622_ = _e1978;
                 } else {
-                    phi_3582_ = 2147483648u;
+                    phi_3622_ = 2147483648u;
                 }
-                let _e1977 = phi_3582_;
-                let _e1979 = local_6;
-                let _e2241 = local_8;
-                phi_3591_ = _e2241;
-                phi_3592_ = select(select(_e1958, _e1942, _e1951), 4294967295u, (_e615 > _e1979.member.member_1));
-                phi_3593_ = _e1977;
+                let _e1980 = phi_3622_;
+                let _e1982 = local_6;
+                let _e2244 = local_8;
+                phi_3631_ = _e2244;
+                phi_3632_ = select(select(_e1962, _e1946, _e1955), 4294967295u, (_e622 > _e1982.member.member_1));
+                phi_3633_ = _e1980;
             } else {
-                phi_3591_ = _e647;
-                let _e2244 = local_9;
-                phi_3592_ = _e2244;
-                let _e2247 = local_10;
-                phi_3593_ = _e2247;
+                phi_3631_ = _e654;
+                let _e2247 = local_9;
+                phi_3632_ = _e2247;
+                let _e2250 = local_10;
+                phi_3633_ = _e2250;
             }
-            let _e1985 = phi_3591_;
-            let _e1987 = phi_3592_;
-            let _e1989 = phi_3593_;
-            phi_1521_ = _e1985;
-            phi_1524_ = _e1987;
-            phi_1526_ = _e1989;
-            let _e2253 = local_11;
-            phi_1528_ = _e2253;
+            let _e1988 = phi_3631_;
+            let _e1990 = phi_3632_;
+            let _e1992 = phi_3633_;
+            phi_1535_ = _e1988;
+            phi_1538_ = _e1990;
+            phi_1540_ = _e1992;
+            let _e2256 = local_11;
+            phi_1542_ = _e2256;
         } else {
-            phi_1521_ = SlimbvhTypeO();
-            phi_1524_ = u32();
-            phi_1526_ = u32();
-            phi_1528_ = u32();
+            phi_1535_ = SlimbvhTypeO();
+            phi_1538_ = u32();
+            phi_1540_ = u32();
+            phi_1542_ = u32();
         }
-        let _e1991 = phi_1521_;
-        let _e1993 = phi_1524_;
-        let _e1995 = phi_1526_;
-        let _e1997 = phi_1528_;
+        let _e1994 = phi_1535_;
+        let _e1996 = phi_1538_;
+        let _e1998 = phi_1540_;
+        let _e2000 = phi_1542_;
         continue;
         continuing {
-            phi_1520_ = _e1991;
-            phi_1523_ = _e1993;
-            phi_1525_ = _e1995;
-            phi_1527_ = _e1997;
-            break if !(_e654);
+            phi_1534_ = _e1994;
+            phi_1537_ = _e1996;
+            phi_1539_ = _e1998;
+            phi_1541_ = _e2000;
+            break if !(_e661);
         }
     }
-    let _e2000 = local_7;
-    if (_e2000.member.member.member_3 != 4294967295u) {
-        let _e2006 = -((_e118 + _e548.member_4));
-        let _e2007 = bitcast<u32>(_e2000.member.member.member);
-        let _e2011 = (bitcast<i32>((_e2007 >> bitcast<u32>(23i))) & 255i);
-        let _e2012 = (_e2011 + _e2006);
-        if (_e2011 == 255i) {
-            phi_3650_ = _e2000.member.member.member;
+    let _e2003 = local_7;
+    if (_e2003.member.member.member_3 != 4294967295u) {
+        let _e2009 = -((_e125 + _e555.member_4));
+        let _e2010 = bitcast<u32>(_e2003.member.member.member);
+        let _e2014 = (bitcast<i32>((_e2010 >> bitcast<u32>(23i))) & 255i);
+        let _e2015 = (_e2014 + _e2009);
+        if (_e2014 == 255i) {
+            phi_3690_ = _e2003.member.member.member;
         } else {
-            if (_e2011 > 0i) {
-                if (_e2012 > 0i) {
-                    let _e2016 = (_e2012 < 255i);
-                    if _e2016 {
-                        phi_3629_ = bitcast<f32>((_e2007 + bitcast<u32>((_e2006 << bitcast<u32>(23i)))));
+            if (_e2014 > 0i) {
+                if (_e2015 > 0i) {
+                    let _e2019 = (_e2015 < 255i);
+                    if _e2019 {
+                        phi_3669_ = bitcast<f32>((_e2010 + bitcast<u32>((_e2009 << bitcast<u32>(23i)))));
                     } else {
-                        phi_3629_ = f32();
+                        phi_3669_ = f32();
                     }
-                    let _e2023 = phi_3629_;
-                    phi_3631_ = _e2023;
-                    phi_3632_ = select(true, false, _e2016);
+                    let _e2026 = phi_3669_;
+                    phi_3671_ = _e2026;
+                    phi_3672_ = select(true, false, _e2019);
                 } else {
-                    phi_3631_ = f32();
-                    phi_3632_ = true;
+                    phi_3671_ = f32();
+                    phi_3672_ = true;
                 }
-                let _e2026 = phi_3631_;
-                let _e2028 = phi_3632_;
-                phi_3633_ = _e2026;
-                phi_3634_ = _e2028;
+                let _e2029 = phi_3671_;
+                let _e2031 = phi_3672_;
+                phi_3673_ = _e2029;
+                phi_3674_ = _e2031;
             } else {
-                phi_3633_ = f32();
-                phi_3634_ = true;
+                phi_3673_ = f32();
+                phi_3674_ = true;
             }
-            let _e2030 = phi_3633_;
-            let _e2032 = phi_3634_;
-            if _e2032 {
-                let _e2033 = (_e2007 & 2147483648u);
-                let _e2040 = ((_e2007 & 8388607u) | (select(0u, 1u, ((_e2007 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
-                let _e2044 = (_e2040 == 0u);
-                if _e2044 {
-                    phi_4069_ = bitcast<f32>(_e2033);
+            let _e2033 = phi_3673_;
+            let _e2035 = phi_3674_;
+            if _e2035 {
+                let _e2036 = (_e2010 & 2147483648u);
+                let _e2043 = ((_e2010 & 8388607u) | (select(0u, 1u, ((_e2010 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
+                let _e2047 = (_e2043 == 0u);
+                if _e2047 {
+                    phi_4109_ = bitcast<f32>(_e2036);
                 } else {
-                    let _e2049 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2040)), 32u, _e2044) - 8u);
-                    let _e2052 = (_e2040 << bitcast<u32>((_e2049 & 31u)));
-                    let _e2054 = ((_e2012 + select(0i, 1i, (_e2011 == 0i))) - bitcast<i32>(_e2049));
-                    if (_e2054 >= 255i) {
-                        phi_4059_ = bitcast<f32>((_e2033 | 2139095040u));
-                        phi_4060_ = f32();
-                        phi_4061_ = true;
+                    let _e2052 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2043)), 32u, _e2047) - 8u);
+                    let _e2055 = (_e2043 << bitcast<u32>((_e2052 & 31u)));
+                    let _e2057 = ((_e2015 + select(0i, 1i, (_e2014 == 0i))) - bitcast<i32>(_e2052));
+                    if (_e2057 >= 255i) {
+                        phi_4099_ = bitcast<f32>((_e2036 | 2139095040u));
+                        phi_4100_ = f32();
+                        phi_4101_ = true;
                     } else {
-                        let _e2056 = (_e2054 > 0i);
-                        if _e2056 {
-                            phi_4053_ = bitcast<f32>(((_e2033 | (bitcast<u32>(_e2054) << bitcast<u32>(23i))) | (_e2052 & 8388607u)));
-                            phi_4054_ = f32();
+                        let _e2059 = (_e2057 > 0i);
+                        if _e2059 {
+                            phi_4093_ = bitcast<f32>(((_e2036 | (bitcast<u32>(_e2057) << bitcast<u32>(23i))) | (_e2055 & 8388607u)));
+                            phi_4094_ = f32();
                         } else {
-                            if (_e2054 < -24i) {
-                                phi_4019_ = 26u;
+                            if (_e2057 < -24i) {
+                                phi_4059_ = 26u;
                             } else {
-                                phi_4019_ = bitcast<u32>((1i - _e2054));
+                                phi_4059_ = bitcast<u32>((1i - _e2057));
                             }
-                            let _e2061 = phi_4019_;
-                            let _e2062 = (_e2061 & 31u);
-                            let _e2064 = (_e2052 >> bitcast<u32>(_e2062));
-                            let _e2068 = (_e2052 & ((1u << bitcast<u32>(_e2062)) - 1u));
-                            let _e2072 = (1u << bitcast<u32>(((_e2061 - 1u) & 31u)));
-                            if (_e2068 > _e2072) {
-                                phi_4040_ = true;
+                            let _e2064 = phi_4059_;
+                            let _e2065 = (_e2064 & 31u);
+                            let _e2067 = (_e2055 >> bitcast<u32>(_e2065));
+                            let _e2071 = (_e2055 & ((1u << bitcast<u32>(_e2065)) - 1u));
+                            let _e2075 = (1u << bitcast<u32>(((_e2064 - 1u) & 31u)));
+                            if (_e2071 > _e2075) {
+                                phi_4080_ = true;
                             } else {
-                                if (_e2068 == _e2072) {
-                                    phi_4037_ = ((_e2064 & 1u) == 1u);
+                                if (_e2071 == _e2075) {
+                                    phi_4077_ = ((_e2067 & 1u) == 1u);
                                 } else {
-                                    phi_4037_ = false;
+                                    phi_4077_ = false;
                                 }
-                                let _e2078 = phi_4037_;
-                                phi_4040_ = _e2078;
+                                let _e2081 = phi_4077_;
+                                phi_4080_ = _e2081;
                             }
-                            let _e2080 = phi_4040_;
-                            phi_4053_ = f32();
-                            phi_4054_ = bitcast<f32>((_e2033 | (_e2064 + select(0u, 1u, _e2080))));
+                            let _e2083 = phi_4080_;
+                            phi_4093_ = f32();
+                            phi_4094_ = bitcast<f32>((_e2036 | (_e2067 + select(0u, 1u, _e2083))));
                         }
-                        let _e2093 = phi_4053_;
-                        let _e2095 = phi_4054_;
-                        phi_4059_ = _e2093;
-                        phi_4060_ = _e2095;
-                        phi_4061_ = _e2056;
+                        let _e2096 = phi_4093_;
+                        let _e2098 = phi_4094_;
+                        phi_4099_ = _e2096;
+                        phi_4100_ = _e2098;
+                        phi_4101_ = _e2059;
                     }
-                    let _e2099 = phi_4059_;
-                    let _e2101 = phi_4060_;
-                    let _e2103 = phi_4061_;
-                    phi_4069_ = select(_e2101, _e2099, _e2103);
+                    let _e2102 = phi_4099_;
+                    let _e2104 = phi_4100_;
+                    let _e2106 = phi_4101_;
+                    phi_4109_ = select(_e2104, _e2102, _e2106);
                 }
-                let _e2107 = phi_4069_;
-                phi_3649_ = _e2107;
+                let _e2110 = phi_4109_;
+                phi_3689_ = _e2110;
             } else {
-                phi_3649_ = _e2030;
+                phi_3689_ = _e2033;
             }
-            let _e2109 = phi_3649_;
-            phi_3650_ = _e2109;
+            let _e2112 = phi_3689_;
+            phi_3690_ = _e2112;
         }
-        let _e2111 = phi_3650_;
-        let _e2112 = bitcast<u32>(_e2111);
-        if ((_e2112 & 2147483647u) >= 2139095040u) {
-            phi_3662_ = bitcast<f32>(((_e2112 & 2147483648u) | 2139095039u));
+        let _e2114 = phi_3690_;
+        let _e2115 = bitcast<u32>(_e2114);
+        if ((_e2115 & 2147483647u) >= 2139095040u) {
+            phi_3702_ = bitcast<f32>(((_e2115 & 2147483648u) | 2139095039u));
         } else {
-            phi_3662_ = _e2111;
+            phi_3702_ = _e2114;
         }
-        let _e2119 = phi_3662_;
-        phi_3667_ = SlimbvhTypeI(_e2119, _e2000.member.member.member_1, _e2000.member.member.member_2, _e2000.member.member.member_3);
+        let _e2122 = phi_3702_;
+        phi_3707_ = SlimbvhTypeI(_e2122, _e2003.member.member.member_1, _e2003.member.member.member_2, _e2003.member.member.member_3);
     } else {
-        phi_3667_ = _e89;
+        phi_3707_ = _e89;
     }
-    let _e2124 = phi_3667_;
-    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2124.member), bitcast<u32>(_e2124.member_1), bitcast<u32>(_e2124.member_2), _e2124.member_3);
+    let _e2127 = phi_3707_;
+    slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2127.member), bitcast<u32>(_e2127.member_1), bitcast<u32>(_e2127.member_2), _e2127.member_3);
     return;
 }
 

@@ -135,6 +135,17 @@ pub struct TargetSet<'a, 's, B: Backend> {
     pub sides: &'s B::TargetSides,
 }
 
+/// How much memory a set's tree needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SetNeed {
+    /// None now; what it has may stay.
+    Nothing,
+    /// As much as a tree over all triangles, as there is no whole tree.
+    All,
+    /// As much as sets of this share of the triangles need, or as recent frames have needed: the whole tree is there, too.
+    Share(f64),
+}
+
 /// The geometry that trees are built over.
 #[derive(Debug)]
 pub struct Source<'a, 'm, B: Backend> {
@@ -208,6 +219,8 @@ pub struct TreeSize {
     pub node_bytes: usize,
     /// Bytes of all triangles in leaves.
     pub triangle_bytes: usize,
+    /// Triangles of a set that did not fit into its memory on a GPU, so that its rays went through the whole tree.
+    pub unbuilt_count: usize,
 }
 
 impl TreeSize {
@@ -217,6 +230,7 @@ impl TreeSize {
         self.triangle_count += other.triangle_count;
         self.node_bytes += other.node_bytes;
         self.triangle_bytes += other.triangle_bytes;
+        self.unbuilt_count += other.unbuilt_count;
     }
 
     /// The larger of each count.
@@ -226,6 +240,7 @@ impl TreeSize {
             triangle_count: self.triangle_count.max(other.triangle_count),
             node_bytes: self.node_bytes.max(other.node_bytes),
             triangle_bytes: self.triangle_bytes.max(other.triangle_bytes),
+            unbuilt_count: self.unbuilt_count.max(other.unbuilt_count),
         }
     }
 }
@@ -373,6 +388,21 @@ pub trait Backend: Copy + Debug {
         source: Source<Self>,
         bvh: &mut Self::Bvh,
     ) -> Result<(), Self::Error>;
+
+    /// Lays out the memory of the whole tree and of sets, where the backend reserves it before it knows their sizes. Returns whether trees
+    /// have lost theirs: then all are built anew.
+    ///
+    /// # Errors
+    /// If memory is exhausted, or the device was lost.
+    fn lay_out(
+        _recording: &mut Self::Recording,
+        _builder: &mut Self::Builder,
+        _source: Source<Self>,
+        _whole: &mut Self::Bvh,
+        _sets: &mut [(&mut Self::Bvh, SetNeed)],
+    ) -> Result<bool, Self::Error> {
+        Ok(false)
+    }
 
     /// Whether the builder can refit this whole tree: it may need what it keeps of its latest build alone.
     fn can_refit(builder: &Self::Builder, bvh: &Self::Bvh) -> bool;

@@ -18,7 +18,7 @@
 use crate::animate::Action;
 use crate::backend::{Backend, Change, Output, Shot, Source, TreeSize, Trees, TreesOf};
 use crate::reduce::{Hierarchies, Plan, Views};
-use crate::views::{FrameConfig, FrameSizes, ViewSets};
+use crate::views::{FrameConfig, FrameSizes, SetSize, ViewSets};
 use crate::{RenderReport, RenderSettings, Scene, Stages, Stopwatch, ViewError};
 use std::time::Duration;
 
@@ -249,7 +249,7 @@ impl<B: Backend> Frames<B> {
             .add(&largest.fold(TreeSize::default(), TreeSize::larger));
         for (place, size) in &self.deferred {
             let name = plan.sets[*place].name();
-            sizes.sets.push((name, size.triangle_count));
+            sizes.sets.push(SetSize::new(name, size));
         }
         Ok(sizes)
     }

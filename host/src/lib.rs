@@ -59,7 +59,7 @@ pub use tree::{
     Bvh, CodecError, MeshCodec, NodeCodec, Processor, Reads, RefitError, TreeError, WideStore,
     check_codecs, sah_cost,
 };
-pub use views::{FrameConfig, FrameSizes, ViewSets};
+pub use views::{FrameConfig, FrameSizes, SetSize, ViewSets};
 
 /// The examples of the repository's README.
 #[cfg(doctest)]

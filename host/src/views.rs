@@ -2,12 +2,12 @@
 
 mod config;
 
-pub use config::{FrameConfig, FrameSizes};
+pub use config::{FrameConfig, FrameSizes, SetSize};
 
 use crate::animate::{Action, Upkeep};
 use crate::backend::{Backend, Change, Load, TreeOf, TreeSize};
 #[cfg(feature = "gpu")]
-use crate::gpu::{DecisionsDownload, Frame, Geometry, Gpu, GpuError};
+use crate::gpu::{DecisionsDownload, Frame, Geometry, Gpu, GpuError, SetFit};
 use crate::reduce::{Hierarchies, Plan, Planner, Survey, ViewTarget, Views, Work};
 use crate::{Cpu, CpuError, Mesh, Stages, Stopwatch};
 use std::borrow::Cow;
@@ -204,6 +204,7 @@ impl<B: Backend> ViewSets<B> {
             builder: &mut self.builder,
             held: &mut self.held,
             geometry,
+            memory: self.config.set_memory,
         };
         self.hierarchies.update(&mut work, plan, action)
     }
@@ -307,7 +308,7 @@ impl<B: Backend> ViewSets<B> {
         for (set, bvh) in self.hierarchies.sets(plan) {
             let size: TreeSize = self.backend.size(bvh)?;
             sizes.total.add(&size);
-            sizes.sets.push((set.name(), size.triangle_count));
+            sizes.sets.push(SetSize::new(set.name(), &size));
         }
         Ok(sizes)
     }
@@ -377,6 +378,33 @@ impl<'g> ViewSets<&'g Gpu> {
         change: Change,
     ) -> Result<(), GpuError> {
         self.record(frame, geometry.into(), &targets.into(), change)
+    }
+
+    /// How the sets fitted into their memory ([`SetMemory`](crate::reduce::SetMemory)) in the latest frame that is known of, some frames
+    /// before the present one, as nothing waits. Sets with memory for all triangles are not listed.
+    ///
+    /// ```no_run
+    /// # use slimbvh::{ViewSets, gpu::Gpu};
+    /// # fn run(views: &ViewSets<&Gpu>) {
+    /// for fit in views.fits().iter().filter(|fit| !fit.is_in()) {
+    ///     println!("{}: {} triangles, memory for {}", fit.name, fit.triangle_count, fit.limit);
+    /// }
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn fits(&self) -> Vec<SetFit> {
+        let Some(plan) = &self.plan else {
+            return Vec::new();
+        };
+        let fits = self.hierarchies.sets(plan).filter_map(|(set, bvh)| {
+            let fit = bvh.latest_fit()?;
+            Some(SetFit {
+                name: set.name(),
+                triangle_count: fit.count,
+                limit: fit.limit,
+            })
+        });
+        fits.collect()
     }
 
     /// Copies the decisions that the GPU made for the latest update, to be read when the frame is done: which components are

@@ -1,7 +1,7 @@
 //! Entry points that become functions for other people's WGSL: the shader builder makes private variables of the bindings behind
 //! the tree's, and of it all the texts `host/shaders/slimbvh.wgsl` and `slimbvh_compute.wgsl`, and those of wide trees.
 //!
-//! All read the scene's exponent, the tree, the packed sides of the primitives and a target, a ray's origin with `t_min` and its
+//! All read the scene's exponent and where the tree begins in the lists of nodes and triangles, these, the packed sides of the primitives and a target, a ray's origin with `t_min` and its
 //! direction with `t_max`, whether any hit will do (1, or else 0), and a primitive that is no hit. All store the hit, as bits.
 
 use super::rays::SkipFilter;
@@ -17,9 +17,9 @@ use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::snap::snap_triangle;
 use slimbvh_core::surface::Surface;
 use slimbvh_core::trace::{
-    ClosestOrAny, Distance, Empty, Fork, FullWideNodes, FullWideRow, LaneListStack, LaneStack,
-    LaneWords, NodeRow, NodeRows, NodeSource, TrianglePair, TriangleRows, TriangleSource, Waiting,
-    traverse_with,
+    Based, ClosestOrAny, Distance, Empty, Fork, FullWideNodes, FullWideRow, LaneListStack,
+    LaneStack, LaneWords, NodeRow, NodeRows, NodeSource, TrianglePair, TriangleRows,
+    TriangleSource, Waiting, traverse_with,
 };
 use slimbvh_core::{Hit, Ray, SurfacePoint, Triangle};
 use spirv_std_macros::spirv;
@@ -53,7 +53,8 @@ macro_rules! call_kernels {
             #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] hit: &mut UVec4,
         ) {
             $(let $root = root_words($root);)?
-            let (nodes, triangles) = ($node_source, $triangle_source);
+            let node_count = $nodes.len() as u32;
+            let (nodes, triangles) = (based($node_source, node_count, exponent), $triangle_source);
             let mut stack = private_stack(&nodes);
             let ray = prepared(origin, direction, exponent);
             let filter = SkipFilter { skip: question.y, exponent: exponent.x, sides, target };
@@ -78,7 +79,8 @@ macro_rules! call_kernels {
             #[spirv(workgroup)] words: &mut LaneWords,
         ) {
             $(let $root = root_words($root);)?
-            let tree = (&$node_source, &$triangle_source);
+            let node_count = $nodes.len() as u32;
+            let tree = (&based($node_source, node_count, exponent), &$triangle_source);
             let ray = prepared(origin, direction, exponent);
             let filter = SkipFilter { skip: question.y, exponent: exponent.x, sides, target };
             let mut is_whole = false;
@@ -137,6 +139,17 @@ call_kernels! {
         SharedTriangles { words: triangles, step: step(&root) };
     pub fn call_trace_w4_48_lattice;
     pub fn call_trace_in_group_w4_48_lattice;
+}
+
+/// The nodes of the tree that begins where the words behind the exponent say.
+#[inline(always)]
+const fn based<N>(list: N, node_count: u32, exponent: &UVec4) -> Based<N> {
+    Based {
+        list,
+        node_count,
+        first_node: exponent.y,
+        first_triangle: exponent.z,
+    }
 }
 
 /// A stack of the invocation's own for these nodes.

@@ -7,7 +7,7 @@ use super::{
     Gpu, GpuError, Mesh, Misfit, Renderer, Scene, Subset, TargetSides,
 };
 use crate::backend::{
-    self, Backend, Change, DeferredTrees, Load, Output, Shot, Source, TargetSet, TreeSize,
+    self, Backend, Change, DeferredTrees, Load, Output, SetNeed, Shot, Source, TargetSet, TreeSize,
 };
 use crate::{BuildConfig, RenderReport, RenderSettings, Stages, ViewError};
 use std::borrow::Cow;
@@ -270,6 +270,16 @@ impl<'g> Backend for &'g Gpu {
         builder.refit(frame, source.held.mesh()?, bvh)
     }
 
+    fn lay_out(
+        frame: &mut Frame<'g>,
+        builder: &mut Builder,
+        source: Source<Self>,
+        whole: &mut Bvh,
+        sets: &mut [(&mut Bvh, SetNeed)],
+    ) -> Result<bool, GpuError> {
+        builder.lay_out(frame.gpu(), source.held.mesh()?, whole, sets)
+    }
+
     fn can_refit(builder: &Builder, bvh: &Bvh) -> bool {
         builder.can_refit(bvh)
     }
@@ -448,6 +458,12 @@ impl<'g> Backend for &'g Gpu {
     }
 
     fn size(self, bvh: &Bvh) -> Result<TreeSize, GpuError> {
+        if let Some(fit) = bvh.read_fit(self)?.filter(|fit| !fit.is_in()) {
+            return Ok(TreeSize {
+                unbuilt_count: fit.count as usize,
+                ..TreeSize::default()
+            });
+        }
         let [node_count, triangle_count] = bvh.read_counts(self)?.map(|count| count as usize);
         let [node_bytes, triangle_bytes] = bvh.read_bytes(self)?.map(|bytes| bytes as usize);
         Ok(TreeSize {
@@ -455,6 +471,7 @@ impl<'g> Backend for &'g Gpu {
             triangle_count,
             node_bytes,
             triangle_bytes,
+            unbuilt_count: 0,
         })
     }
 

@@ -144,6 +144,15 @@ impl Slot {
         Some(Range::new(buffer, 0, bytes))
     }
 
+    /// Frees the buffer.
+    pub fn free(&mut self) {
+        self.buffer = None;
+    }
+
+    pub const fn buffer(&self) -> Option<&wgpu::Buffer> {
+        self.buffer.as_ref()
+    }
+
     pub fn bytes(&self) -> u64 {
         self.buffer.as_ref().map_or(0, wgpu::Buffer::size)
     }

@@ -6,8 +6,9 @@ mod scratch;
 use self::scratch::Scratch;
 pub(super) use self::scratch::pyramid_bytes;
 use super::buffer::Range;
-use super::bvh::{self, Built};
+use super::bvh::{self, Built, Lists};
 use super::coding::Coding;
+use super::fit::{FIT_BYTES, Fallback};
 use super::program::{Program, Recorder};
 use super::sides::{Components, Subset, TargetRanges};
 use super::sort::Keys;
@@ -63,9 +64,9 @@ struct Key {
 
 impl Builder {
     /// The possible stages of a build.
-    pub const STAGES: [&str; 13] = [
-        "gather", "bounds", "morton", "sort", "decide", "classify", "scan", "compact", "snap",
-        "topology", "refit", "wide", "encode",
+    pub const STAGES: [&str; 14] = [
+        "gather", "bounds", "morton", "sort", "decide", "classify", "scan", "fit", "compact",
+        "snap", "topology", "refit", "wide", "encode",
     ];
 
     /// A builder with empty buffers. Codecs without GPU kernels are refused by the build.
@@ -128,7 +129,10 @@ impl Builder {
         let count = mesh.triangle_count;
         self.check(gpu, count)?;
         let target = match subset {
-            Subset::All => None,
+            Subset::All => {
+                bvh.place = None;
+                None
+            }
             Subset::Of { components, sides } => {
                 Some((components.clone(), Box::new(sides.ranges()?.clone())))
             }
@@ -137,12 +141,25 @@ impl Builder {
         self.plain_of = None;
         let recorded = gpu.checked(|| {
             let is_reduced = target.is_some() && count > 0;
-            let built = self.reserve_for(gpu, count, is_reduced, bvh)?;
+            let mut built = self.reserve_for(gpu, count, is_reduced, bvh)?;
+            if let (Some((_, rule)), Some(place)) = (&target, &bvh.place) {
+                let fallback = Fallback {
+                    place: place.clone(),
+                    fit: bvh.fit.range(gpu, FIT_BYTES),
+                    rule: (**rule).clone(),
+                };
+                built.fallback = Some(Box::new(fallback));
+                bvh.built = Some(built.clone());
+            }
+            let fit = built.fallback.as_ref().map(|fallback| fallback.fit.clone());
             let task = match target {
                 None => Task::Build(built),
                 Some((components, ranges)) => Task::BuildSet(built, components, ranges),
             };
             self.encode(frame, task, mesh)?;
+            if let Some(fit) = fit {
+                bvh.recent.read_later(frame, &fit);
+            }
             bvh.stamp = next_stamp();
             self.plain_of = Some(bvh.stamp);
             Ok(())
@@ -154,7 +171,7 @@ impl Builder {
     }
 
     /// Makes room in a hierarchy, and in the encoder for its plain nodes and triangles.
-    fn reserve_for(
+    pub(super) fn reserve_for(
         &mut self,
         gpu: &Gpu,
         triangle_count: u32,
@@ -235,6 +252,18 @@ impl Builder {
             self.programs.clear();
             self.largest = triangle_count;
         }
+    }
+
+    /// Drops programs over buffers that are replaced.
+    pub(super) fn drop_programs(&mut self) {
+        self.plain_of = None;
+        self.programs.clear();
+    }
+
+    /// The lists of trees.
+    pub(super) fn lists(&self) -> Result<Lists, GpuError> {
+        let coding = Coding::of(&self.config)?;
+        Ok(Lists { coding })
     }
 
     /// Drops everything after an error, because some of it may be incomplete.

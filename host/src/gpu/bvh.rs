@@ -2,19 +2,22 @@
 
 mod compact;
 mod download;
+mod lists;
 mod upload;
 
 use super::buffer::{Download, Range, Slot};
 use super::coding::Coding;
 use super::encode::Encoder;
+use super::fit::{Fallback, Place, Recent};
 use super::program::Uniform;
 use super::sides::TargetRanges;
 use super::{Frame, Gpu, GpuError, Misfit};
 use crate::{BuildConfig, MeshCodec, NodeCodec};
+pub use lists::Lists;
 use slimbvh_core::encode::RootWords;
+use slimbvh_core::fit::Fit;
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::trace::TrianglePair;
-use slimbvh_core::wide::most_wide_nodes;
 use slimbvh_core::{LeafTriangle, Node};
 use wgpu::BufferUsages;
 
@@ -29,7 +32,8 @@ const PLACEHOLDER_BYTES: u64 = 32;
 ///
 /// Only the GPU knows the number of nodes, so the buffers have room for the most possible: 64 bytes a triangle in full, of
 /// which about 17 are used, and 16 to 43 in a codec, of which 6 to 15 are used. Triangles on a lattice have room for 40
-/// bytes each, 42 where they share corners, and use what their leaves need. [`Self::compact`] frees the rest.
+/// bytes each, 42 where they share corners, and use what their leaves need. [`Self::compact`] frees the rest. Sets of
+/// [`crate::ViewSets`] have room for what recent frames needed ([`crate::reduce::SetMemory`]).
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Slot,
@@ -45,6 +49,10 @@ pub struct Bvh {
     total: Slot,
     count: Slot,
     pub(super) built: Option<Built>,
+    /// Of a set with memory for less than all triangles.
+    pub(super) place: Option<Place>,
+    pub(super) fit: Slot,
+    pub(super) recent: Recent,
 }
 
 /// The ranges of a built hierarchy, and what the host knows of it.
@@ -71,6 +79,10 @@ pub struct Built {
     pub placeholder: Range,
     /// Triangles of the mesh.
     pub triangle_count: u32,
+    /// Triangles that there is memory for.
+    pub room: u32,
+    /// For a set with memory for less than all triangles.
+    pub fallback: Option<Box<Fallback>>,
     /// Whether the hierarchy leaves some of these out.
     pub is_reduced: bool,
     pub depth_bound: u32,
@@ -117,6 +129,12 @@ impl Built {
             .coding
             .has_root()
             .then_some(Uniform::Stored(&coded.root))
+    }
+
+    /// The root's box, or zeros in full.
+    pub fn root_or_zeros(&self) -> &Range {
+        let coded = self.coded.as_ref();
+        coded.map_or(&self.placeholder, |coded| &coded.root)
     }
 
     /// The ranges whose first words are what [`Self::counts`] takes.
@@ -200,6 +218,9 @@ impl Default for Bvh {
             total: Slot::new("slimbvh node count", state),
             count: Slot::new("slimbvh triangle count", state),
             built: None,
+            place: None,
+            fit: Slot::storage("slimbvh set fit"),
+            recent: Recent::default(),
         }
     }
 }
@@ -211,7 +232,7 @@ impl Bvh {
         Self::default()
     }
 
-    /// Makes room for this many triangles; in a codec, also for plain ones in the encoder. Refuses a codec without GPU
+    /// Makes room for this many triangles, or for as many as its place has; in a codec, also for plain ones in the encoder. Refuses a codec without GPU
     /// kernels.
     pub(super) fn reserve(
         &mut self,
@@ -224,24 +245,31 @@ impl Bvh {
         let coding = Coding::of(config)?;
         self.built = None;
         self.stamp = 0;
-        let (node_bytes, triangle_bytes) =
-            (node_bytes(triangle_count), triangle_bytes(triangle_count));
-        let coded = coding.map(|coding| {
-            let bytes = coding.node_bytes() * most_coded_nodes(coding, triangle_count);
-            let nodes = self.nodes.range(gpu, bytes);
-            let bytes = coding.most_triangle_bytes(triangle_count.max(1).into());
-            let triangles = match bytes {
-                Some(bytes) => self.triangles.range(gpu, bytes),
-                None => full_triangles(gpu, &mut self.triangles, triangle_bytes),
-            };
-            self.coded(gpu, coding, [nodes, triangles])
-        });
-        let nodes = match coding {
-            Some(_) => encoder.plain_nodes(gpu, node_bytes),
-            None => self.nodes.range(gpu, node_bytes),
+        let place = self.place.as_ref();
+        let room = place.map_or(triangle_count, |place| place.limit);
+        let lists = Lists { coding };
+        let [node_bytes, list_bytes] = lists.bytes(lists.counts(room));
+        let (nodes, list) = match place {
+            Some(place) => (place.nodes().clone(), place.triangles().clone()),
+            None => (
+                self.nodes.range(gpu, node_bytes),
+                self.triangles.range(gpu, list_bytes),
+            ),
         };
-        let triangles = if coding.is_none_or(Coding::has_full_triangles) {
-            full_triangles(gpu, &mut self.triangles, triangle_bytes)
+        let triangle_bytes = triangle_bytes(room);
+        let has_full_triangles = coding.is_none_or(Coding::has_full_triangles);
+        let list = if has_full_triangles {
+            list.part(0, triangle_bytes)
+        } else {
+            list
+        };
+        let coded = coding.map(|coding| self.coded(gpu, coding, [nodes.clone(), list.clone()]));
+        let nodes = match coding {
+            Some(_) => encoder.plain_nodes(gpu, self::node_bytes(room)),
+            None => nodes,
+        };
+        let triangles = if has_full_triangles {
+            list
         } else {
             encoder.plain_triangles(gpu, triangle_bytes)
         };
@@ -256,6 +284,8 @@ impl Bvh {
             count: self.count.range(gpu, STATE_BYTES),
             placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             triangle_count,
+            room,
+            fallback: None,
             is_reduced,
             depth_bound,
         };
@@ -278,6 +308,36 @@ impl Bvh {
             },
             word_total,
         }
+    }
+
+    /// The buffer of nodes, and what lies behind them.
+    pub(super) const fn node_buffer(&self) -> Option<&wgpu::Buffer> {
+        self.nodes.buffer()
+    }
+
+    /// The latest count that is known of a set with memory for less than all triangles.
+    pub(crate) fn latest_fit(&self) -> Option<&Fit> {
+        self.place.as_ref().and(self.recent.latest())
+    }
+
+    /// Frees the lists of nodes and triangles.
+    pub(super) fn free_lists(&mut self) {
+        self.built = None;
+        self.nodes.free();
+        self.triangles.free();
+    }
+
+    /// Replaces the lists of nodes and triangles by new ones of so many bytes.
+    pub(super) fn renew_lists(
+        &mut self,
+        gpu: &Gpu,
+        [node_bytes, triangle_bytes]: [u64; 2],
+    ) -> [Range; 2] {
+        self.free_lists();
+        [
+            self.nodes.range(gpu, node_bytes),
+            self.triangles.range(gpu, triangle_bytes),
+        ]
     }
 
     /// The built hierarchy.
@@ -313,6 +373,7 @@ impl Bvh {
             &self.bounds,
             &self.total,
             &self.count,
+            &self.fit,
         ];
         slots.iter().map(|slot| slot.bytes()).sum()
     }
@@ -339,26 +400,28 @@ impl Bvh {
         rule: Option<&'a TargetRanges>,
     ) -> Result<Vec<wgpu::BindGroupEntry<'a>>, GpuError> {
         let built = self.built()?;
-        let pairs = wgpu::BufferBinding {
-            size: wgpu::BufferSize::new(paired(built.triangles.size)),
-            ..built.triangles.binding()
+        if built.coding().is_some_and(|coding| !coding.is_wide()) {
+            return Err(Misfit::InCodec.of("the hierarchy"));
+        }
+        let fallback = built.fallback.as_deref();
+        let [nodes, triangles] = match fallback {
+            Some(fallback) => fallback.lists(),
+            None => built.stored(),
         };
-        let mut ranges = vec![built.exponent.binding()];
-        match &built.coded {
-            None => ranges.extend([built.nodes.binding(), pairs]),
-            Some(coded) if !coded.coding.is_wide() => {
-                return Err(Misfit::InCodec.of("the hierarchy"));
+        let triangles = if built.has_full_triangles() {
+            wgpu::BufferBinding {
+                size: wgpu::BufferSize::new(paired(triangles.size)),
+                ..triangles.binding()
             }
-            Some(coded) => {
-                let is_full = coded.coding.has_full_triangles();
-                let words = coded.triangles.binding();
-                ranges.extend([coded.nodes.binding(), if is_full { pairs } else { words }]);
-                if coded.coding.has_root() {
-                    ranges.push(coded.root.binding());
-                }
-            }
+        } else {
+            triangles.binding()
+        };
+        let mut ranges = vec![built.exponent.binding(), nodes.binding(), triangles];
+        if let Some(coded) = built.coded.as_ref().filter(|coded| coded.coding.has_root()) {
+            ranges.push(coded.root.binding());
         }
         let none = [&built.placeholder; 2];
+        let rule = rule.or(fallback.map(|fallback| &fallback.rule));
         let rule = rule.map_or(none, |rule| [&rule.packed, &rule.target]);
         ranges.extend(rule.map(Range::binding));
         let entries = (0..)
@@ -374,15 +437,6 @@ impl Bvh {
 /// The largest number of nodes over this many triangles: each node has more than [`LEAF_SIZE`] below it.
 pub fn most_nodes(triangle_count: u32) -> u64 {
     u64::from(triangle_count.saturating_sub(LEAF_SIZE).max(1))
-}
-
-/// The same of a coding's nodes.
-fn most_coded_nodes(coding: Coding, triangle_count: u32) -> u64 {
-    if coding.is_wide() {
-        u64::from(most_wide_nodes(triangle_count))
-    } else {
-        most_nodes(triangle_count)
-    }
 }
 
 /// Bytes of the largest number of plain nodes over this many triangles.

@@ -42,6 +42,9 @@ impl Builder {
         );
         recorder.stage("scan");
         self.scratch.scan.record(gpu, recorder, before, &bvh.count);
+        if let Some(fallback) = &bvh.fallback {
+            fallback.record_count(recorder, &bvh.count);
+        }
         recorder.stage("compact");
         recorder.dispatch(
             self.of_bits(Kernel::classify_compact_30, Kernel::classify_compact_63),

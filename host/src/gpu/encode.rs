@@ -120,7 +120,7 @@ impl Encoder {
                     &[Uniform::Stored(&bvh.count), Uniform::Stored(root)],
                     &from.collect::<Vec<_>>(),
                     &[&coded.triangles],
-                    threads(bvh.triangle_count),
+                    threads(bvh.room),
                 );
             }
             _ => {}
@@ -130,7 +130,7 @@ impl Encoder {
     /// Ranges for each triangle's corner, and for where its words begin.
     fn leaves(&mut self, gpu: &Gpu, bvh: &Built) -> [Range; 2] {
         const CORNER_BYTES: u64 = size_of::<LeafCorner>() as u64;
-        let count = u64::from(bvh.triangle_count.max(1));
+        let count = u64::from(bvh.room.max(1));
         [
             self.corners.range(gpu, CORNER_BYTES * count),
             self.begins.range(gpu, 4 * count),

@@ -157,6 +157,14 @@ pub enum Misfit {
     /// A hierarchy was not built.
     #[error("is empty; build it first")]
     NotBuilt,
+    /// A set has more triangles than its memory holds, so that it is empty.
+    #[error("has {count} triangles and memory for {limit}: its rays go through the whole tree")]
+    Unbuilt {
+        /// Triangles of the set.
+        count: u32,
+        /// Triangles that there is memory for.
+        limit: u32,
+    },
     /// A picture was not rendered.
     #[error("is empty; render first")]
     NotRendered,

@@ -38,10 +38,10 @@ impl Builder {
 
     /// Records the boxes of all levels of the pyramid, [`GROUP_LEVELS`] a dispatch.
     fn record_pyramid(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) -> Range {
-        let bytes = pyramid_bytes(bvh.triangle_count);
+        let bytes = pyramid_bytes(bvh.room);
         let pyramid = self.scratch.pyramid.range(gpu, bytes);
         let entries = |count: u32| pyramid.touching(u64::from(count) * BOX_BYTES);
-        let mut level = Level::lowest(bvh.triangle_count);
+        let mut level = Level::lowest(bvh.room);
         let mut below = None;
         while level.count > 0 {
             let groups = groups(level.count.div_ceil(LANES as u32));

@@ -97,6 +97,7 @@ pub(super) struct Buffers {
     pub(super) values: Range,
     pub(super) counters: Range,
     pub(super) groups: Range,
+    pub(super) parts: Range,
     pub(super) picture: Range,
 }
 
@@ -457,6 +458,7 @@ impl Renderer {
             values: self.values.range(gpu, 4 * value_count),
             counters: self.counters.range(gpu, counters::BYTES + list_bytes(most)),
             groups: groups_range(gpu, &mut self.groups),
+            parts: gpu.ray_groups(),
             picture: self.picture.range(gpu, picture_bytes(settings.size)),
         }
     }

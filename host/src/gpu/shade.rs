@@ -57,7 +57,7 @@ impl PicturePlan<'_> {
                 recorder.stage("trace shadow");
                 let tree = &self.trees.lights[i as usize];
                 let rays = [shadows, paths];
-                tree.record_shadows(recorder, exponent, rays, &shadow_rays, each());
+                tree.record_shadows(recorder, exponent, rays, &shadow_rays);
             }
             recorder.stage("shade");
             recorder.update(
@@ -78,7 +78,7 @@ impl PicturePlan<'_> {
             let mirrors = self.trees.mirrors.as_ref();
             if let Some(tree) = mirrors.filter(|_| depth < self.mirror_depth) {
                 recorder.stage("trace mirror");
-                tree.record_paths(recorder, exponent, [paths, hits], &mirror_rays, each());
+                tree.record_paths(recorder, exponent, [paths, hits], &mirror_rays);
             }
         }
     }

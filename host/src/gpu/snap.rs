@@ -15,12 +15,14 @@ impl Builder {
         bvh: &Built,
         items: &Range,
     ) -> Range {
-        let count = mesh.triangle_count;
         let item_groups = self.scratch.item_groups.range(gpu, 12);
         recorder.copy(&bvh.count.part(4, 12), &item_groups);
         let each_item = || Groups::Indirect(item_groups.clone());
         let code_bytes = self.keys().item_bytes() - 4;
-        let codes = self.scratch.codes.range(gpu, u64::from(count) * code_bytes);
+        let codes = self
+            .scratch
+            .codes
+            .range(gpu, u64::from(bvh.room) * code_bytes);
         recorder.dispatch(
             self.of_bits(Kernel::snap_30, Kernel::snap_63),
             &[Uniform::Stored(&bvh.exponent)],

@@ -15,7 +15,7 @@ impl Builder {
         codes: &Range,
     ) {
         recorder.stage("topology");
-        let count = bvh.triangle_count;
+        let count = bvh.room;
         let splits = &self.splits(gpu, bvh);
         let word_count = (count - 1).div_ceil(32).max(1);
         let word_bytes = 4 * u64::from(word_count);

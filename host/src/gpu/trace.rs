@@ -5,10 +5,11 @@ pub(super) mod paths;
 mod rays;
 
 use super::buffer::{ALIGNMENT, Range};
+use super::fit::Part;
 use super::kernel::{Traces, traces};
 use super::mesh::check_parts;
-use super::program::{Groups, Recorder, Uniform, threads};
-use super::{Bvh, Frame, GpuError, Kernel, Misfit, Tree};
+use super::program::{Recorder, Uniform};
+use super::{Bvh, Frame, Gpu, GpuError, Kernel, Misfit, Tree};
 pub use rays::Rays;
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::{Hit, Ray, RayEnds};
@@ -112,7 +113,6 @@ impl Tree<'_> {
         // A multiple of this many rays begins at an aligned offset in all buffers, for every query.
         const RAYS_PER_STEP: u64 = ALIGNMENT / 4;
         let tree = self.ranges()?;
-        let built = &tree.built;
         let gpu = frame.gpu();
         let rays = rays.into().ranges(gpu)?;
         let answers = Range::of_slice(answers);
@@ -130,72 +130,102 @@ impl Tree<'_> {
         let most = limit / answer_bytes.max(RAY_BYTES) / RAYS_PER_STEP * RAYS_PER_STEP;
         let most = most.clamp(RAYS_PER_STEP, u64::from(u32::MAX) / 2);
         gpu.checked(|| {
-            let no_ends = Range::whole(&gpu.no_ends());
+            let (no_ends, groups) = (Range::whole(&gpu.no_ends()), gpu.ray_groups());
             let mut recorder = Recorder::default();
             recorder.stage("trace");
-            let kernels = traces(built.coding());
-            let needs_filter = tree.rule.is_some() || rays.ends.is_some();
-            let (kernel, is_filtered) = query.kernel(&kernels, needs_filter);
-            let [nodes, triangles] = &built.traced();
-            let root: Vec<Uniform> = built.root().into_iter().collect();
-            let (exponent, target) = (
-                Uniform::Stored(&built.exponent),
-                Uniform::Stored(tree.target()),
-            );
             let mut first = 0;
             while first < rays.count {
                 let count = most.min(rays.count - first);
-                let own_rays = &rays.rays.part(first * RAY_BYTES, count * RAY_BYTES);
                 let ends = rays.ends.as_ref();
                 let ends = ends.map(|ends| ends.part(first * ENDS_BYTES, count * ENDS_BYTES));
-                let ends = ends.as_ref().unwrap_or(&no_ends);
-                let answers = &answers.part(first * answer_bytes, count * answer_bytes);
-                let counted = rays.record_count(gpu, &mut recorder, first as u32, count as u32);
-                let (number, each) = match &counted {
-                    Some(groups) => (
-                        Uniform::Stored(groups),
-                        Groups::Indirect(groups.part(4, 12)),
-                    ),
-                    None => (
-                        Uniform::Params([count as u32, 0, 0, 0]),
-                        threads(count as u32),
-                    ),
+                let asked = Asked {
+                    query,
+                    rays: rays.rays.part(first * RAY_BYTES, count * RAY_BYTES),
+                    has_ends: ends.is_some(),
+                    ends: ends.unwrap_or_else(|| no_ends.clone()),
+                    answers: answers.part(first * answer_bytes, count * answer_bytes),
+                    count: count as u32,
                 };
+                let counted = rays.counted(first as u32);
+                for part in tree.parts(&mut recorder, &groups, count as u32, counted.as_ref()) {
+                    asked.record(gpu, &mut recorder, part);
+                }
                 first += count;
-                let sides = tree.sides();
-                let (uniforms, reads) = if is_filtered {
-                    (
-                        vec![exponent, target, number],
-                        vec![nodes, triangles, sides, own_rays, ends],
-                    )
-                } else {
-                    (vec![exponent, number], vec![nodes, triangles, own_rays])
-                };
-                let uniforms = [root.clone(), uniforms].concat();
-                let Some(hit_count) = query.hit_count() else {
-                    recorder.dispatch(kernel, &uniforms, &reads, &[answers], each);
-                    continue;
-                };
-                let overflow = gpu.overflow(count);
-                let list = &overflow.list;
-                let to = [answers, &list.touching(0)];
-                recorder.dispatch(kernel, &uniforms, &reads, &to, each);
-                let groups = overflow.record(&mut recorder);
-                let hit_count = Uniform::Params([hit_count, 0, 0, 0]);
-                let uniforms = [exponent, target, overflow.length(), hit_count];
-                let uniforms = [root.clone(), uniforms.to_vec()].concat();
-                let reads = [nodes, triangles, sides, own_rays, ends, list];
-                let untouched = reads.map(|range| range.touching(0));
-                recorder.dispatch(
-                    kernels.rays_overflow,
-                    &uniforms,
-                    &untouched.each_ref(),
-                    &[&answers.touching(0)],
-                    groups,
-                );
             }
             recorder.finish(gpu)?.encode(frame);
             Ok(())
         })
+    }
+}
+
+/// The rays of one dispatch, and where their answers go.
+struct Asked {
+    query: Query,
+    rays: Range,
+    has_ends: bool,
+    ends: Range,
+    answers: Range,
+    count: u32,
+}
+
+impl Asked {
+    /// Records the trace of those that go through a tree.
+    fn record(&self, gpu: &Gpu, recorder: &mut Recorder, part: Part) {
+        let Self {
+            query,
+            rays,
+            ends,
+            answers,
+            ..
+        } = self;
+        let Part {
+            tree,
+            groups,
+            number,
+        } = part;
+        let number = match &number {
+            Some(number) => Uniform::Stored(number),
+            None => Uniform::Params([self.count, 0, 0, 0]),
+        };
+        let kernels = traces(tree.built.coding());
+        let needs_filter = tree.rule.is_some() || self.has_ends;
+        let (kernel, is_filtered) = query.kernel(&kernels, needs_filter);
+        let [nodes, triangles] = &tree.built.traced();
+        let root: Vec<Uniform> = tree.built.root().into_iter().collect();
+        let (exponent, target) = (
+            Uniform::Stored(&tree.built.exponent),
+            Uniform::Stored(tree.target()),
+        );
+        let sides = tree.sides();
+        let (uniforms, reads) = if is_filtered {
+            (
+                vec![exponent, target, number],
+                vec![nodes, triangles, sides, rays, ends],
+            )
+        } else {
+            (vec![exponent, number], vec![nodes, triangles, rays])
+        };
+        let uniforms = [root.clone(), uniforms].concat();
+        let Some(hit_count) = query.hit_count() else {
+            recorder.dispatch(kernel, &uniforms, &reads, &[answers], groups);
+            return;
+        };
+        let overflow = gpu.overflow(self.count.into());
+        let list = &overflow.list;
+        let to = [answers, &list.touching(0)];
+        recorder.dispatch(kernel, &uniforms, &reads, &to, groups);
+        let groups = overflow.record(recorder);
+        let hit_count = Uniform::Params([hit_count, 0, 0, 0]);
+        let uniforms = [exponent, target, overflow.length(), hit_count];
+        let uniforms = [root, uniforms.to_vec()].concat();
+        let reads = [nodes, triangles, sides, rays, ends, list];
+        let untouched = reads.map(|range| range.touching(0));
+        recorder.dispatch(
+            kernels.rays_overflow,
+            &uniforms,
+            &untouched.each_ref(),
+            &[&answers.touching(0)],
+            groups,
+        );
     }
 }

@@ -5,6 +5,7 @@ use super::{
     Answer, Builder, Bvh, Components, Decisions, Frame, Gpu, GpuError, IndexLayout, Mesh, Query,
     Rays, Renderer, Scene, Subset, TargetSides, Tree, Trees, VertexLayout,
 };
+use crate::backend::SetNeed;
 use crate::topology::Topology;
 use crate::{BuildConfig, Camera, Light, Material, Projection, RenderSettings, Stages};
 use slimbvh_core::frustum::Frustum;
@@ -103,17 +104,21 @@ impl<'a> WarmUp<'a> {
         let gpu = frame.gpu();
         let host_mesh = tetrahedra();
         let mut mesh = Mesh::upload(gpu, &host_mesh)?;
-        let (mut builder, mut bvh) = (Builder::new(self.build), Bvh::new());
+        let mut builder = Builder::new(self.build);
+        let (mut bvh, mut set) = (Bvh::new(), Bvh::new());
         if self.has_layouts {
             mesh = interleaved(gpu, &host_mesh)?;
+        }
+        if self.sets.is_some() {
+            let sets = &mut [(&mut set, SetNeed::Share(0.1))];
+            builder.lay_out(gpu, &mesh, &mut bvh, sets)?;
         }
         builder.build(frame, &mesh, &mut bvh)?;
         if self.refits {
             builder.refit(frame, &mesh, &mut bvh)?;
         }
-        let whole = Tree::all(&bvh);
         let Some(sets) = self.sets else {
-            return self.record_rays(frame, &mesh, &[whole]);
+            return self.record_rays(frame, &mesh, &[Tree::all(&bvh)]);
         };
 
         let topology = Topology::new(&host_mesh);
@@ -139,13 +144,13 @@ impl<'a> WarmUp<'a> {
             components: &components,
             sides: &sides,
         };
-        let mut set = Bvh::new();
         builder.build_sorted(frame, &mesh, subset, &mut set)?;
         let ruled = Tree {
             bvh: &bvh,
             rule: Some((&components, &sides)),
         };
-        self.record_rays(frame, &mesh, &[whole, ruled])
+        // The set may not fit: its rays have two dispatches.
+        self.record_rays(frame, &mesh, &[Tree::all(&bvh), ruled, Tree::all(&set)])
     }
 
     /// Records queries of each of these trees, and pictures.

@@ -83,14 +83,14 @@ impl Wide {
             } => (Some(words), shares_corners),
             _ => (None, false),
         };
-        let bytes = 4 * most_nodes(bvh.triangle_count);
+        let bytes = 4 * most_nodes(bvh.room);
         let halves = if words.is_some() { 2 } else { 1 };
         let places = Places {
             collapses: self.collapses.range(gpu, bytes).touching_nodes(4),
             origins: self.origins.range(gpu, bytes).touching_nodes(4),
             begins: self.begins.range(gpu, halves * bytes),
             corners: shares_corners.then(|| {
-                let count = u64::from(bvh.triangle_count.max(1));
+                let count = u64::from(bvh.room.max(1));
                 self.corners.range(gpu, 4 * count)
             }),
         };

@@ -1,10 +1,10 @@
 //! A plan's trees, on any backend.
 
 use super::plan::Plan;
-use super::{TargetKind, TreeChoice, ViewSet};
+use super::{SetMemory, TargetKind, TreeChoice, ViewSet};
 use crate::animate::Action;
 use crate::backend::{
-    Backend, Deferral, DeferredTrees, Source, TargetSet, TargetSides, Tree, TreeOf,
+    Backend, Deferral, DeferredTrees, SetNeed, Source, TargetSet, TargetSides, Tree, TreeOf,
 };
 
 /// The trees of a plan. The next plan's trees reuse their memory.
@@ -65,6 +65,8 @@ pub(crate) struct Work<'a, 'm, B: Backend> {
     pub held: &'a mut B::Held,
     /// The caller's geometry.
     pub geometry: B::Geometry<'m>,
+    /// How much memory sets have.
+    pub memory: SetMemory,
 }
 
 impl<'m, B: Backend> Work<'_, 'm, B> {
@@ -87,6 +89,11 @@ impl<B: Backend> Hierarchies<B> {
         plan: &Plan,
         action: Action,
     ) -> Result<(), B::Error> {
+        let action = if self.lay_out(work, plan)? {
+            Action::Rebuilt
+        } else {
+            action
+        };
         let decides = B::decides(work.held);
         // Sets need their order kept. A whole tree can be refitted without it.
         let is_kept = match action {
@@ -129,6 +136,23 @@ impl<B: Backend> Hierarchies<B> {
         for set in &mut self.sets {
             set.key = None;
         }
+    }
+
+    /// Lays out the memory of all trees. Returns whether all are built anew.
+    fn lay_out(&mut self, work: &mut Work<B>, plan: &Plan) -> Result<bool, B::Error> {
+        self.make_room(plan);
+        let follows = plan.needs_whole && work.memory.is_recent(plan.triangle_count);
+        let need = |place: usize| match plan.sets.get(place) {
+            _ if !follows => SetNeed::All,
+            Some(set) if has_own_place(plan, set) => SetNeed::Share(set.share),
+            _ => SetNeed::Nothing,
+        };
+        let sets = self.sets.iter_mut().enumerate();
+        let mut sets: Vec<_> = sets
+            .map(|(place, set)| (&mut set.bvh, need(place)))
+            .collect();
+        let (recording, builder, source) = work.split();
+        B::lay_out(recording, builder, source, &mut self.whole, &mut sets)
     }
 
     fn make_room(&mut self, plan: &Plan) {

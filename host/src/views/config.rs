@@ -3,7 +3,7 @@
 use crate::BuildConfig;
 use crate::animate::Update;
 use crate::backend::TreeSize;
-use crate::reduce::{PlanConfig, Reduce, Seams, Still};
+use crate::reduce::{PlanConfig, Reduce, Seams, SetMemory, Still};
 
 /// How frames are planned, built and updated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,6 +14,8 @@ pub struct FrameConfig {
     pub plan: PlanConfig,
     /// How trees are updated from frame to frame.
     pub update: Update,
+    /// How much memory sets have on a GPU.
+    pub set_memory: SetMemory,
     /// Whether each change of the trees is followed by the cost of the tree for all rays, if that needs no wait. Trees
     /// whose cost has grown are rebuilt; without the cost, every eighth update rebuilds.
     pub finds_cost: bool,
@@ -88,6 +90,27 @@ impl FrameConfig {
 pub struct FrameSizes {
     /// The sum of all trees that exist at the same time.
     pub total: TreeSize,
-    /// The triangle count of each set, by the names of its targets.
-    pub sets: Vec<(String, usize)>,
+    /// Each set.
+    pub sets: Vec<SetSize>,
+}
+
+/// The size of a set.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct SetSize {
+    /// The names of its targets.
+    pub name: String,
+    /// Its triangles.
+    pub triangle_count: usize,
+    /// Whether it fitted into its memory ([`SetMemory`]). Else its rays went through the whole tree.
+    pub fits: bool,
+}
+
+impl SetSize {
+    pub(crate) fn new(name: String, size: &TreeSize) -> Self {
+        Self {
+            name,
+            triangle_count: size.triangle_count.max(size.unbuilt_count),
+            fits: size.unbuilt_count == 0,
+        }
+    }
 }

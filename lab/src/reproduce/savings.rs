@@ -175,7 +175,7 @@ impl<'a> Trial<'a> {
         let report = self.frames.render_planned(&self.request, output)?;
         let sizes = self.frames.sizes(self.request.plan)?;
         let way = &mut self.way;
-        way.triangles = sizes.sets.iter().map(|(_, count)| count).sum();
+        way.triangles = sizes.sets.iter().map(|set| set.triangle_count).sum();
         way.tree_bytes = sizes.total.node_bytes + sizes.total.triangle_bytes;
         way.shadow_rays = report.render.shadow_ray_count;
         if counts {

@@ -21,6 +21,7 @@ mod overflow;
 mod own_shaders;
 mod pictures;
 mod scans;
+mod set_memory;
 mod shading;
 mod slow_shapes;
 mod sorts;

@@ -2,6 +2,7 @@
 
 mod answers;
 mod any_hit_order;
+mod based;
 mod boxes;
 mod clustered;
 mod codec_names;

@@ -91,6 +91,14 @@ const STAGES: &[Stage] = &[
         gpu: &["compact"],
     },
     Stage {
+        name: "fit",
+        what: "whether a set fits into memory for less than all triangles (on the GPU)",
+        core: &["build/fit", "trace/based"],
+        shaders: &["fit"],
+        cpu: &[],
+        gpu: &["fit", "fit/recent"],
+    },
+    Stage {
         name: "snap",
         what: "triangles in leaf order, scaled to magnitude 1",
         core: &["build/snap", "geometry/triangle"],
@@ -351,13 +359,15 @@ fn the_table_of_stages_is_that_of_the_code() {
     );
 }
 
-/// The pass of a stage is in the file of its name, on the CPU and on the GPU. Stage `cluster` exists on the CPU only, `gather` on the
-/// GPU only.
+/// The pass of a stage is in the file of its name, on the CPU and on the GPU. Stage `cluster` exists on the CPU only, `gather` and
+/// `fit` on the GPU only.
 #[test]
 fn passes_bear_the_name_of_their_stage() {
     for stage in STAGES {
         for (folder, files) in [("cpu", stage.cpu), ("gpu", stage.gpu)] {
-            if [("cluster", "gpu"), ("gather", "cpu")].contains(&(stage.name, folder)) {
+            if [("cluster", "gpu"), ("gather", "cpu"), ("fit", "cpu")]
+                .contains(&(stage.name, folder))
+            {
                 assert!(files.is_empty());
                 continue;
             }

@@ -38,7 +38,7 @@ impl Builder {
         self.record_tree(gpu, recorder, mesh, bvh, &items);
     }
 
-    /// Stages `classify`, `scan` and `compact`, and the tree over the resulting set.
+    /// Stages `classify`, `scan`, `fit` and `compact`, and the tree over the resulting set.
     pub(super) fn record_build_set(
         &mut self,
         gpu: &Gpu,
@@ -50,6 +50,9 @@ impl Builder {
         let set = &self.record_classify(gpu, recorder, mesh, bvh, (components, sides));
         recorder.stage("snap");
         self.record_tree(gpu, recorder, mesh, bvh, set);
+        if let Some(fallback) = &bvh.fallback {
+            fallback.record_base(recorder, bvh);
+        }
     }
 
     /// Stages `snap`, `topology` and `refit`, over the first `bvh.count` items.

@@ -39,6 +39,8 @@ impl Bvh {
                 coded.triangles = triangles;
             }
             self.stamp = 0;
+            built.fallback = None;
+            self.place = None;
             self.built = Some(built);
             Ok(())
         })

@@ -2,10 +2,11 @@
 
 use super::{Bvh, Coded, Coding, Counts};
 use crate::gpu::buffer::{Download, Mapped};
-use crate::gpu::{Gpu, GpuError};
+use crate::gpu::{Gpu, GpuError, Misfit};
 use crate::tree::{ListReader, StoredTree};
 use bytemuck::Pod;
 use slimbvh_core::encode::RootWords;
+use slimbvh_core::fit::Fit;
 use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 impl Bvh {
@@ -26,7 +27,35 @@ impl Bvh {
         Ok([counts.nodes, counts.triangles])
     }
 
+    /// What is known of a set that may not fit.
+    pub(in crate::gpu) fn read_fit(&self, gpu: &Gpu) -> Result<Option<Fit>, GpuError> {
+        gpu.block_on(self.read_fit_async(gpu))
+    }
+
+    async fn read_fit_async(&self, gpu: &Gpu) -> Result<Option<Fit>, GpuError> {
+        let Some(fallback) = &self.built()?.fallback else {
+            return Ok(None);
+        };
+        let mut frame = gpu.frame();
+        let fit = gpu.checked(|| Ok(frame.download(&fallback.fit)))?;
+        frame.submit()?;
+        let fits: Vec<Fit> = fit.read_async(gpu).await?;
+        Ok(fits.first().copied())
+    }
+
+    /// Refuses a set that did not fit.
+    async fn check_fit(&self, gpu: &Gpu) -> Result<(), GpuError> {
+        let fit = self.read_fit_async(gpu).await?;
+        match fit.filter(|fit| !fit.is_in()) {
+            Some(Fit { count, limit, .. }) => {
+                Err(Misfit::Unbuilt { count, limit }.of("the hierarchy of a set"))
+            }
+            None => Ok(()),
+        }
+    }
+
     async fn read_all_counts(&self, gpu: &Gpu) -> Result<Counts, GpuError> {
+        self.check_fit(gpu).await?;
         let built = self.built()?;
         let ranges = built.totals();
         let mut frame = gpu.frame();
@@ -75,6 +104,7 @@ impl Bvh {
     /// # Errors
     /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
     pub async fn download_async(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
+        self.check_fit(gpu).await?;
         let built = self.built()?;
         let mut frame = gpu.frame();
         let [nodes, triangles] = built.stored();

@@ -64,6 +64,8 @@ impl Bvh {
             count: self.count.range(gpu, STATE_BYTES),
             placeholder: self.placeholder.range(gpu, PLACEHOLDER_BYTES),
             triangle_count: bvh.mesh_triangle_count() as u32,
+            room: bvh.triangle_count() as u32,
+            fallback: None,
             is_reduced: bvh.triangle_count() < bvh.mesh_triangle_count(),
             depth_bound: bvh.depth_bound(),
         };

@@ -1,9 +1,9 @@
 //! A wave of samples, from camera rays to pixels.
 
 use super::{Buffers, PicturePlan, WAVE, counters};
-use crate::gpu::program::{Recorder, Uniform, threads};
+use crate::gpu::program::{Recorder, Uniform};
 use crate::gpu::trace::overflow::{Overflow, list_bytes};
-use crate::gpu::trace::paths::Tally;
+use crate::gpu::trace::paths::{Each, Tally};
 use crate::picture::{RenderSettings, View};
 use slimbvh_core::Hit;
 use slimbvh_core::shade::Path;
@@ -55,7 +55,6 @@ impl PicturePlan<'_> {
         let hits = &all.hits.part(0, samples * size_of::<Hit>() as u64);
         let tree = &self.trees.primary;
         let exponent = Uniform::Stored(&self.trees.primary.built.exponent);
-        let each = || threads(wave.sample_count);
 
         self.record_rays(recorder, wave);
 
@@ -64,10 +63,10 @@ impl PicturePlan<'_> {
         if self.settings.view == View::Heatmap {
             let primary = all.counters.part(counters::PRIMARY, counters::SLOT_BYTES);
             let to = [hits, &values(wave.first_sample), &primary];
-            tree.record_paths_counted(recorder, paths, to, each());
+            tree.record_paths_counted(recorder, paths, to, &self.each(wave));
         } else {
             let tally = self.tally(counters::PRIMARY, wave);
-            tree.record_paths(recorder, exponent, [paths, hits], &tally, each());
+            tree.record_paths(recorder, exponent, [paths, hits], &tally);
         }
 
         match self.settings.view {
@@ -91,6 +90,14 @@ impl PicturePlan<'_> {
                 list: counters.part(counters::BYTES, list_bytes),
                 groups: groups.clone(),
             },
+            each: self.each(wave),
+        }
+    }
+
+    fn each(&self, wave: &Wave) -> Each {
+        Each {
+            count: wave.sample_count,
+            parts: self.buffers.parts.clone(),
         }
     }
 }

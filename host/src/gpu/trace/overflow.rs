@@ -1,6 +1,7 @@
 //! The second pass of a trace: rays whose stack in workgroup memory was full are traced again, with private stacks.
 
 use crate::gpu::buffer::{Range, Slot, upload};
+use crate::gpu::fit::PARTS_BYTES;
 use crate::gpu::program::{Groups, Recorder, Uniform, groups};
 use crate::gpu::{Gpu, Kernel};
 use slimbvh_core::RayEnds;
@@ -51,9 +52,9 @@ impl Lists {
         }
     }
 
-    /// The range of a number of rays that only the GPU knows, and of the dispatch with a thread for each.
+    /// The range of numbers of rays that only the GPU knows, and of the dispatches with a thread for each.
     pub fn ray_groups(&mut self, gpu: &Gpu) -> Range {
-        groups_range(gpu, &mut self.ray_groups)
+        self.ray_groups.range(gpu, PARTS_BYTES)
     }
 
     /// Ends of one ray, which lie on nothing: bound for rays without ends.

@@ -3,6 +3,8 @@
 use super::overflow::Overflow;
 use crate::gpu::Kernel;
 use crate::gpu::buffer::Range;
+#[cfg(doc)]
+use crate::gpu::fit::PARTS_BYTES;
 use crate::gpu::kernel::traces;
 use crate::gpu::program::{Groups, Recorder, Uniform};
 use crate::gpu::trees::TreeRanges;
@@ -14,6 +16,24 @@ pub struct Tally {
     pub all: Range,
     /// The list, which is the end of that.
     pub overflow: Overflow,
+    pub each: Each,
+}
+
+/// The rays of a wave.
+#[derive(Clone, Debug)]
+pub struct Each {
+    pub count: u32,
+    /// For the dispatches of those that go through a set and through the whole tree ([`PARTS_BYTES`]).
+    pub parts: Range,
+}
+
+impl Each {
+    /// The trees that the rays go through, with their dispatches.
+    fn parts(&self, recorder: &mut Recorder, tree: &TreeRanges) -> Vec<(TreeRanges, Groups)> {
+        let parts = tree.parts(recorder, &self.parts, self.count, None);
+        let parts = parts.into_iter();
+        parts.map(|part| (part.tree, part.groups)).collect()
+    }
 }
 
 impl Tally {
@@ -26,6 +46,18 @@ impl Tally {
 impl TreeRanges {
     /// Records a search for each path's closest hit. Reads the scene's exponent. Writes hits and counters.
     pub fn record_paths(
+        &self,
+        recorder: &mut Recorder,
+        exponent: Uniform,
+        [paths, hits]: [&Range; 2],
+        tally: &Tally,
+    ) {
+        for (tree, groups) in tally.each.parts(recorder, self) {
+            tree.record_own_paths(recorder, exponent, [paths, hits], tally, groups);
+        }
+    }
+
+    fn record_own_paths(
         &self,
         recorder: &mut Recorder,
         exponent: Uniform,
@@ -55,16 +87,30 @@ impl TreeRanges {
         recorder: &mut Recorder,
         paths: &Range,
         to: [&Range; 3],
-        each: Groups,
+        each: &Each,
     ) {
-        let [nodes, triangles] = &self.built.traced();
-        let kernel = traces(self.built.coding()).paths_counted;
-        let root: Vec<Uniform> = self.built.root().into_iter().collect();
-        recorder.dispatch(kernel, &root, &[nodes, triangles, paths], &to, each);
+        for (tree, groups) in each.parts(recorder, self) {
+            let [nodes, triangles] = &tree.built.traced();
+            let kernel = traces(tree.built.coding()).paths_counted;
+            let root: Vec<Uniform> = tree.built.root().into_iter().collect();
+            recorder.dispatch(kernel, &root, &[nodes, triangles, paths], &to, groups);
+        }
     }
 
     /// Records the trace of shadow rays. Reads the scene's exponent. Updates paths and counters.
     pub fn record_shadows(
+        &self,
+        recorder: &mut Recorder,
+        exponent: Uniform,
+        [shadows, paths]: [&Range; 2],
+        tally: &Tally,
+    ) {
+        for (tree, groups) in tally.each.parts(recorder, self) {
+            tree.record_own_shadows(recorder, exponent, [shadows, paths], tally, groups);
+        }
+    }
+
+    fn record_own_shadows(
         &self,
         recorder: &mut Recorder,
         exponent: Uniform,

@@ -2,9 +2,9 @@
 
 use super::{ENDS_BYTES, RAY_BYTES};
 use crate::gpu::buffer::Range;
+use crate::gpu::fit::Counted;
 use crate::gpu::mesh::{check_parts, check_words};
-use crate::gpu::program::{Recorder, Uniform, groups};
-use crate::gpu::{Gpu, GpuError, Kernel, Misfit};
+use crate::gpu::{Gpu, GpuError, Misfit};
 #[cfg(doc)]
 use slimbvh_core::{Ray, RayEnds};
 use wgpu::BufferSlice;
@@ -98,20 +98,13 @@ pub struct RayRanges {
 }
 
 impl RayRanges {
-    /// Records how many rays the dispatch has that begins at this ray and has room for this many; `None` where that is all of them.
-    /// Returns the number and the dispatch.
-    pub fn record_count(
-        &self,
-        gpu: &Gpu,
-        recorder: &mut Recorder,
-        first: u32,
-        most: u32,
-    ) -> Option<Range> {
+    /// Where the number of rays is of the dispatch that begins at this ray; `None` where all rays count.
+    pub fn counted(&self, first: u32) -> Option<Counted<'_>> {
         let (words, byte) = self.counter.as_ref()?;
-        let to = gpu.ray_groups();
-        let params = Uniform::Params([(byte / 4) as u32, first, most, 0]);
-        let words = &words.touching(4);
-        recorder.dispatch(Kernel::trace_count, &[params], &[words], &[&to], groups(1));
-        Some(to)
+        Some(Counted {
+            words,
+            word: (byte / 4) as u32,
+            first,
+        })
     }
 }

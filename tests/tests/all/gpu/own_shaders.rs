@@ -42,13 +42,13 @@ fn ask(@builtin(global_invocation_id) id: vec3<u32>, @builtin(local_invocation_i
 ";
 
 /// The functions for any stage.
-const ANYWHERE: &str = "
+pub const ANYWHERE: &str = "
     hit = slimbvh_closest_hit(ray.origin, ray.t_min, ray.direction, ray.t_max);
     any = slimbvh_any_hit(ray.origin, ray.t_min, ray.direction, ray.t_max);
 ";
 
 /// Those for compute shaders.
-const IN_GROUP: &str = "
+pub const IN_GROUP: &str = "
     hit = slimbvh_closest_hit_in_group(lane, ray.origin, ray.t_min, ray.direction, ray.t_max);
     any = slimbvh_any_hit_in_group(lane, ray.origin, ray.t_min, ray.direction, ray.t_max);
 ";
@@ -68,15 +68,15 @@ const FILL: &str = "
 ";
 
 /// What a shader answers, for each ray.
-struct Replies {
-    closest: Vec<Hit>,
-    any: Vec<u32>,
+pub struct Replies {
+    pub closest: Vec<Hit>,
+    pub any: Vec<u32>,
     /// The flags of [`SHADER`].
     overflowed: Vec<u32>,
 }
 
 /// Runs [`SHADER`] with these calls behind a text, in workgroups of `lanes`. The tree's bindings are in group 1.
-fn ask(
+pub fn ask(
     gpu: &Gpu,
     tree: gpu::Tree,
     rays: &[Ray],

@@ -1,0 +1,30 @@
+//! How much memory the sets of a GPU have.
+
+/// How much memory sets have on a GPU, which reserves it before it counts their triangles. On the CPU a set has what it needs.
+///
+/// Where the whole tree is built, too, the memory of sets can follow the counts of recent frames, which are read back without waiting. A
+/// set that does not fit is not built in that frame: its rays go through the whole tree, with the same answers, and its memory grows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SetMemory {
+    /// [`Self::Recent`] for meshes of 65,536 triangles or more.
+    #[default]
+    Auto,
+    /// Half as much again as the largest of the last eight counts needs; at first, as the plan's estimate.
+    Recent,
+    /// As much as all triangles need.
+    All,
+}
+
+/// Sets of smaller meshes have memory for all triangles under [`SetMemory::Auto`]: at most 7 MiB each.
+const LEAST_TRIANGLES: usize = 1 << 16;
+
+impl SetMemory {
+    /// Whether memory follows counts.
+    pub(super) const fn is_recent(self, triangle_count: usize) -> bool {
+        match self {
+            Self::Auto => triangle_count >= LEAST_TRIANGLES,
+            Self::Recent => true,
+            Self::All => false,
+        }
+    }
+}
