@@ -17,7 +17,7 @@
 
 use crate::animate::Action;
 use crate::backend::{Backend, Change, Output, Shot, Source, TreeSize, Trees, TreesOf};
-use crate::reduce::{Hierarchies, Plan, Views};
+use crate::reduce::{Plan, Views};
 use crate::views::{FrameConfig, FrameSizes, SetSize, ViewSets};
 use crate::{RenderReport, RenderSettings, Scene, Stages, Stopwatch, ViewError};
 use std::time::Duration;
@@ -228,12 +228,6 @@ impl<B: Backend> Frames<B> {
         let trees = self.views.trees_of(plan);
         let trees = Trees::of_targets(&trees, plan.light_count());
         trees.unwrap_or_else(|| Trees::all(self.views.hierarchies.whole_or_empty(), 0))
-    }
-
-    /// The trees built so far.
-    #[must_use]
-    pub fn hierarchies(&self) -> &Hierarchies<B> {
-        &self.views.hierarchies
     }
 
     /// The sizes of the latest frame's trees. `plan` must be that frame's plan. Waits for a GPU.

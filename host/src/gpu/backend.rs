@@ -187,7 +187,10 @@ impl<'g> Backend for &'g Gpu {
             }
             Geometry::Host(mesh) if load.change == Change::Vertices => {
                 builder.check_mesh(mesh)?;
-                self.checked(|| held.mesh()?.move_vertices(self, mesh))?;
+                self.checked(|| {
+                    held.mesh()?.move_vertices(self, mesh);
+                    Ok(())
+                })?;
             }
             Geometry::Buffers { mesh, .. } if is_other => {
                 *held = Held::default();

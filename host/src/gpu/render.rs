@@ -1,11 +1,11 @@
 //! Pictures on the GPU, in waves of samples.
 
 pub(super) mod counters;
+mod download;
 mod image;
 mod wave;
 
-use super::buffer::{Download, Range, Slot};
-use super::frame::COMPILE;
+use super::buffer::{Range, Slot};
 use super::program::{Program, Recorder};
 use super::sort::Sort;
 use super::trace::overflow::{groups_range, groups_slot, list_bytes};
@@ -17,6 +17,8 @@ use crate::picture::{Picture, RenderReport, RenderSettings, View};
 use crate::scene::{Camera, Light, ViewError};
 use crate::{Stages, Stopwatch};
 pub use counters::Counters;
+pub use download::PictureDownload;
+use download::PictureDownloads;
 pub(super) use image::{Image, check_view};
 use slimbvh_core::launch::row_texels;
 use slimbvh_core::shade::{Environment, Light as CoreLight, Path};
@@ -475,41 +477,6 @@ impl Renderer {
     }
 }
 
-/// A picture being copied from the GPU.
-#[derive(Debug)]
-#[must_use]
-pub struct PictureDownload {
-    size: [u32; 2],
-    texels: Download,
-}
-
-impl PictureDownload {
-    /// Waits for the picture, and reads it.
-    ///
-    /// # Errors
-    /// If the device was lost.
-    pub fn read(self, gpu: &Gpu, picture: &mut Picture) -> Result<(), GpuError> {
-        gpu.block_on(self.read_async(gpu, picture))
-    }
-
-    /// [`Self::read`], without blocking.
-    ///
-    /// # Errors
-    /// If the device was lost; in a browser, also the errors of earlier calls.
-    pub async fn read_async(self, gpu: &Gpu, picture: &mut Picture) -> Result<(), GpuError> {
-        let [width, height] = self.size;
-        let texels: Vec<[f32; 4]> = self.texels.read_async(gpu).await?;
-        picture.width = width;
-        picture.height = height;
-        picture.pixels.clear();
-        for row in texels.chunks(row_texels(width) as usize) {
-            let row = row.iter().take(width as usize);
-            picture.pixels.extend(row.map(|&[r, g, b, _]| [r, g, b]));
-        }
-        Ok(())
-    }
-}
-
 /// Refuses a picture above the GPU's limits.
 fn check(gpu: &Gpu, settings: &RenderSettings, waves: &[Wave]) -> Result<(), GpuError> {
     let most = waves.iter().map(|wave| wave.sample_count).max();
@@ -567,37 +534,4 @@ fn upload_view(
     frame
         .encoder()
         .copy_buffer_to_buffer(&from, 0, &view.buffer, view.offset, view.size);
-}
-
-/// A picture and its counts, being copied.
-struct PictureDownloads {
-    texels: PictureDownload,
-    counters: Counters,
-}
-
-impl PictureDownloads {
-    /// Reads both when the frame is done, and divides the times of its stages.
-    async fn read(
-        self,
-        gpu: &Gpu,
-        mut stages: Stages,
-        begin: Stopwatch,
-        picture: &mut Picture,
-    ) -> Result<(Stages, RenderReport), GpuError> {
-        self.texels.read_async(gpu, picture).await?;
-        let mut report = self.counters.read_async(gpu).await?;
-        if stages.iter().all(|(stage, _)| stage == COMPILE) {
-            stages.add("all", begin.elapsed().saturating_sub(stages.total()));
-        }
-        let mut build = Stages::default();
-        for (stage, time) in stages.iter() {
-            let part = if super::Builder::STAGES.contains(&stage) {
-                &mut build
-            } else {
-                &mut report.stages
-            };
-            part.add(stage, time);
-        }
-        Ok((build, report))
-    }
 }

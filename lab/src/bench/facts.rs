@@ -35,7 +35,7 @@ impl Facts {
         };
         let mut frames = Frames::new(Cpu, config);
         frames.build(&prepared.scene, &plan)?;
-        let all = || frames.hierarchies().all(&plan);
+        let all = || frames.views().hierarchies().all(&plan);
         let sum = |of: fn(&Bvh) -> usize| all().map(of).sum();
         let trees = frames.trees(&plan);
         let counts = count(&prepared.scene, &Walks::new(&trees), &prepared.settings)?;

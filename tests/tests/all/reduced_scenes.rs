@@ -173,7 +173,7 @@ fn sets_in_turn_are_built_once_and_only_where_needed() {
         let sets = report.deferred;
         assert_eq!(sets.iter().map(|set| set.0).collect::<Vec<_>>(), built);
         assert!(picture == expected);
-        held_bytes.push(frames.hierarchies().held_bytes());
+        held_bytes.push(frames.views().hierarchies().held_bytes());
     }
     assert!(held_bytes[0] * 2 < held_bytes[2], "{held_bytes:?}");
 
