@@ -40,7 +40,7 @@ pub fn fit_base(
         let fit = fits[0];
         let [exponent, ..] = exponents[0];
         exponents[0] = [exponent, fit.base(params.x), fit.base(params.y), 0];
-        if !fit.is_in() {
+        if !fit.fits() {
             roots[0] = root_words(whole);
         }
     }

@@ -220,7 +220,7 @@ pub struct TreeSize {
     /// Bytes of all triangles in leaves.
     pub triangle_bytes: usize,
     /// Triangles of a set that did not fit into its memory on a GPU, so that its rays went through the whole tree.
-    pub unbuilt_count: usize,
+    pub unfit_count: usize,
 }
 
 impl TreeSize {
@@ -230,7 +230,7 @@ impl TreeSize {
         self.triangle_count += other.triangle_count;
         self.node_bytes += other.node_bytes;
         self.triangle_bytes += other.triangle_bytes;
-        self.unbuilt_count += other.unbuilt_count;
+        self.unfit_count += other.unfit_count;
     }
 
     /// The larger of each count.
@@ -240,7 +240,7 @@ impl TreeSize {
             triangle_count: self.triangle_count.max(other.triangle_count),
             node_bytes: self.node_bytes.max(other.node_bytes),
             triangle_bytes: self.triangle_bytes.max(other.triangle_bytes),
-            unbuilt_count: self.unbuilt_count.max(other.unbuilt_count),
+            unfit_count: self.unfit_count.max(other.unfit_count),
         }
     }
 }

@@ -129,6 +129,7 @@ impl<B: Backend> Frames<B> {
         if rendered.is_err() {
             // The recorded passes did not run, so the next frame rebuilds all trees.
             self.views.forget();
+            self.renderer = B::Renderer::default();
         }
         rendered
     }

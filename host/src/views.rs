@@ -180,10 +180,10 @@ impl<B: Backend> ViewSets<B> {
         self.counts = None;
         let updated = self.try_record(recording, geometry, plan, (change, action));
         match updated {
-            Ok(()) => self.counts = Some(B::counts(geometry)),
+            Ok(_) => self.counts = Some(B::counts(geometry)),
             Err(_) => self.forget(),
         }
-        updated.map(|()| action)
+        updated
     }
 
     fn try_record(
@@ -192,7 +192,7 @@ impl<B: Backend> ViewSets<B> {
         geometry: B::Geometry<'_>,
         plan: &Plan,
         (change, action): (Change, Action),
-    ) -> Result<(), B::Error> {
+    ) -> Result<Action, B::Error> {
         let load = Load {
             change,
             topology: plan.topology.as_deref(),
@@ -348,7 +348,9 @@ impl<'g> ViewSets<&'g Gpu> {
     /// changed since the update before; the first builds all.
     ///
     /// Nothing waits for the GPU, with one exception: if a survey is likely to pay, buffers without a mesh on the host are read
-    /// back once.
+    /// back once. The device may be polled, so that callbacks of the caller's may run.
+    ///
+    /// Take the trees and their bindings anew after each update: their buffers may be others.
     ///
     /// ```no_run
     /// use slimbvh::gpu::{self, Gpu, GpuError, Query, wgpu};
@@ -386,7 +388,7 @@ impl<'g> ViewSets<&'g Gpu> {
     /// ```no_run
     /// # use slimbvh::{ViewSets, gpu::Gpu};
     /// # fn run(views: &ViewSets<&Gpu>) {
-    /// for fit in views.fits().iter().filter(|fit| !fit.is_in()) {
+    /// for fit in views.fits().iter().filter(|fit| !fit.fits()) {
     ///     println!("{}: {} triangles, memory for {}", fit.name, fit.triangle_count, fit.limit);
     /// }
     /// # }

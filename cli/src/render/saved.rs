@@ -162,7 +162,7 @@ impl Saved<'_> {
                     triangle_count: self.bvh.triangle_count(),
                     node_bytes: self.bvh.node_bytes(),
                     triangle_bytes: self.bvh.triangle_bytes(),
-                    unbuilt_count: 0,
+                    unfit_count: 0,
                 },
                 sets: Vec::new(),
             },

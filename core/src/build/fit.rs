@@ -30,7 +30,7 @@ impl Fit {
     /// Whether it fits.
     #[inline(always)]
     #[must_use]
-    pub const fn is_in(&self) -> bool {
+    pub const fn fits(&self) -> bool {
         self.count <= self.limit
     }
 
@@ -38,14 +38,14 @@ impl Fit {
     #[inline(always)]
     #[must_use]
     pub const fn built_count(&self) -> u32 {
-        if self.is_in() { self.count } else { 0 }
+        if self.fits() { self.count } else { 0 }
     }
 
     /// How many of the rays go through the set, and how many through the whole tree.
     #[inline(always)]
     #[must_use]
     pub const fn parts(&self, ray_count: u32) -> [u32; 2] {
-        if self.is_in() {
+        if self.fits() {
             [ray_count, 0]
         } else {
             [0, ray_count]
@@ -56,7 +56,7 @@ impl Fit {
     #[inline(always)]
     #[must_use]
     pub const fn base(&self, set: u32) -> u32 {
-        if self.is_in() { set } else { 0 }
+        if self.fits() { set } else { 0 }
     }
 }
 
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn all_or_none_is_built() {
-        for (count, is_in) in [
+        for (count, fits) in [
             (0, true),
             (6, true),
             (7, true),
@@ -74,10 +74,10 @@ mod tests {
             (u32::MAX, false),
         ] {
             let fit = Fit::new(count, 7);
-            assert_eq!(fit.is_in(), is_in);
-            assert_eq!(fit.built_count(), if is_in { count } else { 0 });
-            assert_eq!(fit.parts(9), if is_in { [9, 0] } else { [0, 9] });
-            assert_eq!(fit.base(5), if is_in { 5 } else { 0 });
+            assert_eq!(fit.fits(), fits);
+            assert_eq!(fit.built_count(), if fits { count } else { 0 });
+            assert_eq!(fit.parts(9), if fits { [9, 0] } else { [0, 9] });
+            assert_eq!(fit.base(5), if fits { 5 } else { 0 });
         }
     }
 }

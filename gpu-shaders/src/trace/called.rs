@@ -1,8 +1,9 @@
 //! Entry points that become functions for other people's WGSL: the shader builder makes private variables of the bindings behind
 //! the tree's, and of it all the texts `host/shaders/slimbvh.wgsl` and `slimbvh_compute.wgsl`, and those of wide trees.
 //!
-//! All read the scene's exponent and where the tree begins in the lists of nodes and triangles, these, the packed sides of the primitives and a target, a ray's origin with `t_min` and its
-//! direction with `t_max`, whether any hit will do (1, or else 0), and a primitive that is no hit. All store the hit, as bits.
+//! All read the scene's exponent and where the tree begins in the lists of nodes and triangles, these, the packed sides of the
+//! primitives and a target, a ray's origin with `t_min` and its direction with `t_max`, whether any hit will do (1, or else 0), and a
+//! primitive that is no hit. All store the hit, as bits.
 
 use super::rays::SkipFilter;
 use super::{root_words, step};

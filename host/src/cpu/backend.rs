@@ -272,7 +272,7 @@ impl Backend for Cpu {
 
     fn size(self, bvh: &Bvh) -> Result<TreeSize, CpuError> {
         Ok(TreeSize {
-            unbuilt_count: 0,
+            unfit_count: 0,
             node_count: bvh.node_count(),
             triangle_count: bvh.triangle_count(),
             node_bytes: bvh.node_bytes(),

@@ -461,9 +461,9 @@ impl<'g> Backend for &'g Gpu {
     }
 
     fn size(self, bvh: &Bvh) -> Result<TreeSize, GpuError> {
-        if let Some(fit) = bvh.read_fit(self)?.filter(|fit| !fit.is_in()) {
+        if let Some(fit) = bvh.read_fit(self)?.filter(|fit| !fit.fits()) {
             return Ok(TreeSize {
-                unbuilt_count: fit.count as usize,
+                unfit_count: fit.count as usize,
                 ..TreeSize::default()
             });
         }
@@ -474,7 +474,7 @@ impl<'g> Backend for &'g Gpu {
             triangle_count,
             node_bytes,
             triangle_bytes,
-            unbuilt_count: 0,
+            unfit_count: 0,
         })
     }
 

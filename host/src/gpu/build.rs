@@ -151,14 +151,17 @@ impl Builder {
                 built.fallback = Some(Box::new(fallback));
                 bvh.built = Some(built.clone());
             }
-            let fit = built.fallback.as_ref().map(|fallback| fallback.fit.clone());
+            let (counted, limit) = match &built.fallback {
+                Some(fallback) => (fallback.fit.clone(), None),
+                None => (built.count.clone(), Some(count)),
+            };
             let task = match target {
                 None => Task::Build(built),
                 Some((components, ranges)) => Task::BuildSet(built, components, ranges),
             };
             self.encode(frame, task, mesh)?;
-            if let Some(fit) = fit {
-                bvh.recent.read_later(frame, &fit);
+            if is_reduced {
+                bvh.recent.read_later(frame, &counted, count, limit);
             }
             bvh.stamp = next_stamp();
             self.plain_of = Some(bvh.stamp);

@@ -232,8 +232,8 @@ impl Bvh {
         Self::default()
     }
 
-    /// Makes room for this many triangles, or for as many as its place has; in a codec, also for plain ones in the encoder. Refuses a codec without GPU
-    /// kernels.
+    /// Makes room for this many triangles, or for as many as its place has; in a codec, also for plain ones in the encoder. Refuses a
+    /// codec without GPU kernels.
     pub(super) fn reserve(
         &mut self,
         gpu: &Gpu,
@@ -310,9 +310,9 @@ impl Bvh {
         }
     }
 
-    /// The buffer of nodes, and what lies behind them.
-    pub(super) const fn node_buffer(&self) -> Option<&wgpu::Buffer> {
-        self.nodes.buffer()
+    /// The buffers of nodes and triangles.
+    pub(super) const fn list_buffers(&self) -> [Option<&wgpu::Buffer>; 2] {
+        [self.nodes.buffer(), self.triangles.buffer()]
     }
 
     /// The latest count that is known of a set with memory for less than all triangles.
@@ -320,11 +320,17 @@ impl Bvh {
         self.place.as_ref().and(self.recent.latest())
     }
 
-    /// Frees the lists of nodes and triangles.
+    /// Frees the lists of nodes and triangles, and what says where the tree is in them: who still binds the old ones finds the old tree.
     pub(super) fn free_lists(&mut self) {
         self.built = None;
-        self.nodes.free();
-        self.triangles.free();
+        for slot in [
+            &mut self.nodes,
+            &mut self.triangles,
+            &mut self.exponent,
+            &mut self.root,
+        ] {
+            slot.free();
+        }
     }
 
     /// Replaces the lists of nodes and triangles by new ones of so many bytes.

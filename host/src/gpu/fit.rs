@@ -50,9 +50,10 @@ impl Place {
         &self.own[1]
     }
 
-    /// Whether it is behind a tree over this many triangles, in this buffer.
-    fn is_behind(&self, triangle_count: u32, nodes: Option<&wgpu::Buffer>) -> bool {
-        self.whole.triangle_count == triangle_count && nodes == Some(&self.lists[0].buffer)
+    /// Whether it is behind a tree over this many triangles, in these buffers.
+    fn is_behind(&self, triangle_count: u32, lists: [Option<&wgpu::Buffer>; 2]) -> bool {
+        let own = self.lists.each_ref().map(|list| Some(&list.buffer));
+        self.whole.triangle_count == triangle_count && lists == own
     }
 }
 
@@ -70,7 +71,7 @@ pub struct SetFit {
 impl SetFit {
     /// Whether it fitted. Else its rays went through the whole tree.
     #[must_use]
-    pub const fn is_in(&self) -> bool {
+    pub const fn fits(&self) -> bool {
         self.triangle_count <= self.limit
     }
 }
@@ -199,29 +200,39 @@ impl Builder {
         if sets.iter().any(|(bvh, _)| bvh.recent.is_waiting()) {
             gpu.poll()?;
         }
+        let shared = whole.list_buffers();
         let mut limits = Vec::with_capacity(sets.len());
         for (bvh, need) in sets.iter_mut() {
-            bvh.recent.update(gpu, count)?;
-            let present = bvh.place.as_ref().map(|place| place.limit);
+            let is_followed = matches!(need, SetNeed::Share(_));
+            let was_followed = bvh.recent.is_followed();
+            bvh.recent.update(gpu, is_followed)?;
+            let place = bvh.place.as_ref();
+            let place = place.filter(|place| place.is_behind(count, shared));
+            let present = place.map(|place| place.limit);
             limits.push(match need {
-                // One that needs all has its own memory.
                 SetNeed::Share(share) => {
+                    // A set without a place had memory for all.
+                    let all = was_followed && bvh.mesh_triangle_count() == count;
+                    let present = present.or(all.then_some(count));
+                    // One that needs all has its own memory.
                     Some(bvh.recent.limit(count, *share, present)).filter(|limit| *limit < count)
                 }
-                SetNeed::All | SetNeed::Nothing => None,
+                SetNeed::Nothing => present,
+                SetNeed::All => None,
             });
         }
         let lists = self.lists()?;
-        let ends = lists.ends(count, limits.iter().flatten().copied());
-        if !Self::can_share(gpu, &lists, ends) {
-            limits.fill(None);
+        while let ends = lists.ends(count, limits.iter().flatten().copied())
+            && !Self::can_share(gpu, &lists, ends)
+            && let Some(largest) = limits.iter_mut().max_by_key(|limit| **limit)
+            && largest.is_some()
+        {
+            *largest = None;
         }
-        let nodes = whole.node_buffer();
-        let is_kept = |((bvh, need), limit): (&(&mut Bvh, SetNeed), &Option<u32>)| {
+        let is_kept = |((bvh, _), limit): (&(&mut Bvh, SetNeed), &Option<u32>)| {
             let place = bvh.place.as_ref();
-            *need == SetNeed::Nothing
-                || place.map(|place| place.limit) == *limit
-                    && place.is_none_or(|place| place.is_behind(count, nodes))
+            place.map(|place| place.limit) == *limit
+                && place.is_none_or(|place| place.is_behind(count, shared))
         };
         if sets.iter().zip(&limits).all(is_kept) {
             return Ok(false);
@@ -270,7 +281,9 @@ impl Builder {
         }
         let ends = lists.ends(count, limits.iter().flatten().copied());
         let shared = whole.renew_lists(gpu, lists.bytes(ends));
-        let built = self.reserve_for(gpu, count, false, whole)?;
+        let mut built = self.reserve_for(gpu, count, false, whole)?;
+        // Of nodes and triangles in full, which a builder shares between its trees, nothing is traced.
+        [built.nodes, built.triangles] = built.stored().map(Range::clone);
         let mut end = lists.ends(count, []);
         for ((bvh, _), limit) in sets.iter_mut().zip(limits) {
             let Some(limit) = *limit else { continue };

@@ -159,7 +159,7 @@ pub enum Misfit {
     NotBuilt,
     /// A set has more triangles than its memory holds, so that it is empty.
     #[error("has {count} triangles and memory for {limit}: its rays go through the whole tree")]
-    Unbuilt {
+    DoesNotFit {
         /// Triangles of the set.
         count: u32,
         /// Triangles that there is memory for.

@@ -12,7 +12,7 @@ pub type Tree<'a> = backend::Tree<'a, Bvh, (&'a Components, &'a TargetSides)>;
 /// The hierarchies of a picture, all over the same mesh.
 pub type Trees<'a> = backend::Trees<'a, Bvh, (&'a Components, &'a TargetSides)>;
 
-impl Tree<'_> {
+impl<'a> Tree<'a> {
     pub(super) fn ranges(&self) -> Result<TreeRanges, GpuError> {
         Ok(TreeRanges {
             built: self.bvh.built()?.clone(),
@@ -24,17 +24,19 @@ impl Tree<'_> {
     /// exponent, the nodes, the triangles, if nodes are on a lattice the root, then the rule's sides and target. They are as many with
     /// a rule and without one, so one shader serves both.
     ///
+    /// They are those of the present frame: after the next update of its view sets, the tree's buffers may be others.
+    ///
     /// The rule is that of the latest [`TargetSides::set`] or [`TargetSides::decide`] before the shader runs.
     ///
     /// # Errors
     /// If the hierarchy is not built yet, or is stored in a codec without such a text; if the rule's sides are not decided, or are those
     /// of other components.
-    pub fn bindings(&self) -> Result<Vec<wgpu::BindGroupEntry<'_>>, GpuError> {
+    pub fn bindings(&self) -> Result<Vec<wgpu::BindGroupEntry<'a>>, GpuError> {
         self.bvh.bindings_with(self.rule_ranges()?)
     }
 
     /// The ranges of the rule: its packed sides belong to its components.
-    pub(super) fn rule_ranges(&self) -> Result<Option<&TargetRanges>, GpuError> {
+    pub(super) fn rule_ranges(&self) -> Result<Option<&'a TargetRanges>, GpuError> {
         let Some((components, sides)) = self.rule else {
             return Ok(None);
         };

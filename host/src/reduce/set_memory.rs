@@ -9,7 +9,9 @@ pub enum SetMemory {
     /// [`Self::Recent`] for meshes of 65,536 triangles or more.
     #[default]
     Auto,
-    /// Half as much again as the largest of the last eight counts needs; at first, as the plan's estimate.
+    /// Half as much again as the largest of the last eight counts needs, or at first the plan's estimate. To change it, all trees are
+    /// built anew: it grows when it is nearly full, and shrinks when less than half was needed for 256 builds. All trees share two
+    /// buffers; a set that does not fit into the adapter's largest beside the others has memory for all triangles.
     Recent,
     /// As much as all triangles need.
     All,

@@ -19,6 +19,10 @@ pub struct Hierarchies<B: Backend> {
     deferred: B::Bvh,
     /// Whether the latest sort was of the only set's triangles alone, so that no other tree can follow from it.
     has_sorted_alone: bool,
+    /// Whether the memory of sets follows their counts, beside the whole tree.
+    follows: bool,
+    /// Whether it did so until a plan did not need the whole tree.
+    has_wavered: bool,
     /// Whether vertices have moved since the builder took their positions: a whole tree is refitted without that.
     is_order_stale: bool,
 }
@@ -50,6 +54,8 @@ impl<B: Backend> Default for Hierarchies<B> {
             sets: Vec::new(),
             deferred: B::Bvh::default(),
             has_sorted_alone: false,
+            follows: false,
+            has_wavered: false,
             is_order_stale: false,
         }
     }
@@ -81,14 +87,14 @@ impl<'m, B: Backend> Work<'_, 'm, B> {
 }
 
 impl<B: Backend> Hierarchies<B> {
-    /// Updates the trees for a plan. If vertices moved, sorts and builds all trees, or refits them in their existing order
+    /// Updates the trees for a plan, and returns how. If vertices moved, sorts and builds all trees, or refits them in their existing order
     /// after small movements. If none moved, builds only the trees that are missing or whose rays moved.
     pub(crate) fn update(
         &mut self,
         work: &mut Work<B>,
         plan: &Plan,
         action: Action,
-    ) -> Result<(), B::Error> {
+    ) -> Result<Action, B::Error> {
         let action = if self.lay_out(work, plan)? {
             Action::Rebuilt
         } else {
@@ -114,7 +120,8 @@ impl<B: Backend> Hierarchies<B> {
                 self.is_order_stale = false;
                 self.has_sorted_alone = plan.sorts_alone && B::SORTS_SETS_ALONE;
                 if self.has_sorted_alone {
-                    return self.build_alone(work, plan);
+                    self.build_alone(work, plan)?;
+                    return Ok(action);
                 }
                 let (recording, builder, source) = work.split();
                 B::sort(recording, builder, source)?;
@@ -128,7 +135,8 @@ impl<B: Backend> Hierarchies<B> {
             }
             Action::Kept => {}
         }
-        self.build_missing(work, plan)
+        self.build_missing(work, plan)?;
+        Ok(action)
     }
 
     fn forget(&mut self) {
@@ -141,7 +149,11 @@ impl<B: Backend> Hierarchies<B> {
     /// Lays out the memory of all trees. Returns whether all are built anew.
     fn lay_out(&mut self, work: &mut Work<B>, plan: &Plan) -> Result<bool, B::Error> {
         self.make_room(plan);
-        let follows = plan.needs_whole && work.memory.is_recent(plan.triangle_count);
+        let is_recent = work.memory.is_recent(plan.triangle_count);
+        let follows = is_recent && plan.needs_whole && !self.has_wavered;
+        // A plan that needs the whole tree now and then must not lay out all memory each time.
+        self.has_wavered |= self.follows && !follows;
+        self.follows = follows;
         let need = |place: usize| match plan.sets.get(place) {
             _ if !follows => SetNeed::All,
             Some(set) if has_own_place(plan, set) => SetNeed::Share(set.share),

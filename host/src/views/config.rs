@@ -109,8 +109,8 @@ impl SetSize {
     pub(crate) fn new(name: String, size: &TreeSize) -> Self {
         Self {
             name,
-            triangle_count: size.triangle_count.max(size.unbuilt_count),
-            fits: size.unbuilt_count == 0,
+            triangle_count: size.triangle_count.max(size.unfit_count),
+            fits: size.unfit_count == 0,
         }
     }
 }

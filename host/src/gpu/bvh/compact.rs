@@ -12,7 +12,7 @@ impl Bvh {
     /// be built again.
     ///
     /// # Errors
-    /// If it is not built yet, both copies do not fit into memory, or the device was lost.
+    /// If it is not built yet, or a set that did not fit, both copies do not fit into memory, or the device was lost.
     pub fn compact(&mut self, gpu: &Gpu) -> Result<(), GpuError> {
         let [node_bytes, triangle_bytes] = self.read_bytes(gpu)?;
         let mut built = self.built()?.clone();
@@ -39,7 +39,12 @@ impl Bvh {
                 coded.triangles = triangles;
             }
             self.stamp = 0;
-            built.fallback = None;
+            if built.fallback.take().is_some() {
+                // The tree begins its own lists.
+                let behind_exponent = built.exponent.part(4, 8);
+                let (buffer, offset) = (&behind_exponent.buffer, behind_exponent.offset);
+                gpu.queue().write_buffer(buffer, offset, &[0; 8]);
+            }
             self.place = None;
             self.built = Some(built);
             Ok(())

@@ -13,7 +13,7 @@ impl Bvh {
     /// Reads the numbers of inner nodes, as they are stored, and of triangles. Waits for the GPU.
     ///
     /// # Errors
-    /// If it is not built yet, or the device was lost.
+    /// If it is not built yet, or a set that did not fit, or the device was lost.
     pub fn read_counts(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
         gpu.block_on(self.read_counts_async(gpu))
     }
@@ -21,7 +21,7 @@ impl Bvh {
     /// [`Self::read_counts`], without blocking.
     ///
     /// # Errors
-    /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
+    /// If it is not built yet, or a set that did not fit, or the device was lost; in a browser, also the errors of earlier calls.
     pub async fn read_counts_async(&self, gpu: &Gpu) -> Result<[u32; 2], GpuError> {
         let counts = self.read_all_counts(gpu).await?;
         Ok([counts.nodes, counts.triangles])
@@ -46,9 +46,9 @@ impl Bvh {
     /// Refuses a set that did not fit.
     async fn check_fit(&self, gpu: &Gpu) -> Result<(), GpuError> {
         let fit = self.read_fit_async(gpu).await?;
-        match fit.filter(|fit| !fit.is_in()) {
+        match fit.filter(|fit| !fit.fits()) {
             Some(Fit { count, limit, .. }) => {
-                Err(Misfit::Unbuilt { count, limit }.of("the hierarchy of a set"))
+                Err(Misfit::DoesNotFit { count, limit }.of("the hierarchy of a set"))
             }
             None => Ok(()),
         }
@@ -67,7 +67,7 @@ impl Bvh {
     /// Reads the bytes that the nodes and the triangles in leaves use. Waits for the GPU. The buffers have room for more.
     ///
     /// # Errors
-    /// If it is not built yet, or the device was lost.
+    /// If it is not built yet, or a set that did not fit, or the device was lost.
     pub fn read_bytes(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
         gpu.block_on(self.read_bytes_async(gpu))
     }
@@ -75,7 +75,7 @@ impl Bvh {
     /// [`Self::read_bytes`], without blocking.
     ///
     /// # Errors
-    /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
+    /// If it is not built yet, or a set that did not fit, or the device was lost; in a browser, also the errors of earlier calls.
     pub async fn read_bytes_async(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
         let built = self.built()?;
         let counts = self.read_all_counts(gpu).await?;
@@ -94,7 +94,7 @@ impl Bvh {
     /// Copies the hierarchy to the host. Waits for the GPU.
     ///
     /// # Errors
-    /// If it is not built yet, or the device was lost.
+    /// If it is not built yet, or a set that did not fit, or the device was lost.
     pub fn download(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
         gpu.block_on(self.download_async(gpu))
     }
@@ -102,7 +102,7 @@ impl Bvh {
     /// [`Self::download`], without blocking.
     ///
     /// # Errors
-    /// If it is not built yet, or the device was lost; in a browser, also the errors of earlier calls.
+    /// If it is not built yet, or a set that did not fit, or the device was lost; in a browser, also the errors of earlier calls.
     pub async fn download_async(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
         self.check_fit(gpu).await?;
         let built = self.built()?;
