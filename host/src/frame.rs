@@ -23,6 +23,20 @@ use crate::{RenderReport, RenderSettings, Scene, Stages, Stopwatch, ViewError};
 use std::time::Duration;
 
 /// The inputs of a frame whose plan the caller made.
+///
+/// ```
+/// # use slimbvh::{Change, Cpu, FrameConfig, FrameRequest, Frames, Output, Picture, RenderSettings};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let scene = slimbvh::generate::default_scene();
+/// # let settings = RenderSettings { size: [16, 9], ..RenderSettings::default() };
+/// # let (mut frames, mut picture) = (Frames::new(Cpu, FrameConfig::default()), Picture::default());
+/// # let plan = frames.plan(&scene, &settings, Change::Scene)?;
+/// let (scene, settings) = (&scene, &settings);
+/// let request = FrameRequest { scene, plan: &plan, settings, change: Change::Scene };
+/// frames.render_planned(&request, Output::new(&mut picture))?;
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct FrameRequest<'a> {
     /// The scene in its present state.
@@ -36,6 +50,20 @@ pub struct FrameRequest<'a> {
 }
 
 /// The report of a frame.
+///
+/// ```
+/// use slimbvh::animate::Action;
+/// # use slimbvh::{Change, Cpu, FrameConfig, Frames, Output, Picture, RenderSettings};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let scene = slimbvh::generate::default_scene();
+/// # let settings = RenderSettings { size: [16, 9], ..RenderSettings::default() };
+/// # let (mut frames, mut picture) = (Frames::new(Cpu, FrameConfig::default()), Picture::default());
+/// let report = frames.render(&scene, &settings, Change::Scene, Output::new(&mut picture))?;
+/// assert_eq!((report.action, report.render.primary_ray_count), (Action::Rebuilt, 16 * 9));
+/// println!("build {}, render {}", report.build, report.render.stages);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct FrameReport<B: Backend> {
     /// How the trees were updated.
@@ -53,6 +81,21 @@ pub struct FrameReport<B: Backend> {
 }
 
 /// Renders frames. Keeps all memory from one frame to the next.
+///
+/// ```
+/// use slimbvh::{Change, Cpu, FrameConfig, Frames, Output, Picture, RenderSettings};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let mut scene = slimbvh::generate::default_scene();
+/// # let settings = RenderSettings { size: [16, 9], ..RenderSettings::default() };
+/// let (mut frames, mut picture) = (Frames::new(Cpu, FrameConfig::default()), Picture::default());
+/// for change in [Change::Scene, Change::View, Change::View] {
+///     frames.render(&scene, &settings, change, Output::new(&mut picture))?;
+///     scene.cameras[0].eye[0] += 0.1;
+/// }
+/// # assert_eq!(picture.pixels.len(), 16 * 9);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Frames<B: Backend> {
     views: ViewSets<B>,
@@ -63,6 +106,12 @@ pub struct Frames<B: Backend> {
 
 impl<B: Backend> Frames<B> {
     /// Empty buffers; the first frame builds the trees.
+    ///
+    /// ```
+    /// use slimbvh::{Cpu, FrameConfig, Frames};
+    /// let frames = Frames::new(Cpu, FrameConfig::for_frames(1000));
+    /// assert!(frames.views().trees().is_empty());
+    /// ```
     #[must_use]
     pub fn new(backend: B, config: FrameConfig) -> Self {
         Self {
@@ -74,6 +123,21 @@ impl<B: Backend> Frames<B> {
 
     /// Plans, updates the trees, and renders through the scene's first camera. The first frame builds all trees, whatever
     /// `change` is, after a survey of the surfaces if that is likely to pay.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, Output, Picture, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mut scene = slimbvh::generate::default_scene();
+    /// # let settings = RenderSettings { size: [16, 9], ..RenderSettings::default() };
+    /// # let (mut frames, mut picture) = (Frames::new(Cpu, FrameConfig::default()), Picture::default());
+    /// frames.render(&scene, &settings, Change::Scene, Output::new(&mut picture))?;
+    /// scene.mesh.vertices[0][1] += 0.5;
+    /// let mut progress = |share| println!("{:.0} %", 100.0 * share);
+    /// let output = Output { progress: Some(&mut progress), picture: &mut picture };
+    /// frames.render(&scene, &settings, Change::Vertices, output)?;
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// For an invalid mesh, cameras and lights that cannot be rendered, and sizes above the backend's limits.
@@ -102,6 +166,18 @@ impl<B: Backend> Frames<B> {
 
     /// The plan of the next frame, for [`Self::render_planned`]. Surveys the surfaces if that is likely to pay.
     ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// let mut frames = Frames::new(Cpu, FrameConfig::default().reducing());
+    /// let plan = frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// println!("{plan}");
+    /// # assert!(!plan.is_plain());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// For an invalid mesh, and cameras and lights that cannot be rendered.
     pub fn plan(
@@ -117,6 +193,21 @@ impl<B: Backend> Frames<B> {
     }
 
     /// Renders as [`Self::render`] does, with the caller's plan.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, FrameRequest, Frames, Output, Picture, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = &slimbvh::generate::default_scene();
+    /// # let settings = &RenderSettings { size: [16, 9], ..RenderSettings::default() };
+    /// # let (mut frames, mut picture) = (Frames::new(Cpu, FrameConfig::default()), Picture::default());
+    /// let plan = frames.plan(scene, settings, Change::Scene)?;
+    /// println!("{plan}");
+    /// let request = FrameRequest { scene, plan: &plan, settings, change: Change::Scene };
+    /// let report = frames.render_planned(&request, Output::new(&mut picture))?;
+    /// # assert_eq!(report.render.primary_ray_count, 16 * 9);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// Those of [`Self::render`].
@@ -194,6 +285,18 @@ impl<B: Backend> Frames<B> {
 
     /// Builds a plan's trees and renders nothing. Returns the time of each stage.
     ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// # let mut frames = Frames::new(Cpu, FrameConfig::default());
+    /// let plan = frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// println!("{}", frames.build(&scene, &plan)?);
+    /// assert!(frames.sizes(&plan)?.total.triangle_count > 0);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// For an invalid mesh, and sizes above the backend's limits.
     pub fn build(&mut self, scene: &Scene, plan: &Plan) -> Result<Stages, B::Error> {
@@ -211,12 +314,40 @@ impl<B: Backend> Frames<B> {
     }
 
     /// The view sets that pictures are rendered with.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, Output, Picture, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// # let settings = RenderSettings { size: [16, 9], ..RenderSettings::default() };
+    /// # let (mut frames, mut picture) = (Frames::new(Cpu, FrameConfig::default()), Picture::default());
+    /// frames.render(&scene, &settings, Change::Scene, Output::new(&mut picture))?;
+    /// // The tree of the camera's rays: what is in the middle of the picture?
+    /// let ray = scene.cameras[0].ray([8, 4], settings.size)?;
+    /// let hit = frames.views().trees()[0].closest_hit(ray);
+    /// println!("{hit:?}");
+    /// # assert!(hit.is_hit());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn views(&self) -> &ViewSets<B> {
         &self.views
     }
 
     /// The time of the latest survey.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// let mut frames = Frames::new(Cpu, FrameConfig::default().reducing());
+    /// frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// println!("surveyed in {:?}", frames.survey_time());
+    /// # assert!(!frames.survey_time().is_zero());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn survey_time(&self) -> Duration {
         let stages = self.views.survey().map(|survey| survey.stages.total());
@@ -224,6 +355,19 @@ impl<B: Backend> Frames<B> {
     }
 
     /// The trees of a picture's plan without deferred ones, once they are built.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// # let mut frames = Frames::new(Cpu, FrameConfig::default());
+    /// let plan = frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// frames.build(&scene, &plan)?;
+    /// let trees = frames.trees(&plan);
+    /// assert_eq!(trees.lights.len(), scene.lights.len());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn trees<'a>(&'a self, plan: &'a Plan) -> TreesOf<'a, B> {
         let trees = self.views.trees_of(plan);
@@ -232,6 +376,20 @@ impl<B: Backend> Frames<B> {
     }
 
     /// The sizes of the latest frame's trees. `plan` must be that frame's plan. Waits for a GPU.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// # let mut frames = Frames::new(Cpu, FrameConfig::default());
+    /// # let plan = frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// frames.build(&scene, &plan)?;
+    /// let sizes = frames.sizes(&plan)?;
+    /// println!("{} bytes in {} sets", sizes.total.node_bytes, sizes.sets.len());
+    /// # assert!(sizes.total.node_bytes > 0);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the device was lost.
@@ -250,12 +408,38 @@ impl<B: Backend> Frames<B> {
     }
 
     /// Bytes of memory that builds and pictures use besides trees. The next frame reuses it.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// # let mut frames = Frames::new(Cpu, FrameConfig::default());
+    /// # let plan = frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// frames.build(&scene, &plan)?;
+    /// println!("{} bytes beside the trees", frames.scratch_bytes());
+    /// # assert!(frames.scratch_bytes() > 0);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn scratch_bytes(&self) -> usize {
         B::scratch_bytes(&self.views.builder, &self.renderer)
     }
 
     /// Bytes of all memory held: trees, builder and renderer.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Frames, RenderSettings};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// # let mut frames = Frames::new(Cpu, FrameConfig::default());
+    /// # let plan = frames.plan(&scene, &RenderSettings::default(), Change::Scene)?;
+    /// frames.build(&scene, &plan)?;
+    /// let trees = frames.held_bytes() - frames.scratch_bytes();
+    /// assert_eq!(trees, frames.views().held_bytes());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         self.views.held_bytes() + self.scratch_bytes()

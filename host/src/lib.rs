@@ -62,6 +62,6 @@ pub use tree::{
 pub use views::{FrameConfig, FrameSizes, SetSize, ViewSets};
 
 /// The examples of the repository's README.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "gpu", feature = "scenes"))]
 #[doc = include_str!("../../README.md")]
 struct Readme;

@@ -62,6 +62,18 @@ pub struct ViewSets<B: Backend> {
 
 impl<B: Backend> ViewSets<B> {
     /// Empty buffers; the first update builds.
+    ///
+    /// ```
+    /// use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// let mut views = ViewSets::new(Cpu, FrameConfig::default());
+    /// assert!(views.trees().is_empty());
+    /// views.update(&mesh, &[ViewTarget::other_rays()], Change::Scene)?;
+    /// assert_eq!(views.trees()[0].bvh.triangle_count(), mesh.indices.len());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn new(backend: B, config: FrameConfig) -> Self {
         Self {
@@ -236,6 +248,22 @@ impl<B: Backend> ViewSets<B> {
 
     /// Makes the next update take the geometry for another one and build all trees: for a frame that was recorded but is not
     /// submitted.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mut mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::other_rays()];
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default());
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// mesh.vertices[0] = [0.0, 9.0, 0.0];
+    /// views.forget();
+    /// // The trees are built anew, whatever the caller says.
+    /// views.update(&mesh, &targets, Change::View)?;
+    /// assert_eq!(views.trees()[0].bvh.bounds(), mesh.bounds());
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn forget(&mut self) {
         self.counts = None;
         self.upkeep = Upkeep::new(self.config.update);
@@ -243,6 +271,21 @@ impl<B: Backend> ViewSets<B> {
 
     /// The tree of each target, in the order of the list. The tree of [`ViewTarget::other_rays`] holds all triangles. Empty
     /// before the first update.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Ray, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default());
+    /// let (ear, voice) = ([0.0, 0.0, 4.0], [0.5, 0.0, 3.0]);
+    /// let targets = [ViewTarget::rays_from(ear, 0.0)?, ViewTarget::rays_to(voice, 0.0)?];
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// let trees = views.trees();
+    /// assert!(trees[0].closest_hit(Ray::new(ear, [0.0, 0.0, -1.0])).is_hit());
+    /// assert!(!trees[1].any_hit(Ray::between(ear, voice)));
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn trees(&self) -> Vec<TreeOf<'_, B>> {
         let plan = self.plan.as_ref();
@@ -255,6 +298,21 @@ impl<B: Backend> ViewSets<B> {
     }
 
     /// The latest plan: what each tree leaves out, why, and what that is expected to save. `None` before the first update.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// views.update(&mesh, &[ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?], Change::Scene)?;
+    /// let plan = views.plan().ok_or("no update")?;
+    /// for set in &plan.sets {
+    ///     println!("{} keeps {:.0} %", set.name(), 100.0 * set.share);
+    ///     # assert!(set.share < 1.0);
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn plan(&self) -> Option<&Plan> {
         self.plan.as_ref()
@@ -265,6 +323,19 @@ impl<B: Backend> ViewSets<B> {
     }
 
     /// The latest plan in words, a decision a line.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// let lidar = ViewTarget::rays_from([0.0, 0.0, 4.0], 0.1)?.named("lidar");
+    /// views.update(&mesh, &[lidar], Change::Scene)?;
+    /// println!("{}", views.explain());
+    /// # assert!(views.explain().contains("lidar"));
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn explain(&self) -> String {
         let plan = self.plan.as_ref();
@@ -272,6 +343,20 @@ impl<B: Backend> ViewSets<B> {
     }
 
     /// The latest survey of the surfaces; `None` if it was not likely to pay.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?];
+    /// let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// let survey = views.survey().ok_or("nothing was surveyed")?;
+    /// assert_eq!(survey.topology.component_count(), 1);
+    /// println!("{}", survey.stages);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn survey(&self) -> Option<&Survey> {
         self.planner.surveyed()
@@ -283,12 +368,41 @@ impl<B: Backend> ViewSets<B> {
     }
 
     /// The trees built so far.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?];
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// # views.update(&mesh, &targets, Change::Scene)?;
+    /// let plan = views.plan().ok_or("no update")?;
+    /// for (set, bvh) in views.hierarchies().sets(plan) {
+    ///     println!("{}: {} nodes", set.name(), bvh.node_count());
+    ///     # assert!(bvh.node_count() > 0);
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn hierarchies(&self) -> &Hierarchies<B> {
         &self.hierarchies
     }
 
     /// The sizes of the trees. Waits for a GPU.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default());
+    /// views.update(&mesh, &[ViewTarget::other_rays()], Change::Scene)?;
+    /// let total = views.sizes()?.total;
+    /// assert_eq!(total.triangle_count, mesh.indices.len());
+    /// println!("{} bytes", total.node_bytes + total.triangle_bytes);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the device was lost.
@@ -314,6 +428,21 @@ impl<B: Backend> ViewSets<B> {
     }
 
     /// Bytes of memory held for trees.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::other_rays()];
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default());
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// let held = views.held_bytes();
+    /// // The next update reuses that memory.
+    /// views.update(&mesh, &targets, Change::Vertices)?;
+    /// assert_eq!(views.held_bytes(), held);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn held_bytes(&self) -> usize {
         self.hierarchies.held_bytes()
@@ -323,6 +452,21 @@ impl<B: Backend> ViewSets<B> {
 impl ViewSets<Cpu> {
     /// Updates the trees to a mesh and targets. `change` says what changed since the update before; the first builds all.
     /// Returns the time of each stage.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mut mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?];
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::for_frames(1000));
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// mesh.vertices.iter_mut().for_each(|vertex| vertex[1] += 0.5);
+    /// let stages = views.update(&mesh, &targets, Change::Vertices)?;
+    /// println!("{stages}");
+    /// # assert_eq!(views.trees()[0].bvh.bounds(), mesh.bounds());
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// For an invalid mesh.
@@ -412,6 +556,25 @@ impl<'g> ViewSets<&'g Gpu> {
     /// Copies the decisions that the GPU made for the latest update, to be read when the frame is done: which components are
     /// closed, and which of their sides face outward for each target. `None` where the host made them: for a mesh on the host
     /// whose vertices did not move.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{self, Gpu, GpuError};
+    /// # use slimbvh::{Change, ViewSets, ViewTarget};
+    /// # fn run<'g>(
+    /// #     gpu: &'g Gpu, views: &mut ViewSets<&'g Gpu>, mesh: &gpu::Mesh, targets: &[ViewTarget],
+    /// # ) -> Result<(), GpuError> {
+    /// # let mut frame = gpu.frame();
+    /// views.update(&mut frame, mesh, targets, Change::Vertices)?;
+    /// let decisions = views.decisions_later(&mut frame)?;
+    /// frame.submit()?;
+    /// if let Some(decisions) = decisions {
+    ///     for (about, text) in decisions.read(gpu)?.explain() {
+    ///         println!("{about}: {text}");
+    ///     }
+    /// }
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If memory is exhausted.

@@ -16,6 +16,16 @@ use glam::Vec3;
 /// - if its primitive is in `skip`;
 /// - if an error is given, unless the ball of that radius around that end is certainly on one side of the triangle's plane;
 /// - if both errors are given, unless the two balls are on different sides.
+///
+/// ```
+/// # use slimbvh_core::{Ray, RayEnd};
+/// let (a, b) = ([0.0, 0.0, 1.0], [2.0, 0.0, 1.0]);
+/// let on_face = |position, primitive| RayEnd { primitive, ..RayEnd::from(position) };
+/// let ends = Ray::between(on_face(a, 3), on_face(b, 8)).ends;
+/// assert_eq!(ends.skip, [3, 8]);
+/// // Faces 3 and 8 do not block the line of sight, nor do others through a or b.
+/// assert!(ends.skips(3) && ends.skips(8) && ends.have_errors());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct RayEnds {
@@ -33,9 +43,23 @@ pub(crate) const LOST_BITS: f32 = 4.0 * f32::MIN_POSITIVE;
 
 impl RayEnds {
     /// All triangles that the ray meets are hits.
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, RayEnds, SurfaceRay};
+    /// let ray = Ray::new([0.0, 1.0, 2.0], [0.0, 0.0, -1.0]);
+    /// assert_eq!(SurfaceRay { ray, ends: RayEnds::NONE }, SurfaceRay::from(ray));
+    /// ```
     pub const NONE: Self = Self::skipping(NO_PRIMITIVE);
 
     /// All triangles that the ray meets are hits, except one primitive.
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, RayEnds, SurfaceRay};
+    /// // The next hit after one of triangle 7, however near it is.
+    /// let ray = Ray::new([0.0, 1.0, 2.0], [0.0, 0.0, -1.0]);
+    /// let next = SurfaceRay { ray, ends: RayEnds::skipping(7) };
+    /// assert_eq!(next.ends.skip[0], 7);
+    /// ```
     #[inline(always)]
     #[must_use]
     pub const fn skipping(primitive: u32) -> Self {
@@ -46,6 +70,12 @@ impl RayEnds {
     }
 
     /// Whether the ends lie on this primitive.
+    ///
+    /// ```
+    /// # use slimbvh_core::RayEnds;
+    /// let ends = RayEnds { skip: [3, 8], ..RayEnds::NONE };
+    /// assert_eq!([3, 5, 8].map(|primitive| ends.skips(primitive)), [true, false, true]);
+    /// ```
     #[inline(always)]
     #[must_use]
     pub const fn skips(&self, primitive: u32) -> bool {
@@ -53,6 +83,13 @@ impl RayEnds {
     }
 
     /// Whether an error is given: then [`Self::are_separated`] is asked.
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, RayEnds};
+    /// assert!(!RayEnds::skipping(7).have_errors());
+    /// // Segments end at points that are exact or known within an error.
+    /// assert!(Ray::between([0.0; 3], [0.0, 0.0, 1.0]).ends.have_errors());
+    /// ```
     #[inline(always)]
     #[must_use]
     pub const fn have_errors(&self) -> bool {
@@ -64,6 +101,17 @@ impl RayEnds {
     ///
     /// `corners` are at the scene's magnitude, coordinates in the order of the ray's axes. The errors are multiplied by
     /// `2^scene_exponent`. `opaque_zero` is always 0; a kernel hides that from the compiler, so that it cannot fuse products and sums.
+    ///
+    /// ```
+    /// # use slimbvh_core::Ray;
+    /// # use slimbvh_core::ray::PreparedRay;
+    /// let segment = Ray::between([0.25, 0.25, 0.75], [0.25, 0.25, 0.0]);
+    /// let prepared = PreparedRay::new(&segment.ray, 0);
+    /// let at = |z| [[0.0, 0.0, z], [0.75, 0.0, z], [0.0, 0.75, z]];
+    /// let blocks = |z| segment.ends.are_separated(&prepared, 0, &at(z), 0);
+    /// // A triangle between the ends blocks; the floor that the segment leads to does not.
+    /// assert_eq!((blocks(0.5), blocks(0.0)), (true, false));
+    /// ```
     #[inline(always)]
     #[must_use]
     pub fn are_separated(
@@ -225,6 +273,14 @@ impl From<[f32; 3]> for RayEnd {
 
 impl RayEnd {
     /// The ray from here in a direction, on either side of the surface here: no triangle whose plane contains the point is a hit.
+    ///
+    /// ```
+    /// # use slimbvh_core::RayEnd;
+    /// // A position of one's own that is exact, on face 3.
+    /// let corner = RayEnd { primitive: 3, ..RayEnd::from([1.0, 2.0, 0.0]) };
+    /// let occlusion = corner.ray([0.0, 0.6, 0.8]);
+    /// assert_eq!((occlusion.ends.skip[0], occlusion.ends.error[0]), (3, 0.0));
+    /// ```
     #[inline]
     #[must_use]
     pub fn ray(&self, direction: [f32; 3]) -> SurfaceRay {

@@ -45,6 +45,17 @@ impl SurfacePoint {
     /// A hit point in the unit of a mesh whose coordinates were multiplied by `2^scene_exponent`.
     ///
     /// Multiplying by a power of two is exact in the normal range. Below it, the error grows by what the position loses.
+    ///
+    /// ```
+    /// # use slimbvh_core::surface::Surface;
+    /// # use slimbvh_core::{Hit, SurfacePoint, Triangle, Vec3};
+    /// # let triangle = Triangle { v0: Vec3::ZERO, v1: Vec3::X, v2: Vec3::Y };
+    /// # let hit = Hit { t: 1.0, u: 0.5, v: 0.25, primitive: 7 };
+    /// let surface = Surface::new(triangle, &hit, -Vec3::Z, [Vec3::ZERO; 3]);
+    /// let point = SurfacePoint::new(&surface, hit.primitive, -3);
+    /// // The mesh is 2^3 times as large as at the scene's magnitude.
+    /// assert_eq!(Vec3::from(point.position), 8.0 * surface.position);
+    /// ```
     #[must_use]
     pub fn new(surface: &Surface, primitive: u32, scene_exponent: i32) -> Self {
         // A loop: written out, it would be most of the text that users' WGSL contains.
@@ -65,6 +76,17 @@ impl SurfacePoint {
     }
 
     /// The point as an end of a ray, for [`crate::Ray::between`].
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, SurfacePoint};
+    /// # let (z, error) = ([0.0, 0.0, 1.0], [f32::EPSILON; 3]);
+    /// # let point = SurfacePoint {
+    /// #     position: [4.0, 2.0, 0.0], error, normal: z, shading_normal: z, side: 1.0, primitive: 7,
+    /// # };
+    /// let end = point.end();
+    /// assert_eq!(Ray::between(end, [4.0, 2.0, 9.0]), Ray::between(&point, [4.0, 2.0, 9.0]));
+    /// assert_eq!(end.primitive, 7);
+    /// ```
     #[inline]
     #[must_use]
     pub fn end(&self) -> RayEnd {
@@ -78,6 +100,19 @@ impl SurfacePoint {
 
     /// The ray from the point in a direction, on either side of the surface: a mirrored ray, an occlusion ray or a refracted one. No
     /// triangle whose plane contains the point is a hit.
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, SurfacePoint, Vec3};
+    /// # let (z, error) = ([0.0, 0.0, 1.0], [f32::EPSILON; 3]);
+    /// # let point = SurfacePoint {
+    /// #     position: [4.0, 2.0, 0.0], error, normal: z, shading_normal: z, side: 1.0, primitive: 7,
+    /// # };
+    /// let (came, normal) = (Vec3::new(1.0, 0.0, -1.0), Vec3::from(point.normal));
+    /// let mirrored = point.ray((came - 2.0 * came.dot(normal) * normal).to_array());
+    /// assert_eq!(mirrored.ray.direction, [1.0, 0.0, 1.0]);
+    /// // It does not hit the triangle that it leaves.
+    /// assert!(mirrored.ends.skips(7));
+    /// ```
     #[inline]
     #[must_use]
     pub fn ray(&self, direction: [f32; 3]) -> SurfaceRay {
@@ -86,6 +121,16 @@ impl SurfacePoint {
 
     /// A position off the surface, on the side that the ray came from, for a plain [`crate::Ray`]: far enough along the normal that the
     /// exact triangle's plane is behind it.
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, SurfacePoint};
+    /// # let (z, error) = ([0.0, 0.0, 1.0], [f32::EPSILON; 3]);
+    /// # let point = SurfacePoint {
+    /// #     position: [4.0, 2.0, 0.0], error, normal: z, shading_normal: z, side: 1.0, primitive: 7,
+    /// # };
+    /// let plain = Ray::new(point.leave(), point.normal);
+    /// assert!(plain.origin[2] > 0.0);
+    /// ```
     #[inline]
     #[must_use]
     pub fn leave(&self) -> [f32; 3] {
@@ -93,6 +138,17 @@ impl SurfacePoint {
     }
 
     /// A position off the surface on the other side: [`Self::leave`] against the normal.
+    ///
+    /// ```
+    /// # use slimbvh_core::{Ray, SurfacePoint};
+    /// # let (z, error) = ([0.0, 0.0, 1.0], [f32::EPSILON; 3]);
+    /// # let point = SurfacePoint {
+    /// #     position: [4.0, 2.0, 0.0], error, normal: z, shading_normal: z, side: 1.0, primitive: 7,
+    /// # };
+    /// // On into the glass.
+    /// let refracted = Ray::new(point.enter(), [0.25, 0.0, -1.0]);
+    /// assert!(refracted.origin[2] < 0.0);
+    /// ```
     #[inline]
     #[must_use]
     pub fn enter(&self) -> [f32; 3] {

@@ -10,9 +10,46 @@ use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, Ray};
 
 /// A hierarchy for rays of one kind. Its filter has a target in the mesh's unit.
+///
+/// ```
+/// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+/// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+/// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+/// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+/// // The whole box for rays from an eye outside of it: its far sides do not count.
+/// let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+/// let ray = Ray::new(eye, [0.0, 0.0, -1.0]);
+/// assert_eq!(tree.closest_hit(ray), bvh.closest_hit(ray));
+/// assert_eq!((tree.all_hits(ray).len(), bvh.all_hits(ray).len()), (1, 2));
+/// # Ok(())
+/// # }
+/// ```
 pub type Tree<'a> = backend::Tree<'a, Bvh, (Sides<'a>, Target)>;
 
 /// The hierarchies of a picture, all over the same mesh.
+///
+/// ```
+/// # use slimbvh::{BuildConfig, Builder, Mesh, Picture, RenderSettings, Renderer, Scene, Trees};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let mesh = Mesh {
+/// #     vertices: vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
+/// #     indices: vec![[0, 1, 2]],
+/// #     ..Mesh::default()
+/// # };
+/// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+/// # let mut scene = Scene { mesh, ..Scene::default() };
+/// # scene.complete(bvh.bounds(), [64, 36]);
+/// // One tree for all rays of a picture; each light may have its own.
+/// let trees = Trees::all(&bvh, scene.lights.len());
+/// let (mut renderer, mut picture) = (Renderer::new(), Picture::default());
+/// # let settings = RenderSettings { size: [64, 36], ..RenderSettings::default() };
+/// let report = renderer.render_with(&scene, &trees, &settings, &mut picture, |_| ())?;
+/// # assert_eq!(report.primary_ray_count, 64 * 36);
+/// # Ok(())
+/// # }
+/// ```
 pub type Trees<'a> = backend::Trees<'a, Bvh, (Sides<'a>, Target)>;
 
 /// # Ray queries on the CPU
@@ -35,6 +72,22 @@ pub type Trees<'a> = backend::Trees<'a, Bvh, (Sides<'a>, Target)>;
 /// ```
 impl Tree<'_> {
     /// [`Bvh::closest_hit`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let ray = Ray::new(eye, [0.0, 0.0, -1.0]);
+    /// assert_eq!(tree.closest_hit(ray).t, 2.0);
+    /// // Behind the near side of the box only the far side is left, which does not count.
+    /// assert!(!tree.closest_hit(Ray { t_min: 2.5, ..ray }).is_hit());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[inline]
     #[must_use]
     pub fn closest_hit(&self, ray: impl Into<SurfaceRay>) -> Hit {
@@ -42,6 +95,22 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::any_hit`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let lamp = eye;
+    /// let (beside, behind) = ([2.0, 0.0, 0.0], [0.5, 0.25, -1.0]);
+    /// assert!(!tree.any_hit(Ray::between(beside, lamp)));
+    /// assert!(tree.any_hit(Ray::between(behind, lamp)));
+    /// # Ok(())
+    /// # }
+    /// ```
     #[doc(alias = "occluded")]
     #[inline]
     #[must_use]
@@ -50,6 +119,21 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::nearest_hits`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let hits = tree.nearest_hits::<2>(Ray::new(eye, [0.0, 0.0, -1.0]));
+    /// // The ray meets two sides of the box, of which the far one does not count.
+    /// assert_eq!(hits.map(|hit| hit.is_hit()), [true, false]);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[inline]
     #[must_use]
     pub fn nearest_hits<const K: usize>(&self, ray: impl Into<SurfaceRay>) -> [Hit; K] {
@@ -57,12 +141,42 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::all_hits`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let hits = tree.all_hits(Ray::new(eye, [0.0, 0.0, -1.0]));
+    /// assert_eq!(hits.iter().map(|hit| hit.t).collect::<Vec<_>>(), [2.0]);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn all_hits(&self, ray: impl Into<SurfaceRay>) -> Vec<Hit> {
         self.query().all_hits(&ray.into())
     }
 
     /// [`Bvh::closest_hit_where`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let ray = Ray::new(eye, [0.0, 0.0, -1.0]);
+    /// let near = tree.closest_hit(ray).primitive;
+    /// // The closure is asked about triangles that count only.
+    /// assert!(!tree.closest_hit_where(ray, |hit| hit.primitive != near).is_hit());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn closest_hit_where(
         &self,
@@ -73,6 +187,21 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::any_hit_where`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let is_glass = vec![true; mesh.indices.len()];
+    /// let to_lamp = Ray::between([0.5, 0.25, -1.0], eye);
+    /// assert!(!tree.any_hit_where(to_lamp, |hit| !is_glass[hit.primitive as usize]));
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn any_hit_where(
         &self,
@@ -83,6 +212,22 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::closest_hits`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let rays = [0.0, 1.0].map(|x| Ray::new(eye, [x, 0.0, -1.0]));
+    /// let mut hits = Vec::new();
+    /// tree.closest_hits(&rays, &mut hits);
+    /// assert_eq!((hits[0].t, hits[1].is_hit()), (2.0, false));
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn closest_hits<R: Sync>(&self, rays: &[R], hits: &mut Vec<Hit>)
     where
         for<'r> &'r R: Into<SurfaceRay>,
@@ -91,6 +236,23 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::any_hits`] of the triangles that count.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let points = [[2.0, 0.0, 0.0], [0.5, 0.25, -1.0]];
+    /// let to_lamp = points.map(|point| Ray::between(point, eye));
+    /// let mut is_in_shadow = Vec::new();
+    /// tree.any_hits(&to_lamp, &mut is_in_shadow);
+    /// assert_eq!(is_in_shadow, [false, true]);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn any_hits<R: Sync>(&self, rays: &[R], found: &mut Vec<bool>)
     where
         for<'r> &'r R: Into<SurfaceRay>,
@@ -99,6 +261,22 @@ impl Tree<'_> {
     }
 
     /// [`Bvh::surface`]: the point that a ray hits.
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Ray, Tree, generate};
+    /// # use slimbvh_core::{Vec3, classify::Sides, orientation::Target};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = generate::cuboid(Vec3::ZERO, Vec3::ONE);
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let (eye, sides) = ([0.5, 0.25, 3.0], Sides { components: &[0; 12], sides: &[1] });
+    /// # let tree = Tree { bvh: &bvh, rule: Some((sides, Target::position(eye))) };
+    /// let ray = Ray::new(eye, [0.0, 0.0, -1.0]);
+    /// let hit = tree.closest_hit(ray);
+    /// let point = tree.surface(&mesh, ray, &hit).ok_or("the ray hits nothing")?;
+    /// assert_eq!((point.position, point.normal), ([0.5, 0.25, 1.0], [0.0, 0.0, 1.0]));
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn surface(
         &self,

@@ -58,6 +58,13 @@ impl Place {
 }
 
 /// How a set fitted into memory for less than all triangles.
+///
+/// ```
+/// # use slimbvh::gpu::SetFit;
+/// let fit = SetFit { name: "camera".into(), triangle_count: 900, limit: 1200 };
+/// println!("{}: {} of {} triangles", fit.name, fit.triangle_count, fit.limit);
+/// # assert!(fit.is_in());
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SetFit {
     /// The names of its targets.
@@ -70,6 +77,14 @@ pub struct SetFit {
 
 impl SetFit {
     /// Whether it fitted. Else its rays went through the whole tree.
+    ///
+    /// ```no_run
+    /// # use slimbvh::{ViewSets, gpu::Gpu};
+    /// # fn run(views: &ViewSets<&Gpu>) {
+    /// let late = views.fits().iter().filter(|fit| !fit.is_in()).count();
+    /// println!("{late} sets were too large for their memory");
+    /// # }
+    /// ```
     #[must_use]
     pub const fn fits(&self) -> bool {
         self.triangle_count <= self.limit

@@ -13,6 +13,19 @@ pub const COMPILE: &str = "compile";
 /// ([`Gpu::frame_in`]).
 ///
 /// Frames run in the order in which they were recorded, so command buffers are submitted in that order.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Builder, Bvh, Frame, Gpu, GpuError, Mesh, Query, Rays, wgpu};
+/// # fn run(
+/// #     gpu: &Gpu, builder: &mut Builder, mesh: &Mesh, bvh: &mut Bvh, rays: Rays, hits: &wgpu::Buffer,
+/// # ) -> Result<(), GpuError> {
+/// let mut frame: Frame = gpu.frame();
+/// builder.build(&mut frame, mesh, bvh)?;
+/// bvh.trace(&mut frame, Query::Closest, rays, hits.slice(..))?;
+/// frame.submit()?;
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Frame<'g> {
     gpu: &'g Gpu,
@@ -52,12 +65,42 @@ impl<'g> Frame<'g> {
     }
 
     /// The GPU of this frame.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Frame, Gpu, GpuError, wgpu};
+    /// # fn run(frame: &mut Frame) -> Result<(), GpuError> {
+    /// // A function that records needs the frame alone.
+    /// fn record(frame: &mut Frame) -> Result<(), GpuError> {
+    ///     let limits = frame.gpu().limits();
+    ///     println!("at most {} bytes a binding", limits.max_storage_buffer_binding_size);
+    ///     Ok(())
+    /// }
+    /// # record(frame)?;
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn gpu(&self) -> &'g Gpu {
         self.gpu
     }
 
     /// The encoder, for the caller's own commands before, between and after those of slimbvh.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh, wgpu};
+    /// # fn run(
+    /// #     gpu: &Gpu, pipeline: &wgpu::ComputePipeline, builder: &mut Builder, mesh: &Mesh,
+    /// #     bvh: &mut Bvh,
+    /// # ) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// let mut pass = frame.encoder().begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+    /// pass.set_pipeline(pipeline);
+    /// pass.dispatch_workgroups(64, 1, 1);
+    /// drop(pass);
+    /// builder.build(&mut frame, mesh, bvh)?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
         &mut self.encoder
     }
@@ -85,6 +128,18 @@ impl<'g> Frame<'g> {
 
     /// Copies a buffer's contents at this point of the frame, to be read when the frame is done.
     ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Bvh, Gpu, GpuError, Query, Rays, wgpu};
+    /// # fn run(gpu: &Gpu, bvh: &Bvh, rays: Rays, found: &wgpu::Buffer) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// bvh.trace(&mut frame, Query::Any, rays, found.slice(..))?;
+    /// let download = frame.read_later(found.slice(..))?;
+    /// frame.submit()?;
+    /// let found: Vec<u32> = download.read(gpu)?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// For a buffer without the usage `COPY_SRC`, and a slice whose ends are not multiples of 4 bytes.
     pub fn read_later(&mut self, slice: wgpu::BufferSlice) -> Result<Download, GpuError> {
@@ -103,6 +158,17 @@ impl<'g> Frame<'g> {
     }
 
     /// Submits all recorded commands.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh};
+    /// # fn run(gpu: &Gpu, builder: &mut Builder, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// builder.refit(&mut frame, mesh, bvh)?;
+    /// // Nothing waits; later submissions find the tree.
+    /// frame.submit()?;
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the device refuses a command, memory is exhausted, or the device was lost.
@@ -138,6 +204,19 @@ impl<'g> Frame<'g> {
     /// Ends recording, and gives the encoder back for the caller's further commands: see [`Gpu::frame_in`]. What the device objects to
     /// in the commands, wgpu reports where the caller finishes the encoder.
     ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Bvh, Gpu, GpuError, Query, Rays, wgpu};
+    /// # fn run(
+    /// #     gpu: &Gpu, encoder: wgpu::CommandEncoder, bvh: &Bvh, rays: Rays, hits: &wgpu::Buffer,
+    /// # ) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame_in(encoder);
+    /// bvh.trace(&mut frame, Query::Closest, rays, hits.slice(..))?;
+    /// let (encoder, _) = frame.end()?;
+    /// gpu.queue().submit([encoder.finish()]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// If memory is exhausted, or the device was lost.
     pub fn end(mut self) -> Result<(wgpu::CommandEncoder, Recorded), GpuError> {
@@ -156,6 +235,18 @@ impl<'g> Frame<'g> {
 }
 
 /// What remains of a frame whose commands the caller submits: its times. Who drops it does without them.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Frame, Gpu, GpuError, Recorded, wgpu};
+/// # fn run(gpu: &Gpu, frame: Frame, wants_times: bool) -> Result<(), GpuError> {
+/// let (commands, recorded): (wgpu::CommandBuffer, Recorded) = frame.finish()?;
+/// let index = gpu.queue().submit([commands]);
+/// if wants_times {
+///     println!("{}", recorded.submitted(gpu, index).wait()?);
+/// }
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Recorded {
     timer: Option<Timer>,
@@ -169,6 +260,18 @@ impl Recorded {
     }
 
     /// The submission of the frame's commands, on the GPU that recorded them.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Frame, Gpu, GpuError};
+    /// # fn run(gpu: &Gpu, build: Frame, trace: Frame) -> Result<(), GpuError> {
+    /// let ((first, build), (second, trace)) = (build.finish()?, trace.finish()?);
+    /// // Both in one submission.
+    /// let index = gpu.queue().submit([first, second]);
+    /// let build = build.submitted(gpu, index.clone()).wait()?;
+    /// let trace = trace.submitted(gpu, index).wait()?;
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn submitted(self, gpu: &Gpu, index: wgpu::SubmissionIndex) -> Submission<'_> {
         Submission {
@@ -181,6 +284,16 @@ impl Recorded {
 }
 
 /// A submitted frame. Waiting for it is optional.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Frame, Gpu, GpuError, Submission};
+/// # fn run(gpu: &Gpu, frame: Frame) -> Result<(), GpuError> {
+/// let submission: Submission = frame.submit()?;
+/// // The host works meanwhile.
+/// println!("{}", submission.wait()?);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Debug)]
 pub struct Submission<'g> {
     gpu: &'g Gpu,
@@ -193,6 +306,17 @@ impl Submission<'_> {
     /// Waits until the frame is done. Returns the time of each stage, if the adapter has timestamps; passes after the first 1024 of a
     /// frame are not timed. Where kernels were compiled for the frame, the host's time for that is stage `compile`:
     /// [`Gpu::warm_up`] compiles them before.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh};
+    /// # fn run(gpu: &Gpu, builder: &mut Builder, mesh: &Mesh, bvh: &mut Bvh) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// builder.build(&mut frame, mesh, bvh)?;
+    /// let stages = frame.submit()?.wait()?;
+    /// println!("{stages}, in all {:?}", stages.total());
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the device was lost.

@@ -10,6 +10,14 @@ use wgpu::{BufferSlice, BufferUsages, IndexFormat};
 pub const ELEMENT_BYTES: u64 = 12;
 
 /// Vertices in a buffer of the caller's: a position of three `f32` anywhere in each.
+///
+/// ```no_run
+/// use slimbvh::gpu::{VertexLayout, wgpu};
+/// # fn run(vertices: &wgpu::Buffer) {
+/// // Four bytes of color, then the position.
+/// let layout = VertexLayout { slice: vertices.slice(..), stride: 16, offset: 4 };
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct VertexLayout<'a> {
     /// From the first vertex to the end of the last, beginning at a multiple of 4 bytes. The buffer has the usage `STORAGE`.
@@ -21,6 +29,15 @@ pub struct VertexLayout<'a> {
 }
 
 /// Indices in a buffer of the caller's, three a triangle.
+///
+/// ```no_run
+/// use slimbvh::gpu::{IndexLayout, wgpu};
+/// # fn run(indices: &wgpu::Buffer) {
+/// // The first 100 triangles, two bytes an index.
+/// let slice = indices.slice(..2 * 3 * 100);
+/// let layout = IndexLayout { slice, format: wgpu::IndexFormat::Uint16 };
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct IndexLayout<'a> {
     /// From the first index to the end of the last, beginning at a multiple of an index's size. The buffer has the usage `STORAGE`.

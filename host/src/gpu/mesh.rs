@@ -9,6 +9,18 @@ use slimbvh_core::MAX_TRIANGLES;
 use wgpu::BufferUsages;
 
 /// Triangles as indices into shared vertices, in buffers.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Builder, Bvh, Gpu, GpuError, Mesh};
+/// # fn run(gpu: &Gpu, mesh: &slimbvh::Mesh) -> Result<(), GpuError> {
+/// let mesh = Mesh::upload(gpu, mesh)?;
+/// let (mut builder, mut bvh) = (Builder::new(slimbvh::BuildConfig::default()), Bvh::new());
+/// let mut frame = gpu.frame();
+/// builder.build(&mut frame, &mesh, &mut bvh)?;
+/// frame.submit()?;
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     /// Positions without gaps.
@@ -22,6 +34,19 @@ pub struct Mesh {
 
 impl Mesh {
     /// Copies a mesh to the GPU.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, Mesh};
+    /// # fn run(gpu: &Gpu) -> Result<(), GpuError> {
+    /// let triangle = slimbvh::Mesh {
+    ///     vertices: vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
+    ///     indices: vec![[0, 1, 2]],
+    ///     ..slimbvh::Mesh::default()
+    /// };
+    /// let mesh = Mesh::upload(gpu, &triangle)?;
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// Those of [`crate::Mesh::validate`], and for a mesh above the GPU's limits.
@@ -124,6 +149,16 @@ impl Mesh {
     /// Nothing is read back, so the contents are unchecked: coordinates must be finite. A corner whose index is out of
     /// range counts as a vertex at the origin.
     ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, Mesh, wgpu};
+    /// # fn run(gpu: &Gpu, geometry: &wgpu::Buffer, vertex_bytes: u64) -> Result<(), GpuError> {
+    /// // Positions, then indices, in one buffer.
+    /// let (vertices, indices) = (geometry.slice(..vertex_bytes), geometry.slice(vertex_bytes..));
+    /// let mesh = Mesh::from_buffers(gpu, vertices, indices)?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// For a buffer without the usage `STORAGE`, a slice at an unaligned offset, more bytes than a storage binding allows,
     /// and more than 2^28 triangles.
@@ -182,6 +217,15 @@ impl Mesh {
 
     /// Reads the mesh back: positions and indices, as they are once all work submitted before is done. Waits for that.
     ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, Mesh};
+    /// # fn run(gpu: &Gpu, mesh: &Mesh) -> Result<(), GpuError> {
+    /// // The caller's shaders moved the vertices: is what they made still sound?
+    /// mesh.download(gpu)?.validate()?;
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// If memory is exhausted, or the device was lost.
     pub fn download(&self, gpu: &Gpu) -> Result<crate::Mesh, GpuError> {
@@ -205,12 +249,27 @@ impl Mesh {
     }
 
     /// The number of triangles.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::Mesh;
+    /// # fn run(mesh: &Mesh) {
+    /// println!("{:.1} bytes a triangle", mesh.bytes() as f64 / f64::from(mesh.triangle_count()));
+    /// # }
+    /// ```
     #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.triangle_count
     }
 
     /// The buffer of vertices, to move them: the caller's where there is one.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, Mesh};
+    /// # fn run(gpu: &Gpu, mesh: &Mesh, moved: &[[f32; 3]]) {
+    /// // The frame that is submitted next refits its tree to these positions.
+    /// gpu.queue().write_buffer(mesh.vertex_buffer(), 0, bytemuck::cast_slice(moved));
+    /// # }
+    /// ```
     #[must_use]
     pub fn vertex_buffer(&self) -> &wgpu::Buffer {
         let [source, _] = &self.sources;
@@ -219,6 +278,13 @@ impl Mesh {
     }
 
     /// Bytes of the vertices and indices that kernels read, without gaps.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Bvh, Mesh};
+    /// # fn run(mesh: &Mesh, bvh: &Bvh) {
+    /// println!("mesh {} bytes, tree {} bytes", mesh.bytes(), bvh.bytes());
+    /// # }
+    /// ```
     #[must_use]
     pub fn bytes(&self) -> u64 {
         self.vertices.size + self.indices.size

@@ -15,6 +15,18 @@ use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::{Hit, Ray, RayEnds};
 
 /// The query for each ray.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Bvh, Frame, GpuError, Query, wgpu};
+/// # fn run(
+/// #     frame: &mut Frame, bvh: &Bvh, rays: &wgpu::Buffer, hits: &wgpu::Buffer,
+/// #     is_blocked: &wgpu::Buffer,
+/// # ) -> Result<(), GpuError> {
+/// bvh.trace(frame, Query::Closest, rays.slice(..), hits.slice(..))?;
+/// bvh.trace(frame, Query::Any, rays.slice(..), is_blocked.slice(..))?;
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Query {
     /// The closest [`Hit`]: 16 bytes a ray.
@@ -29,6 +41,18 @@ pub enum Query {
 
 impl Query {
     /// Bytes of an answer.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, Query, wgpu};
+    /// # fn run(gpu: &Gpu, ray_count: u64) {
+    /// let hits = gpu.device().create_buffer(&wgpu::BufferDescriptor {
+    ///     label: None,
+    ///     size: ray_count * Query::Closest.answer_bytes(),
+    ///     usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+    ///     mapped_at_creation: false,
+    /// });
+    /// # }
+    /// ```
     #[must_use]
     pub const fn answer_bytes(self) -> u64 {
         match self {
@@ -70,6 +94,18 @@ const ENDS_BYTES: u64 = size_of::<RayEnds>() as u64;
 
 impl Bvh {
     /// [`Tree::trace`] with all triangles.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Bvh, Gpu, GpuError, Query, wgpu};
+    /// # fn run(gpu: &Gpu, bvh: &Bvh, rays: &wgpu::Buffer, hits: &wgpu::Buffer) -> Result<(), GpuError> {
+    /// let mut frame = gpu.frame();
+    /// bvh.trace(&mut frame, Query::Closest, rays.slice(..), hits.slice(..))?;
+    /// let hits = frame.read_later(hits.slice(..))?;
+    /// frame.submit()?;
+    /// let hits: Vec<slimbvh::Hit> = hits.read(gpu)?;
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// Those of [`Tree::trace`].

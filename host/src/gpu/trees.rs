@@ -7,9 +7,43 @@ use super::{Bvh, Components, Gpu, GpuError, Misfit, TargetSides};
 use crate::backend::{self, Deferral};
 
 /// A hierarchy for rays of one kind.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Bvh, Components, Frame, GpuError, Query, Rays, TargetSides, Tree, wgpu};
+/// # fn run(
+/// #     frame: &mut Frame, bvh: &Bvh, known: &(Components, TargetSides), rays: Rays,
+/// #     to: &[wgpu::Buffer; 2],
+/// # ) -> Result<(), GpuError> {
+/// # let ((components, sides), [hits, shadows]) = (known, to);
+/// // All triangles count; or only those that face the target of the sides.
+/// Tree::all(bvh).trace(frame, Query::Closest, rays, hits.slice(..))?;
+/// let tree = Tree { bvh, rule: Some((components, sides)) };
+/// tree.trace(frame, Query::Any, rays, shadows.slice(..))?;
+/// # Ok(())
+/// # }
+/// ```
 pub type Tree<'a> = backend::Tree<'a, Bvh, (&'a Components, &'a TargetSides)>;
 
 /// The hierarchies of a picture, all over the same mesh.
+///
+/// ```no_run
+/// use slimbvh::gpu::{Bvh, Frame, GpuError, Renderer, Scene, Tree, Trees};
+/// # use slimbvh::{Camera, Light, RenderSettings};
+/// # fn run(
+/// #     frame: &mut Frame, renderer: &mut Renderer, scene: &Scene, trees: (&Bvh, &Bvh, &Bvh),
+/// #     view: (&Camera, &[Light]), settings: &RenderSettings,
+/// # ) -> Result<(), GpuError> {
+/// # let (eye, lamp, whole) = trees;
+/// // A set for the camera, one for the only lamp, and the whole tree for mirrors.
+/// let trees = Trees {
+///     primary: Tree::all(eye),
+///     lights: vec![Tree::all(lamp)],
+///     mirrors: Some(whole),
+/// };
+/// renderer.render_with(frame, scene, &trees, view, settings)?;
+/// # Ok(())
+/// # }
+/// ```
 pub type Trees<'a> = backend::Trees<'a, Bvh, (&'a Components, &'a TargetSides)>;
 
 impl<'a> Tree<'a> {
@@ -27,6 +61,18 @@ impl<'a> Tree<'a> {
     /// They are those of the present frame: after the next update of its view sets, the tree's buffers may be others.
     ///
     /// The rule is that of the latest [`TargetSides::set`] or [`TargetSides::decide`] before the shader runs.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, Tree, wgpu};
+    /// # fn run(gpu: &Gpu, tree: &Tree, layout: &wgpu::BindGroupLayout) -> Result<(), GpuError> {
+    /// let group = gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+    ///     label: None,
+    ///     layout,
+    ///     entries: &tree.bindings()?,
+    /// });
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the hierarchy is not built yet, or is stored in a codec without such a text; if the rule's sides are not decided, or are those

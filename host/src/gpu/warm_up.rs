@@ -14,6 +14,16 @@ use slimbvh_core::{Hit, Ray, RayEnds};
 use wgpu::BufferUsages;
 
 /// What a program will ask of the GPU. [`Gpu::warm_up`] compiles the kernels for that.
+///
+/// ```no_run
+/// # use slimbvh::BuildConfig;
+/// use slimbvh::gpu::{Gpu, GpuError, Query, WarmUp};
+/// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+/// let uses = WarmUp::new(config).with_refits().with_queries(&[Query::Closest, Query::Any]);
+/// println!("{}", gpu.warm_up(&uses)?);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug)]
 #[must_use]
 pub struct WarmUp<'a> {
@@ -38,6 +48,17 @@ enum Sets {
 
 impl<'a> WarmUp<'a> {
     /// Builds with this configuration.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, WarmUp};
+    /// # use slimbvh::{BuildConfig, NodeCodec, WideStore};
+    /// # fn run(gpu: &Gpu) -> Result<(), GpuError> {
+    /// // Kernels differ by codec.
+    /// let nodes = NodeCodec::Wide(WideStore::Full);
+    /// gpu.warm_up(&WarmUp::new(BuildConfig { nodes, ..BuildConfig::default() }))?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn new(build: BuildConfig) -> Self {
         Self {
             build,
@@ -52,48 +73,123 @@ impl<'a> WarmUp<'a> {
     }
 
     /// Queries of rays whose ends lie on surfaces ([`super::Rays::with_ends`]), too.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, Query, WarmUp};
+    /// # fn run(gpu: &Gpu, uses: WarmUp) -> Result<(), GpuError> {
+    /// // Shadow rays that leave surfaces.
+    /// gpu.warm_up(&uses.with_queries(&[Query::Any]).with_ends())?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_ends(mut self) -> Self {
         self.has_ends = true;
         self
     }
 
     /// Queries of a number of rays that only the GPU knows ([`super::Rays::counted_by`]), too.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, Query, WarmUp};
+    /// # fn run(gpu: &Gpu, uses: WarmUp) -> Result<(), GpuError> {
+    /// // Paths, of which fewer go on after each hit.
+    /// gpu.warm_up(&uses.with_queries(&[Query::Closest]).with_ends().with_counts())?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_counts(mut self) -> Self {
         self.has_counts = true;
         self
     }
 
     /// Meshes in the caller's own layout ([`Mesh::from_layout`]), too.
+    ///
+    /// ```no_run
+    /// # use slimbvh::BuildConfig;
+    /// # use slimbvh::gpu::{Gpu, GpuError, WarmUp};
+    /// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+    /// // Vertices with normals between the positions.
+    /// gpu.warm_up(&WarmUp::new(config).with_layouts())?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_layouts(mut self) -> Self {
         self.has_layouts = true;
         self
     }
 
     /// Refits, too.
+    ///
+    /// ```no_run
+    /// # use slimbvh::BuildConfig;
+    /// # use slimbvh::gpu::{Gpu, GpuError, WarmUp};
+    /// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+    /// // The second frame refits what the first builds.
+    /// gpu.warm_up(&WarmUp::new(config).with_refits())?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_refits(mut self) -> Self {
         self.refits = true;
         self
     }
 
     /// Builds over sets ([`Subset::Of`]) with the host's sides ([`TargetSides::set`]), and whole trees with a rule, too.
+    ///
+    /// ```no_run
+    /// # use slimbvh::BuildConfig;
+    /// # use slimbvh::gpu::{Gpu, GpuError, Query, WarmUp};
+    /// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+    /// gpu.warm_up(&WarmUp::new(config).with_sets().with_queries(&[Query::Any]))?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_sets(mut self) -> Self {
         self.sets = Some(Sets::Set);
         self
     }
 
     /// The same with the GPU's decisions ([`TargetSides::decide`]).
+    ///
+    /// ```no_run
+    /// # use slimbvh::BuildConfig;
+    /// # use slimbvh::gpu::{Gpu, GpuError, WarmUp};
+    /// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+    /// // Vertices move on the GPU, which then decides what sets leave out.
+    /// gpu.warm_up(&WarmUp::new(config).with_layouts().with_decisions())?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_decisions(mut self) -> Self {
         self.sets = Some(Sets::Decided);
         self
     }
 
     /// These queries, too.
+    ///
+    /// ```no_run
+    /// # use slimbvh::BuildConfig;
+    /// # use slimbvh::gpu::{Gpu, GpuError, Query, WarmUp};
+    /// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+    /// gpu.warm_up(&WarmUp::new(config).with_queries(&[Query::Closest, Query::Nearest]))?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_queries(mut self, queries: &'a [Query]) -> Self {
         self.queries = queries;
         self
     }
 
     /// Pictures with these settings, too, their size and number of samples aside.
+    ///
+    /// ```no_run
+    /// # use slimbvh::gpu::{Gpu, GpuError, WarmUp};
+    /// # use slimbvh::{BuildConfig, RenderSettings};
+    /// # fn run(gpu: &Gpu, config: BuildConfig) -> Result<(), GpuError> {
+    /// gpu.warm_up(&WarmUp::new(config).with_picture(RenderSettings::default()))?;
+    /// # Ok(())
+    /// # }
+    /// ```
     pub const fn with_picture(mut self, settings: RenderSettings) -> Self {
         self.picture = Some(settings);
         self

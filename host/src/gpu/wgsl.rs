@@ -43,6 +43,15 @@ use crate::{BuildConfig, MeshCodec, NodeCodec};
 /// begin with `slimbvh` or `Slimbvh`.
 ///
 /// The stack is private memory, 1 KiB an invocation: compute shaders trace faster with [`wgsl_compute`].
+///
+/// ```
+/// let shader = slimbvh::gpu::wgsl(0) + "
+/// @fragment fn shade(@location(0) to: vec3<f32>) -> @location(0) vec4<f32> {
+///     let hit = slimbvh_closest_hit(vec3<f32>(0.0, 1.0, 5.0), 0.0, to, 1e30);
+///     return vec4<f32>(hit.u, hit.v, 0.0, 1.0);
+/// }";
+/// # assert!(shader.contains("fn slimbvh_closest_hit("));
+/// ```
 #[must_use]
 pub fn wgsl(group: u32) -> String {
     moved(PLAIN[0], group)
@@ -51,6 +60,15 @@ pub fn wgsl(group: u32) -> String {
 /// The text of [`wgsl`] for hierarchies in these codecs: in full, or of wide nodes. The functions are the same, and so are their
 /// answers; bindings are those of [`super::Tree::bindings`], six where the nodes are on a lattice.
 ///
+/// ```no_run
+/// # use slimbvh::gpu::{Bvh, GpuError, wgsl_for};
+/// # fn run(bvh: &Bvh, shader: &str) -> Result<(), GpuError> {
+/// // However the hierarchy is stored, the caller's shader is the same.
+/// let shader = wgsl_for(bvh.codecs()?, 0)? + shader;
+/// # Ok(())
+/// # }
+/// ```
+///
 /// # Errors
 /// For codecs without such a text.
 pub fn wgsl_for(codecs: (NodeCodec, MeshCodec), group: u32) -> Result<String, GpuError> {
@@ -58,6 +76,18 @@ pub fn wgsl_for(codecs: (NodeCodec, MeshCodec), group: u32) -> Result<String, Gp
 }
 
 /// The text of [`wgsl_compute`] for hierarchies in these codecs, as [`wgsl_for`].
+///
+/// ```no_run
+/// # use slimbvh::gpu::{Bvh, Gpu, GpuError, wgpu, wgsl_compute_for};
+/// # fn run(gpu: &Gpu, bvh: &Bvh, shader: &str) -> Result<(), GpuError> {
+/// let source = wgsl_compute_for(bvh.codecs()?, 0)? + shader;
+/// let module = gpu.device().create_shader_module(wgpu::ShaderModuleDescriptor {
+///     label: None,
+///     source: wgpu::ShaderSource::Wgsl(source.into()),
+/// });
+/// # Ok(())
+/// # }
+/// ```
 ///
 /// # Errors
 /// For codecs without such a text.
@@ -117,6 +147,17 @@ fn moved(text: &str, group: u32) -> String {
 /// **Zeros.** wgpu fills workgroup memory with zeros before the shader begins, as WebGPU demands. The stacks do not need that:
 /// no word has a meaning before its own lane has written it. Natively, a pipeline that needs no zeros for the caller's own
 /// variables is faster with `zero_initialize_workgroup_memory: false` in its `wgpu::PipelineCompilationOptions`.
+///
+/// ```
+/// let shader = slimbvh::gpu::wgsl_compute(0) + "
+/// @group(1) @binding(0) var<storage, read_write> hits: array<SlimbvhHit>;
+/// @compute @workgroup_size(64)
+/// fn look(@builtin(workgroup_id) group: vec3<u32>, @builtin(local_invocation_index) lane: u32) {
+///     let to = vec3<f32>(f32(group.x) - 640.0, f32(lane) - 32.0, -640.0);
+///     hits[64u * group.x + lane] = slimbvh_closest_hit_in_group(lane, vec3<f32>(0.0), 0.0, to, 1e30);
+/// }";
+/// # assert!(shader.contains("fn slimbvh_closest_hit_in_group("));
+/// ```
 #[must_use]
 pub fn wgsl_compute(group: u32) -> String {
     wgsl(group) + "\n" + PLAIN[1]

@@ -4,6 +4,14 @@
 ///
 /// Where the whole tree is built, too, the memory of sets can follow the counts of recent frames, which are read back without waiting. A
 /// set that does not fit is not built in that frame: its rays go through the whole tree, with the same answers, and its memory grows.
+///
+/// ```
+/// use slimbvh::FrameConfig;
+/// use slimbvh::reduce::SetMemory;
+/// // No frame may send a set's rays through the whole tree.
+/// let config = FrameConfig { set_memory: SetMemory::All, ..FrameConfig::for_frames(1000) };
+/// # assert_ne!(config, FrameConfig::for_frames(1000));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SetMemory {
     /// [`Self::Recent`] for meshes of 65,536 triangles or more.

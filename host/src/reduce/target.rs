@@ -8,6 +8,17 @@ use slimbvh_core::frustum::Frustum;
 use slimbvh_core::orientation::Target;
 
 /// Which end of the rays is known.
+///
+/// ```
+/// use slimbvh::ViewTarget;
+/// use slimbvh::reduce::TargetKind;
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// assert_eq!(ViewTarget::rays_from([0.0, 1.0, 5.0], 0.0)?.kind(), TargetKind::From);
+/// assert_eq!(ViewTarget::rays_to([0.0, 9.0, 0.0], 0.0)?.kind(), TargetKind::To);
+/// assert_eq!(ViewTarget::other_rays().kind(), TargetKind::Other);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetKind {
     /// They come from the target: a camera.
@@ -78,6 +89,20 @@ impl ViewTarget {
     /// Rays from a camera, or from its lens, through a picture of this width and height in pixels. Its set leaves out what is
     /// certainly outside the picture, so it is for rays of [`Camera`] alone; [`Self::rays_from`] is for others from its eye.
     ///
+    /// ```
+    /// # use slimbvh::{Camera, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let bounds = mesh.bounds().ok_or("no triangles")?;
+    /// let (camera, size) = (Camera::facing(&bounds, 16.0 / 9.0), [1280, 720]);
+    /// let eye = ViewTarget::camera(&camera, size)?;
+    /// // Its rays.
+    /// let middle = camera.ray([640, 360], size)?;
+    /// # assert_eq!((eye.target().point, middle.origin), (camera.eye, camera.eye));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// For a camera that cannot be rendered, and an empty picture.
     pub fn camera(camera: &Camera, size: [u32; 2]) -> Result<Self, ViewError> {
@@ -96,6 +121,16 @@ impl ViewTarget {
 
     /// Rays to a light, from anywhere on it: do they meet anything? For a directional light, rays without an end.
     ///
+    /// ```
+    /// # use slimbvh::{Light, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let lights = [Light::Directional { direction: [0.0, -1.0, 0.0], color: [1.0; 3] }];
+    /// let shadows = lights.iter().map(ViewTarget::light).collect::<Result<Vec<_>, _>>()?;
+    /// assert_eq!(shadows.len(), lights.len());
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// For a light that cannot be rendered.
     pub fn light(light: &Light) -> Result<Self, ViewError> {
@@ -105,6 +140,16 @@ impl ViewTarget {
 
     /// Rays that start in a ball, in any direction. A radius of 0 is a point.
     ///
+    /// ```
+    /// # use slimbvh::ViewTarget;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// // A lidar whose mirrors turn within 10 cm.
+    /// let lidar = ViewTarget::rays_from([0.0, 1.8, 0.0], 0.1)?.named("lidar").expecting(64 * 2048);
+    /// # assert_eq!(lidar.target().radius, 0.1);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// If a number is not finite, or the radius is below 0.
     pub fn rays_from(center: [f32; 3], radius: f32) -> Result<Self, ViewError> {
@@ -112,6 +157,20 @@ impl ViewTarget {
     }
 
     /// Parallel rays in this direction that start outside the scene.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Ray, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// // Heights, seen from above.
+    /// let down = [0.0, -1.0, 0.0];
+    /// views.update(&mesh, &[ViewTarget::rays_along(down)?], Change::Scene)?;
+    /// let hit = views.trees()[0].closest_hit(Ray::new([0.25, 8.0, 0.25], down));
+    /// assert!(hit.is_hit() && hit.t > 7.0);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the direction is zero or not finite.
@@ -122,6 +181,21 @@ impl ViewTarget {
 
     /// Rays that end in a ball: do they meet anything?
     ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Ray, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// // From where is the goal in sight?
+    /// let goal = [0.0, 0.0, 4.0];
+    /// views.update(&mesh, &[ViewTarget::rays_to(goal, 0.0)?], Change::Scene)?;
+    /// let places = [[0.0, 2.0, 0.0], [0.0, 0.0, -2.0]];
+    /// let is_hidden = places.map(|place| views.trees()[0].any_hit(Ray::between(place, goal)));
+    /// assert_eq!(is_hidden, [false, true]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Errors
     /// If a number is not finite, or the radius is below 0.
     pub fn rays_to(center: [f32; 3], radius: f32) -> Result<Self, ViewError> {
@@ -129,6 +203,19 @@ impl ViewTarget {
     }
 
     /// Parallel rays in this direction without an end, as to the sun: do they meet anything?
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Ray, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// let to_sun = [0.3, 1.0, 0.2];
+    /// views.update(&mesh, &[ViewTarget::rays_toward(to_sun)?], Change::Scene)?;
+    /// let is_in_shadow = views.trees()[0].any_hit(Ray::new([0.0, -2.0, 0.0], to_sun));
+    /// assert!(is_in_shadow);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If the direction is zero or not finite.
@@ -138,6 +225,20 @@ impl ViewTarget {
     }
 
     /// All other rays: they may hit every triangle, so they need the whole tree.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, Ray, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?, ViewTarget::other_rays()];
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// // A ray from inside meets triangles that face away from the eye.
+    /// let inside = Ray::new([0.0; 3], [0.0, 0.0, -1.0]);
+    /// assert!(views.trees()[1].closest_hit(inside).is_hit());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn other_rays() -> Self {
         Self::new(TargetKind::Other, Target::position([0.0; 3]))
@@ -145,6 +246,18 @@ impl ViewTarget {
 
     /// Rays to the ball around several lights or balls that rays lead to. The plan groups near lights by itself where one set
     /// costs less than two; this forces it.
+    ///
+    /// ```
+    /// # use slimbvh::ViewTarget;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let candles = [-0.25, 0.25].map(|x| ViewTarget::rays_to([x, 2.0, 0.0], 0.0));
+    /// let [left, right] = candles;
+    /// // One set for all rays to the chandelier.
+    /// let chandelier = ViewTarget::group(&[left?, right?])?.named("chandelier");
+    /// assert!(chandelier.target().radius >= 0.25);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// If there is none, or rays do not lead to a position in each.
@@ -169,6 +282,18 @@ impl ViewTarget {
     }
 
     /// The same with a name for reports. Without one, cameras and lights are numbered.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// let ear = ViewTarget::rays_from([0.0, 0.0, 4.0], 0.1)?.named("left ear");
+    /// views.update(&mesh, &[ear], Change::Scene)?;
+    /// assert_eq!(views.sizes()?.sets[0].name, "left ear");
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn named(self, name: impl Into<String>) -> Self {
         Self {
@@ -179,6 +304,18 @@ impl ViewTarget {
 
     /// The same with the number of rays expected in a frame: whether a set pays depends on it, no answer does. Default: a
     /// ray a pixel for a camera, else 921,600.
+    ///
+    /// ```
+    /// # use slimbvh::ViewTarget;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// // A few rays do not pay for a set of their own.
+    /// let cursor = ViewTarget::rays_from([0.0, 1.0, 5.0], 0.0)?.expecting(1);
+    /// // A picture with 16 rays a pixel does sooner.
+    /// let eye = ViewTarget::rays_from([0.0, 1.0, 5.0], 0.0)?.expecting(16 * 1280 * 720);
+    /// # assert_ne!(cursor, eye);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn expecting(self, ray_count: u64) -> Self {
         Self {
@@ -188,12 +325,32 @@ impl ViewTarget {
     }
 
     /// Which end of the rays is known.
+    ///
+    /// ```
+    /// # use slimbvh::ViewTarget;
+    /// # use slimbvh::reduce::TargetKind;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let targets = [ViewTarget::rays_toward([0.0, 1.0, 0.0])?, ViewTarget::other_rays()];
+    /// let shadows = targets.iter().filter(|target| target.kind() == TargetKind::To);
+    /// assert_eq!(shadows.count(), 1);
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn kind(&self) -> TargetKind {
         self.kind
     }
 
     /// The ball that rays start or end in, or the direction of parallel ones, in the mesh's unit.
+    ///
+    /// ```
+    /// # use slimbvh::ViewTarget;
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let lamp = ViewTarget::rays_to([0.0, 3.0, 0.0], 0.25)?.target();
+    /// assert_eq!((lamp.point, lamp.radius), ([0.0, 3.0, 0.0], 0.25));
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn target(&self) -> Target {
         self.target
@@ -219,6 +376,19 @@ fn checked_direction(direction: [f32; 3]) -> Result<[f32; 3], ViewError> {
 }
 
 /// The targets of a frame.
+///
+/// ```
+/// use slimbvh::ViewTarget;
+/// use slimbvh::reduce::{PlanConfig, Planner, Views};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let views = Views::from(&[ViewTarget::rays_from([0.0, 1.0, 5.0], 0.0)?][..]);
+/// let planner = Planner::new(slimbvh::BuildConfig::default(), PlanConfig::default());
+/// // A mesh of 100 triangles.
+/// let plan = planner.plain(100, &views);
+/// assert_eq!(plan.target_count, 1);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Views {
     /// The targets, in the caller's order.
@@ -241,6 +411,18 @@ impl From<&[ViewTarget]> for Views {
 impl Views {
     /// The targets of a picture: the scene's first camera, then each light, then mirrors and glass if paths may continue
     /// there.
+    ///
+    /// ```
+    /// use slimbvh::RenderSettings;
+    /// use slimbvh::reduce::{TargetKind, Views};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let scene = slimbvh::generate::default_scene();
+    /// let views = Views::of_picture(&scene, &RenderSettings::default())?;
+    /// let lights = views.targets.iter().filter(|target| target.kind() == TargetKind::To);
+    /// assert_eq!(lights.count(), scene.lights.len());
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Errors
     /// For cameras and lights that cannot be rendered.

@@ -208,6 +208,28 @@ impl Bvh {
 
     /// [`Bvh::closest_hits`] on this thread, for callers with their own threads.
     ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Hit, Mesh, Ray};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = Mesh {
+    /// #     vertices: vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
+    /// #     indices: vec![[0, 1, 2]],
+    /// #     ..Mesh::default()
+    /// # };
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// # let bvh = &bvh;
+    /// let rays = vec![Ray::new([1.0, 0.5, 3.0], [0.0, 0.0, -1.0]); 1000];
+    /// let mut hits = vec![Hit::MISS; rays.len()];
+    /// std::thread::scope(|threads| {
+    ///     for (rays, hits) in rays.chunks(500).zip(hits.chunks_mut(500)) {
+    ///         threads.spawn(move || bvh.closest_hits_of_block(rays, hits));
+    ///     }
+    /// });
+    /// assert!(hits.iter().all(Hit::is_hit));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
     /// # Panics
     /// If `hits` is shorter than `rays`.
     pub fn closest_hits_of_block<R>(&self, rays: &[R], hits: &mut [Hit])
@@ -218,6 +240,24 @@ impl Bvh {
     }
 
     /// [`Bvh::any_hits`] on this thread, as [`Bvh::closest_hits_of_block`].
+    ///
+    /// ```
+    /// # use slimbvh::{BuildConfig, Builder, Mesh, Ray};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = Mesh {
+    /// #     vertices: vec![[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
+    /// #     indices: vec![[0, 1, 2]],
+    /// #     ..Mesh::default()
+    /// # };
+    /// # let bvh = Builder::new(BuildConfig::default()).build(&mesh)?;
+    /// let lamp = [1.0, 0.5, 3.0];
+    /// let rays = [[1.0, 0.5, -1.0], [1.0, 0.5, 1.0]].map(|point| Ray::between(point, lamp));
+    /// let mut is_in_shadow = [false; 2];
+    /// bvh.any_hits_of_block(&rays, &mut is_in_shadow);
+    /// assert_eq!(is_in_shadow, [true, false]);
+    /// # Ok(())
+    /// # }
+    /// ```
     ///
     /// # Panics
     /// If `found` is shorter than `rays`.

@@ -6,6 +6,14 @@ use crate::backend::TreeSize;
 use crate::reduce::{PlanConfig, Reduce, Seams, SetMemory, Still};
 
 /// How frames are planned, built and updated.
+///
+/// ```
+/// use slimbvh::{BuildConfig, FrameConfig, NodeCodec, WideStore};
+/// // Small trees for a thousand frames.
+/// let build = BuildConfig { nodes: NodeCodec::Wide(WideStore::Exact), ..BuildConfig::default() };
+/// let config = FrameConfig { build, ..FrameConfig::for_frames(1000) };
+/// # assert_eq!(config.build.nodes, NodeCodec::Wide(WideStore::Exact));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FrameConfig {
     /// How trees are built and stored.
@@ -50,6 +58,22 @@ impl FrameConfig {
     /// The same with the caller's promise that no closed part of the mesh intersects itself or is inside out in places, now or
     /// when vertices move. Then no search for such places is made, and sets are kept up while vertices move; without it, nothing
     /// is left out once vertices have moved.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mut mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?];
+    /// let config = FrameConfig::for_frames(1000).promising_solids().reducing();
+    /// let mut views = ViewSets::new(Cpu, config);
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// mesh.vertices[0][1] *= 1.5;
+    /// views.update(&mesh, &targets, Change::Vertices)?;
+    /// // The far side is still left out.
+    /// assert!(views.trees()[0].bvh.triangle_count() < mesh.indices.len());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn promising_solids(mut self) -> Self {
         self.plan.switches.seams = Seams::None;
@@ -78,6 +102,19 @@ impl FrameConfig {
     }
 
     /// The same with sets for all targets that allow one, even where none pays.
+    ///
+    /// ```
+    /// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+    /// # let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?];
+    /// // A sphere so small that its set would not pay.
+    /// let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+    /// views.update(&mesh, &targets, Change::Scene)?;
+    /// assert!(views.trees()[0].bvh.triangle_count() < mesh.indices.len());
+    /// # Ok(())
+    /// # }
+    /// ```
     #[must_use]
     pub fn reducing(mut self) -> Self {
         self.plan.switches.reduce = Reduce::On;
@@ -86,6 +123,20 @@ impl FrameConfig {
 }
 
 /// The sizes of a frame's trees.
+///
+/// ```
+/// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+/// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+/// let targets = [ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?, ViewTarget::other_rays()];
+/// views.update(&mesh, &targets, Change::Scene)?;
+/// let sizes = views.sizes()?;
+/// // The whole tree and a set exist at the same time.
+/// assert_eq!(sizes.total.triangle_count, mesh.indices.len() + sizes.sets[0].triangle_count);
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrameSizes {
     /// The sum of all trees that exist at the same time.
@@ -95,6 +146,20 @@ pub struct FrameSizes {
 }
 
 /// The size of a set.
+///
+/// ```
+/// # use slimbvh::{Change, Cpu, FrameConfig, ViewSets, ViewTarget};
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # let mesh = slimbvh::generate::icosphere(slimbvh_core::Vec3::ZERO, 1.0, 2);
+/// # let mut views = ViewSets::new(Cpu, FrameConfig::default().reducing());
+/// # views.update(&mesh, &[ViewTarget::rays_from([0.0, 0.0, 4.0], 0.0)?], Change::Scene)?;
+/// for set in views.sizes()?.sets {
+///     println!("{}: {} of {} triangles", set.name, set.triangle_count, mesh.indices.len());
+///     # assert!(set.fits);
+/// }
+/// # Ok(())
+/// # }
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SetSize {
     /// The names of its targets.
