@@ -63,7 +63,7 @@ impl Place {
 /// # use slimbvh::gpu::SetFit;
 /// let fit = SetFit { name: "camera".into(), triangle_count: 900, limit: 1200 };
 /// println!("{}: {} of {} triangles", fit.name, fit.triangle_count, fit.limit);
-/// # assert!(fit.is_in());
+/// # assert!(fit.fits());
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SetFit {
@@ -81,7 +81,7 @@ impl SetFit {
     /// ```no_run
     /// # use slimbvh::{ViewSets, gpu::Gpu};
     /// # fn run(views: &ViewSets<&Gpu>) {
-    /// let late = views.fits().iter().filter(|fit| !fit.is_in()).count();
+    /// let late = views.fits().iter().filter(|fit| !fit.fits()).count();
     /// println!("{late} sets were too large for their memory");
     /// # }
     /// ```
