@@ -1,15 +1,17 @@
 //! Polygons to triangles, with their vertex indices checked.
 
 use super::error::{Indexed, excerpt};
-use super::load::Source;
+use super::load::{Found, Source};
+use super::vertices::Vertices;
 use super::{LoadError, Scene};
 use crate::{Mesh, MeshError};
 
 /// A mesh under construction.
 pub(super) struct Faces<'a> {
     source: &'a Source<'a>,
-    /// The reader fills everything but the triangles.
+    /// The reader fills everything but the triangles and the vertices.
     pub mesh: Mesh,
+    pub vertices: Vertices,
     /// Faces left out so far.
     pub dropped_count: usize,
 }
@@ -39,13 +41,14 @@ impl<'a> Faces<'a> {
         Self {
             source,
             mesh: Mesh::default(),
+            vertices: Vertices::default(),
             dropped_count: 0,
         }
     }
 
     /// The run of the next `count` vertices.
     pub fn next_run(&self, count: usize) -> Result<Run, LoadError> {
-        let first = self.mesh.vertices.len();
+        let first = self.vertices.len();
         if first.saturating_add(count) > u32::MAX as usize {
             return Err(self.mesh_error(MeshError::TooManyVertices {
                 vertex_count: first.saturating_add(count),
@@ -113,11 +116,15 @@ impl<'a> Faces<'a> {
     }
 
     /// A scene with only the mesh.
-    pub fn into_scene(self) -> Scene {
-        Scene {
-            mesh: self.mesh,
-            dropped_face_count: self.dropped_count,
-            ..Scene::default()
+    pub fn into_found(self) -> Found {
+        Found {
+            scene: Scene {
+                mesh: self.mesh,
+                dropped_face_count: self.dropped_count,
+                ..Scene::default()
+            },
+            vertices: self.vertices,
+            ..Found::default()
         }
     }
 }

@@ -13,15 +13,15 @@ mod view;
 pub use error::GltfError;
 
 use super::faces::{Faces, share};
-use super::load::Source;
-use super::{Camera, Light, LoadError, Material, Scene};
+use super::load::{Found, Source};
+use super::{Camera, Light, LoadError, Material};
 use crate::Part;
 use ::gltf::{Document, Node};
 use buffers::Buffers;
 use glam::Mat4;
 
 /// Reads the default scene, flattened: a part for each node with a mesh.
-pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
     let (document, blob) = document::parse(&bytes, source)?;
     let buffers = Buffers::read(&document, blob, source)?;
     let mut flat = Flat {
@@ -41,19 +41,18 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         default_material,
         ..
     } = flat;
-    let mut scene = Scene {
-        materials: document.materials().map(|m| convert(&m)).collect(),
-        cameras,
-        lights,
-        ..faces.into_scene()
-    };
+    let mut found = faces.into_found();
+    let scene = &mut found.scene;
+    scene.materials = document.materials().map(|m| convert(&m)).collect();
+    scene.cameras = cameras;
+    scene.lights = lights;
     // Without materials, the list of indices has no meaning.
     if scene.materials.is_empty() {
         scene.mesh.materials.clear();
     } else if scene.mesh.materials.contains(&default_material) {
         scene.materials.push(Material::default());
     }
-    Ok(scene)
+    Ok(found)
 }
 
 /// A scene under construction.

@@ -1,7 +1,9 @@
 //! Reads a scene from a file.
 
 use super::contain::contain;
-use super::{LoadError, Scene, gltf, obj, off, ply, slim, stl};
+use super::vertices::Vertices;
+use super::{LeftOut, Light, LoadError, Scene, gltf, obj, off, ply, slim, stl};
+use std::cell::RefCell;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -33,11 +35,7 @@ impl Default for LoadOptions {
 /// # Errors
 /// If the file cannot be read, does not follow its format, or has a broken face and `options` are not lenient.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
-    let source = Source {
-        path,
-        file: path.display().to_string(),
-        options,
-    };
+    let source = Source::new(path, options);
     let reader = reader(&source)?;
     let bytes = read_file(path, options.max_file_bytes)?;
     parse(source, reader, bytes)
@@ -49,11 +47,7 @@ pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
 /// # Errors
 /// Those of [`load`].
 pub fn load_bytes(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene, LoadError> {
-    let source = Source {
-        path,
-        file: path.display().to_string(),
-        options,
-    };
+    let source = Source::new(path, options);
     let reader = reader(&source)?;
     parse(source, reader, bytes)
 }
@@ -65,7 +59,7 @@ fn parse(
     bytes: Vec<u8>,
 ) -> Result<Scene, LoadError> {
     match contain(|| read(&source, bytes)) {
-        Ok(scene) => finish(scene?, &source),
+        Ok(found) => finish(found?.into_scene(), &source),
         Err(message) => Err(LoadError::Panicked {
             file: source.file,
             format,
@@ -82,16 +76,106 @@ pub(super) struct Source<'a> {
     pub file: String,
     /// The options.
     pub options: &'a LoadOptions,
+    left_out: RefCell<Vec<LeftOut>>,
+}
+
+/// What a reader finds. Positions in `f64` are apart from the scene, whose own are ignored then.
+#[derive(Default)]
+pub(super) struct Found {
+    pub scene: Scene,
+    pub vertices: Vertices,
+    /// The eye and the target of each camera.
+    pub cameras: Vec<[[f64; 3]; 2]>,
+    /// The place of each light that has one; anything for others.
+    pub lights: Vec<[f64; 3]>,
+}
+
+impl From<Scene> for Found {
+    fn from(mut scene: Scene) -> Self {
+        let wide = |[x, y, z]: [f32; 3]| [f64::from(x), f64::from(y), f64::from(z)];
+        let vertices = std::mem::take(&mut scene.mesh.vertices);
+        let cameras = scene.cameras.iter();
+        let lights = scene.lights.iter().map(|light| match light {
+            Light::Directional { .. } => [0.0; 3],
+            Light::Point { position: at, .. } | Light::Area { center: at, .. } => wide(*at),
+        });
+        Self {
+            vertices: Vertices::Narrow(vertices),
+            cameras: cameras
+                .map(|camera| [wide(camera.eye), wide(camera.target)])
+                .collect(),
+            lights: lights.collect(),
+            scene,
+        }
+    }
+}
+
+impl Found {
+    /// The scene around its local origin.
+    fn into_scene(self) -> Scene {
+        let Self {
+            mut scene,
+            vertices,
+            cameras,
+            lights,
+        } = self;
+        let (vertices, origin) = vertices.narrowed(&scene.mesh.indices);
+        scene.mesh.vertices = vertices;
+        // A file in the library's own format has one already.
+        if origin == [0.0; 3] {
+            return scene;
+        }
+        let near = |at: &[f64; 3]| [0, 1, 2].map(|i| (at[i] - origin[i]) as f32);
+        for (camera, [eye, target]) in scene.cameras.iter_mut().zip(&cameras) {
+            (camera.eye, camera.target) = (near(eye), near(target));
+        }
+        for (light, place) in scene.lights.iter_mut().zip(&lights) {
+            match light {
+                Light::Directional { .. } => {}
+                Light::Point { position: at, .. } | Light::Area { center: at, .. } => {
+                    *at = near(place);
+                }
+            }
+        }
+        scene.origin = origin;
+        scene
+    }
+}
+
+impl<'a> Source<'a> {
+    fn new(path: &'a Path, options: &'a LoadOptions) -> Self {
+        Self {
+            path,
+            file: path.display().to_string(),
+            options,
+            left_out: RefCell::default(),
+        }
+    }
 }
 
 impl Source<'_> {
+    /// Notes what the file holds and the scene does not.
+    pub fn leave_out(&self, what: &str, count: usize) {
+        if count == 0 {
+            return;
+        }
+        let mut all = self.left_out.borrow_mut();
+        match all.iter_mut().find(|known| known.what == what) {
+            Some(known) => known.count += count,
+            None => all.push(LeftOut {
+                what: what.to_owned(),
+                count,
+            }),
+        }
+    }
+
     /// A path in the file, relative to the file.
     pub fn beside(&self, relative: impl AsRef<Path>) -> PathBuf {
         self.path.parent().unwrap_or(Path::new("")).join(relative)
     }
 }
 
-type Reader = fn(&Source<'_>, Vec<u8>) -> Result<Scene, LoadError>;
+type Reader = fn(&Source<'_>, Vec<u8>) -> Result<Found, LoadError>;
 
 /// The format's name and reader, by the file's extension.
 fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
@@ -151,6 +235,7 @@ pub(super) fn read_file(path: &Path, limit_bytes: u64) -> Result<Vec<u8>, LoadEr
 
 /// Checks a reader's result.
 fn finish(mut scene: Scene, source: &Source<'_>) -> Result<Scene, LoadError> {
+    scene.left_out.append(&mut source.left_out.borrow_mut());
     if source.options.lenient {
         scene.dropped_face_count += scene.mesh.drop_unsound_faces();
     }

@@ -10,6 +10,7 @@ mod faces;
 mod frustum;
 #[cfg(feature = "scenes")]
 mod gltf;
+mod left_out;
 #[cfg(feature = "scenes")]
 mod load;
 #[cfg(feature = "scenes")]
@@ -25,6 +26,7 @@ mod stl;
 mod target;
 #[cfg(all(test, feature = "scenes"))]
 mod tests;
+mod vertices;
 mod view;
 
 #[cfg(feature = "scenes")]
@@ -35,6 +37,7 @@ pub use gltf::GltfError;
 pub use load::{LoadOptions, load, load_bytes};
 
 pub use frustum::frustum;
+pub use left_out::LeftOut;
 pub use target::{camera_target, light_target};
 pub use view::ViewError;
 pub(crate) use view::unit;
@@ -54,6 +57,11 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// Broken faces that a lenient loader dropped.
     pub dropped_face_count: usize,
+    /// What the file holds and the scene does not.
+    pub left_out: Vec<LeftOut>,
+    /// What was taken off all positions, of cameras and lights, too: add it to a position for that in the file's own coordinates. Zero
+    /// unless these are so far away that `f32` would lose more than a thousandth of the median edge.
+    pub origin: [f64; 3],
 }
 
 /// Lambert reflection, with a share of mirror reflection or of transmission.

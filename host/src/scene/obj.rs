@@ -6,7 +6,7 @@ mod lines;
 mod materials;
 
 use super::faces::unit_or_zero;
-use super::load::Source;
+use super::load::{Found, Source};
 use super::{LoadError, Material, Scene};
 use crate::{Mesh, Part};
 use lines::{BrokenFace, Fault, Lines};
@@ -16,7 +16,7 @@ use std::cell::RefCell;
 const NO_NAME: &str = "unnamed_object";
 
 /// Reads all polygons, with a part for each named group or object. Lines and points are skipped.
-pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
     let text = String::from_utf8_lossy(&bytes);
     // `tobj` reports such faces late and without their line, or overflows at their indices.
     let mut broken = Vec::new();
@@ -64,7 +64,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         append(&mut scene.mesh, model, scene.materials.len());
     }
     tidy(&mut scene);
-    Ok(scene)
+    Ok(scene.into())
 }
 
 /// Adds a model's triangles, with `default_material` if the model has none.

@@ -1,13 +1,13 @@
 //! OFF: counts, vertices and polygons, one a line of text. After <http://www.geomview.org/docs/html/OFF.html>.
 
+use super::LoadError;
 use super::error::excerpt;
 use super::faces::{FaceSite, Faces, unit_or_zero};
-use super::load::Source;
-use super::{LoadError, Scene};
+use super::load::{Found, Source};
 use std::str::FromStr;
 
 /// Reads OFF with the prefixes C, N and ST. Colors and texture coordinates are skipped.
-pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
     let text = String::from_utf8_lossy(&bytes);
     let mut lines = Lines::new(text.trim_start_matches('\u{feff}'));
     let cut = || LoadError::HeaderCut {
@@ -37,15 +37,19 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
 
     // The header's count reserves no more than the text can hold: a vertex takes 6 bytes at least.
     let believed = vertex_count.min(bytes.len() as u64 / 6) as usize;
-    faces.mesh.vertices.reserve(believed);
+    faces.vertices.reserve(believed);
     for found in 0..vertex_count {
         let mut line = lines
             .next()
             .ok_or_else(|| early("vertices", vertex_count, found))?;
         line.needed = if has_normals { 6 } else { 3 };
-        faces.mesh.vertices.push(line.vector(source)?);
+        faces.vertices.push(line.vector(source)?);
         if has_normals {
-            faces.mesh.normals.push(unit_or_zero(line.vector(source)?));
+            let normal: [f64; 3] = line.vector(source)?;
+            faces
+                .mesh
+                .normals
+                .push(unit_or_zero(normal.map(|x| x as f32)));
         }
     }
 
@@ -72,7 +76,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
         };
         faces.polygon(&corners, run, place)?;
     }
-    Ok(faces.into_scene())
+    Ok(faces.into_found())
 }
 
 /// Whether the keyword says that vertices have normals.
@@ -157,7 +161,7 @@ impl Line<'_> {
         })
     }
 
-    fn vector(&mut self, source: &Source<'_>) -> Result<[f32; 3], LoadError> {
+    fn vector(&mut self, source: &Source<'_>) -> Result<[f64; 3], LoadError> {
         Ok([
             self.number("a number", source)?,
             self.number("a number", source)?,

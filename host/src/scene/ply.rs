@@ -5,10 +5,11 @@
 
 mod rows;
 
+use super::LoadError;
 use super::error::excerpt;
 use super::faces::{FaceSite, Faces, unit_or_zero};
-use super::load::Source;
-use super::{LoadError, Scene};
+use super::load::{Found, Source};
+use super::vertices::Vertices;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, ElementDef, PropertyType, ScalarType};
 use rows::{Fault, Rows};
@@ -18,7 +19,7 @@ use std::io::ErrorKind;
 const KEPT: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
 /// Reads the elements `vertex` and `face`, and skips all others.
-pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
     // Read the header; the rest are the rows.
     let mut reader = Reader::new(bytes.as_slice());
     let header = Parser::<DefaultElement>::new()
@@ -39,7 +40,7 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadErr
             _ => skip(&mut rows, element, source)?,
         }
     }
-    Ok(faces.into_scene())
+    Ok(faces.into_found())
 }
 
 fn read_vertices(
@@ -70,23 +71,32 @@ fn read_vertices(
     let believed = element
         .count
         .min(rows.byte_count() / element.properties.len().max(1));
-    faces.mesh.vertices.reserve(believed);
+    let is_float = |name: &str| {
+        let property = element.properties.get(name);
+        let float = PropertyType::Scalar(ScalarType::Float);
+        property.is_some_and(|p| p.data_type == float)
+    };
+    if !rows.is_text() && KEPT[..3].iter().all(|name| is_float(name)) {
+        faces.vertices = Vertices::Narrow(Vec::new());
+    }
+    faces.vertices.reserve(believed);
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
-        let mut kept = [0.0_f32; KEPT.len()];
+        let mut kept = [0.0_f64; KEPT.len()];
         for (place, data_type) in &plan {
             match (place, data_type) {
                 (Some(place), PropertyType::Scalar(kind)) => {
-                    kept[*place] = rows.number(kind).map_err(fault)? as f32;
+                    kept[*place] = rows.number(kind).map_err(fault)?;
                 }
                 _ => rows.skip(data_type).map_err(fault)?,
             }
         }
         let [x, y, z, nx, ny, nz] = kept;
-        faces.mesh.vertices.push([x, y, z]);
+        faces.vertices.push([x, y, z]);
         if has_normals {
-            faces.mesh.normals.push(unit_or_zero([nx, ny, nz]));
+            let normal = [nx, ny, nz].map(|x| x as f32);
+            faces.mesh.normals.push(unit_or_zero(normal));
         }
     }
     Ok(())

@@ -33,7 +33,7 @@
 //!  9 lights          64  color (3), kind (0 sun, 1 point, 2 disc, 3 rectangle), direction or place (3), range, first half
 //!                        edge (3), 0, second half edge (3), 0
 //! 10 scene           64  box to be framed: min (3), whether there is one, max (3), 0; number of faces that a lenient loader
-//!                        dropped, zeros (7)
+//!                        dropped, 0, local origin (three numbers of 8 bytes)
 //! 11 hierarchy      128  codec of nodes (0 in full, 1 paper10, 2 the laboratory's lattice; of up to four children: 3 in full, 4 of 64 bytes, 5
 //!                        of 48), bits of a plane on the lattice, codec of triangles (0 in full, 1 in 10 bits, 2 lattice), number
 //!                        of triangles, that of the mesh, depth bound, scene
@@ -64,7 +64,7 @@ pub use layout::Section;
 pub use read::read;
 pub use write::write;
 
-use super::load::{Source, read_file};
+use super::load::{Found, Source, read_file};
 use super::{LoadError, Scene};
 use crate::{Aabb, Bvh};
 use std::path::Path;
@@ -94,9 +94,9 @@ pub fn load(path: &Path, max_file_bytes: u64) -> Result<Saved, LoadError> {
 }
 
 /// The scene in a file, after the whole file was checked.
-pub(super) fn read_scene(source: &Source<'_>, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+pub(super) fn read_scene(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
     match read(&bytes) {
-        Ok(saved) => Ok(saved.scene),
+        Ok(saved) => Ok(saved.scene.into()),
         Err(error) => Err(LoadError::Saved {
             file: source.file.clone(),
             error,

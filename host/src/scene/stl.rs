@@ -3,7 +3,7 @@
 //! `stl_io` reads the triangles. It takes any file that starts with `solid ` for text, stops at the first `endsolid`, and
 //! trusts a binary file's count; this module checks all three first.
 
-use super::load::Source;
+use super::load::{Found, Source};
 use super::{LoadError, Scene};
 use crate::{Mesh, Part};
 use std::collections::HashMap;
@@ -15,7 +15,7 @@ const HEADER_BYTES: usize = 84;
 const TRIANGLE_BYTES: usize = 50;
 
 /// Reads text, with a part for each solid, or binary.
-pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Scene, LoadError> {
+pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Found, LoadError> {
     let mut weld = Weld::new(source);
     if is_text(&bytes) {
         // The reader knows lower case only.
@@ -40,11 +40,12 @@ pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Scene, Loa
         bytes[..HEADER_BYTES - 4].fill(0);
         weld.triangles(&bytes)?;
     }
-    Ok(Scene {
+    let scene = Scene {
         mesh: weld.mesh,
         dropped_face_count: weld.dropped_count,
         ..Scene::default()
-    })
+    };
+    Ok(scene.into())
 }
 
 /// Whether the file starts with `solid` and is not binary; length and zero bytes reveal a binary file that starts so.

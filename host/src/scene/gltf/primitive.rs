@@ -52,9 +52,11 @@ pub(super) fn append(
     // Place the vertices.
     let run = flat.faces.next_run(positions.len())?;
     let mesh = &mut flat.faces.mesh;
-    let first_vertex = mesh.vertices.len();
+    let first_vertex = flat.faces.vertices.len();
     let place = |p: [f32; 3]| transform.transform_point3(Vec3::from_array(p)).to_array();
-    mesh.vertices.extend(positions.into_iter().map(place));
+    for position in positions {
+        flat.faces.vertices.push(place(position).map(f64::from));
+    }
     if !normals.is_empty() {
         let turn = normal_matrix(transform);
         mesh.normals.resize(first_vertex, [0.0; 3]);
@@ -62,7 +64,7 @@ pub(super) fn append(
         mesh.normals
             .extend(turned.map(|n| unit_or_zero(n.to_array())));
     } else if !mesh.normals.is_empty() {
-        mesh.normals.resize(mesh.vertices.len(), [0.0; 3]);
+        mesh.normals.resize(flat.faces.vertices.len(), [0.0; 3]);
     }
 
     // A mirroring transform flips triangles, so flip them back.

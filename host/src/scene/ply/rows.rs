@@ -63,6 +63,11 @@ impl<'a> Rows<'a> {
         Self { rest, form }
     }
 
+    /// Whether rows are text.
+    pub const fn is_text(&self) -> bool {
+        matches!(self.form, Form::Text(_))
+    }
+
     /// The number of bytes left.
     pub fn byte_count(&self) -> usize {
         self.rest.len()
@@ -98,11 +103,11 @@ impl<'a> Rows<'a> {
         Ok(())
     }
 
-    /// The next number, of the kind that the header declares. Text is rounded to that kind only if it is `float`.
+    /// The next number, of the kind that the header declares. Text is read as `f64`, whatever that is.
     #[inline]
     pub fn number(&mut self, kind: &ScalarType) -> Result<f64, Fault> {
         match &mut self.form {
-            Form::Text(row) => row.number(kind),
+            Form::Text(row) => row.number(),
             Form::Bytes { big_endian } => {
                 let big_endian = *big_endian;
                 self.binary(kind, big_endian)
@@ -192,7 +197,7 @@ impl<'a> Rows<'a> {
 }
 
 impl TextRow<'_> {
-    fn number(&mut self, kind: &ScalarType) -> Result<f64, Fault> {
+    fn number(&mut self) -> Result<f64, Fault> {
         if self.rest.is_empty() {
             return Err(Fault::TooFew {
                 line: self.line,
@@ -206,12 +211,7 @@ impl TextRow<'_> {
         self.found += 1;
 
         let text = std::str::from_utf8(word).ok();
-        let number = match kind {
-            ScalarType::Float => text
-                .and_then(|text| text.parse::<f32>().ok())
-                .map(f64::from),
-            _ => text.and_then(|text| text.parse().ok()),
-        };
+        let number = text.and_then(|text| text.parse().ok());
         number.ok_or_else(|| Fault::Word {
             line: self.line,
             text: excerpt(&String::from_utf8_lossy(word)),

@@ -239,6 +239,8 @@ pub(super) fn scene(file: &Sections) -> Result<(Scene, Option<Aabb>), FileError>
         cameras: file.records(Section::Cameras, CameraRecord::camera)?,
         lights: file.records(Section::Lights, LightRecord::light)?,
         dropped_face_count: record.dropped_face_count as usize,
+        left_out: Vec::new(),
+        origin: record.origin().unwrap_or_default(),
     };
     if is_same(&scene_record(&scene, framing), &record) {
         Ok((scene, framing))

@@ -270,8 +270,25 @@ pub struct SceneRecord {
     pub framing: BoxRecord,
     /// Bytes 32–35: faces that a lenient loader dropped.
     pub dropped_face_count: u32,
-    /// Bytes 36–63: zeros.
-    pub zeros: [u32; 7],
+    /// Bytes 36–39.
+    pub zero: u32,
+    /// Bytes 40–63: the local origin, three `f64`, their low words first.
+    pub origin: [[u32; 2]; 3],
+}
+
+impl SceneRecord {
+    /// The words of a local origin.
+    pub fn origin_words(origin: [f64; 3]) -> [[u32; 2]; 3] {
+        let words = |bits: u64| [bits as u32, (bits >> 32) as u32];
+        origin.map(|x| words(x.to_bits()))
+    }
+
+    /// The local origin; `None` if it is not finite.
+    pub fn origin(&self) -> Option<[f64; 3]> {
+        let bits = |[low, high]: [u32; 2]| u64::from(low) | u64::from(high) << 32;
+        let origin = self.origin.map(|words| f64::from_bits(bits(words)));
+        origin.iter().all(|x| x.is_finite()).then_some(origin)
+    }
 }
 
 const _: () = assert!(size_of::<SceneRecord>() == 64);

@@ -84,7 +84,8 @@ pub fn scene_record(scene: &Scene, framing: Option<Aabb>) -> SceneRecord {
     SceneRecord {
         framing: framing.into(),
         dropped_face_count: scene.dropped_face_count.try_into().unwrap_or(u32::MAX),
-        zeros: [0; 7],
+        zero: 0,
+        origin: SceneRecord::origin_words(scene.origin),
     }
 }
 

@@ -1,0 +1,191 @@
+//! Positions as a file has them, and their local origin.
+
+use glam::DVec3;
+
+/// The mantissa bits of an `f32`, the hidden one included.
+const F32_BITS: i32 = 24;
+
+/// Edges looked at, at most.
+const MOST_EDGES: usize = 1 << 16;
+
+/// Positions as a file has them.
+pub(super) enum Vertices {
+    /// In `f32`: nothing is lost.
+    Narrow(Vec<[f32; 3]>),
+    /// In `f64`: what is narrowed may be rounded.
+    Wide(Vec<[f64; 3]>),
+}
+
+impl Default for Vertices {
+    fn default() -> Self {
+        Self::Wide(Vec::new())
+    }
+}
+
+impl Vertices {
+    pub const fn len(&self) -> usize {
+        match self {
+            Self::Narrow(list) => list.len(),
+            Self::Wide(list) => list.len(),
+        }
+    }
+
+    pub fn reserve(&mut self, count: usize) {
+        match self {
+            Self::Narrow(list) => list.reserve(count),
+            Self::Wide(list) => list.reserve(count),
+        }
+    }
+
+    pub fn push(&mut self, position: [f64; 3]) {
+        match self {
+            Self::Narrow(list) => list.push(position.map(|x| x as f32)),
+            Self::Wide(list) => list.push(position),
+        }
+    }
+
+    pub fn get(&self, vertex: u32) -> Option<[f64; 3]> {
+        match self {
+            Self::Narrow(list) => list.get(vertex as usize).map(|v| v.map(f64::from)),
+            Self::Wide(list) => list.get(vertex as usize).copied(),
+        }
+    }
+
+    /// The positions in `f32` around a local origin, and that origin: zero where `f32` suffices.
+    pub fn narrowed(self, triangles: &[[u32; 3]]) -> (Vec<[f32; 3]>, [f64; 3]) {
+        match self {
+            Self::Narrow(list) => (list, [0.0; 3]),
+            Self::Wide(list) => {
+                let origin = local_origin(&list, triangles);
+                let near = |v: &[f64; 3]| [0, 1, 2].map(|i| (v[i] - origin[i]) as f32);
+                (list.iter().map(near).collect(), origin)
+            }
+        }
+    }
+}
+
+/// The origin to take off before narrowing: near the middle of the box, if `f32` would lose more than a thousandth of the median edge
+/// without, and less with it. Else zero.
+pub(super) fn local_origin(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> [f64; 3] {
+    // Most files are near: then rounding is far below any edge, and nobody looks at edges.
+    let lost = vertices
+        .iter()
+        .flatten()
+        .map(|&x| (x - f64::from(x as f32)).abs())
+        .filter(|lost| lost.is_finite())
+        .fold(0.0, f64::max);
+    if lost == 0.0 {
+        return [0.0; 3];
+    }
+    let Some(edge) = median_edge(vertices, triangles) else {
+        return [0.0; 3];
+    };
+    if lost * 1000.0 <= edge {
+        return [0.0; 3];
+    }
+    let corners = triangles.iter().flatten();
+    let corners = corners.filter_map(|&corner| vertices.get(corner as usize));
+    let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for corner in corners.map(|&corner| DVec3::from(corner)) {
+        if corner.is_finite() {
+            (min, max) = (min.min(corner), max.max(corner));
+        }
+    }
+    let (extent, far) = (max - min, min.abs().max(max.abs()).max_element());
+    let middle = (min + max) / 2.0;
+    // Where the box reaches around zero anyway, taking its middle off gains less than a bit.
+    if !middle.is_finite() || extent.max_element() > far {
+        return [0.0; 3];
+    }
+    // A short number: few bits, so that it can be written down, and subtracted without rounding.
+    let step = power_of_two_below(extent.max_element());
+    (middle / step).round().to_array().map(|steps| steps * step)
+}
+
+/// The largest power of two that is no larger, and not below the last bits of an `f32`; 1 for zero.
+fn power_of_two_below(x: f64) -> f64 {
+    if x > 0.0 {
+        x.log2().floor().max(f64::from(-126 + F32_BITS)).exp2()
+    } else {
+        1.0
+    }
+}
+
+/// The median length of edges that are not points, of some triangles.
+fn median_edge(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Option<f64> {
+    let step = (3 * triangles.len()).div_ceil(MOST_EDGES).max(1);
+    let mut lengths: Vec<f64> = triangles
+        .iter()
+        .step_by(step)
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+        .filter_map(|[a, b]| {
+            let [a, b] =
+                [a, b].map(|vertex| vertices.get(vertex as usize).map(|&v| DVec3::from(v)));
+            let length = a?.distance(b?);
+            (length > 0.0 && length.is_finite()).then_some(length)
+        })
+        .collect();
+    let middle = lengths.len() / 2;
+    if lengths.is_empty() {
+        return None;
+    }
+    let (_, median, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
+    Some(*median)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A strip of triangles with edges of this length, from here on.
+    fn strip(begin: [f64; 3], edge: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+        let vertex = |i: u32| {
+            let [x, y, z] = begin;
+            [
+                x + 0.5 * edge * f64::from(i),
+                y + edge * f64::from(i % 2),
+                z,
+            ]
+        };
+        let vertices = (0..100).map(vertex).collect();
+        (vertices, (0..98).map(|i| [i, i + 1, i + 2]).collect())
+    }
+
+    #[test]
+    fn far_vertices_have_a_local_origin() {
+        let begin = [500_123.4, 4_649_776.2, 212.0];
+        let (vertices, triangles) = strip(begin, 0.1);
+        let origin = local_origin(&vertices, &triangles);
+        let (near, found) = Vertices::Wide(vertices.clone()).narrowed(&triangles);
+        assert_eq!(found, origin);
+        for (near, far) in near.iter().zip(&vertices) {
+            for i in 0..3 {
+                let restored = f64::from(near[i]) + origin[i];
+                assert!((restored - far[i]).abs() < 1e-6, "{near:?} {far:?}");
+                assert!(near[i].abs() < 16.0);
+            }
+        }
+        assert_eq!(origin.map(|x| x % 4.0), [0.0; 3], "{origin:?}");
+    }
+
+    #[test]
+    fn near_vertices_stay_where_they_are() {
+        for (begin, edge) in [
+            ([0.1, 0.2, 0.3], 0.1),
+            ([100.1, -3.0, 0.0], 0.1),
+            ([1e6, 1e6, 0.0], 1000.7),
+            // Far, but every coordinate is a number of `f32`.
+            ([4_194_304.0, 4_194_304.0, 0.0], 2.0),
+        ] {
+            let (vertices, triangles) = strip(begin, edge);
+            assert_eq!(local_origin(&vertices, &triangles), [0.0; 3], "{begin:?}");
+        }
+        // Around zero nothing is won.
+        let (mut vertices, triangles) = strip([0.0; 3], 0.1);
+        vertices[0] = [-1e7, 0.0, 0.0];
+        vertices[1] = [1e7, 0.0, 0.0];
+        assert_eq!(local_origin(&vertices, &triangles), [0.0; 3]);
+        assert_eq!(local_origin(&[], &[]), [0.0; 3]);
+        assert_eq!(local_origin(&[[f64::NAN; 3]; 3], &[[0, 1, 2]]), [0.0; 3]);
+    }
+}
