@@ -2,7 +2,7 @@
 
 mod light;
 
-pub use light::light;
+pub use light::{LightOption, light};
 
 use slimbvh::{Camera, Projection, Tolerance};
 use std::str::FromStr;
@@ -78,8 +78,9 @@ pub fn tolerance(text: &str) -> Result<Tolerance, String> {
 /// The parts that `--camera` gives. The scene's camera or the default one supplies the rest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CameraOption {
-    eye: Option<[f32; 3]>,
-    target: Option<[f32; 3]>,
+    /// In the file's own coordinates.
+    eye: Option<[f64; 3]>,
+    target: Option<[f64; 3]>,
     up: Option<[f32; 3]>,
     projection: Option<Projection>,
     lens: Option<f32>,
@@ -87,13 +88,18 @@ pub struct CameraOption {
 }
 
 impl CameraOption {
-    /// Replaces the given parts of `camera`. A lens without a focus distance focuses on the target.
+    /// Replaces the given parts of a scene's `camera`. A lens without a focus distance focuses on the target. `near` takes a position in
+    /// the file's own coordinates to the scene's ([`slimbvh::Scene::to_local`]).
     ///
     /// # Errors
     /// For a lens on a camera with parallel rays.
-    pub fn apply(&self, camera: &mut Camera) -> Result<(), String> {
-        camera.eye = self.eye.unwrap_or(camera.eye);
-        camera.target = self.target.unwrap_or(camera.target);
+    pub fn apply(
+        &self,
+        camera: &mut Camera,
+        near: impl Fn([f64; 3]) -> [f32; 3],
+    ) -> Result<(), String> {
+        camera.eye = self.eye.map_or(camera.eye, &near);
+        camera.target = self.target.map_or(camera.target, &near);
         camera.up = self.up.unwrap_or(camera.up);
         camera.projection = self.projection.unwrap_or(camera.projection);
         let Some(radius) = self.lens else {
@@ -133,8 +139,8 @@ impl FromStr for CameraOption {
         let mut camera = Self::default();
         for (key, value) in pairs(text)? {
             match key {
-                "eye" => camera.eye = Some(vector(value)?),
-                "target" => camera.target = Some(vector(value)?),
+                "eye" => camera.eye = Some(place(value)?),
+                "target" => camera.target = Some(place(value)?),
                 "up" => camera.up = Some(vector(value)?),
                 "fov" => {
                     camera.projection = Some(Projection::Perspective {
@@ -187,6 +193,19 @@ fn vector(text: &str) -> Result<[f32; 3], String> {
         .map_err(|_| format!("{text:?} is not three numbers X,Y,Z"))
 }
 
+/// A position in the file's own coordinates.
+fn place(text: &str) -> Result<[f64; 3], String> {
+    // What a scene holds is finite in `f32`.
+    vector(text)?;
+    let numbers: Vec<f64> = text
+        .split(',')
+        .map_while(|word| word.parse().ok())
+        .collect();
+    numbers
+        .try_into()
+        .map_err(|_| format!("{text:?} is not three numbers X,Y,Z"))
+}
+
 fn number(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(x) if x.is_finite() => Ok(x),
@@ -215,6 +234,28 @@ mod tests {
         }
     }
 
+    fn here(position: [f64; 3]) -> [f32; 3] {
+        position.map(|x| x as f32)
+    }
+
+    /// Positions are those of the file, however far away its local origin is.
+    #[test]
+    fn cameras_are_in_the_files_coordinates() {
+        let origin = [500_000.0, 4_649_776.0, 0.0];
+        let near = |at: [f64; 3]| [0, 1, 2].map(|i| (at[i] - origin[i]) as f32);
+        let option: CameraOption = "eye=500123.4,4649776.2,3 up=0,0,1".parse().unwrap();
+        let mut camera = Camera {
+            eye: [0.0; 3],
+            target: [4.0, 5.0, 6.0],
+            up: [0.0, 1.0, 0.0],
+            projection: Projection::Orthographic { height: 2.0 },
+        };
+        assert_eq!(option.apply(&mut camera, near), Ok(()));
+        assert_eq!(camera.eye, [123.4, 0.2, 3.0]);
+        assert_eq!(camera.target, [4.0, 5.0, 6.0]);
+        assert_eq!(camera.up, [0.0, 0.0, 1.0]);
+    }
+
     #[test]
     fn cameras_keep_what_is_not_given() {
         let option: CameraOption = "eye=1,2,3; fov=50".parse().unwrap();
@@ -224,7 +265,7 @@ mod tests {
             up: [0.0, 0.0, 1.0],
             projection: Projection::Orthographic { height: 2.0 },
         };
-        assert_eq!(option.apply(&mut camera), Ok(()));
+        assert_eq!(option.apply(&mut camera, here), Ok(()));
         assert_eq!(
             (camera.eye, camera.target),
             ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0])
@@ -257,7 +298,7 @@ mod tests {
         };
         let mut camera = parallel;
         let option: CameraOption = "lens=0.25 fov=50".parse().unwrap();
-        assert_eq!(option.apply(&mut camera), Ok(()));
+        assert_eq!(option.apply(&mut camera, here), Ok(()));
         // The distance to the target is 5.
         let expected = |radius, focus_distance| Projection::ThinLens {
             vertical_fov: 50.0,
@@ -266,8 +307,8 @@ mod tests {
         };
         assert_eq!(camera.projection, expected(0.25, 5.0));
         let option: CameraOption = "lens=0.5;focus=2".parse().unwrap();
-        assert_eq!(option.apply(&mut camera), Ok(()));
+        assert_eq!(option.apply(&mut camera, here), Ok(()));
         assert_eq!(camera.projection, expected(0.5, 2.0));
-        assert!(option.apply(&mut parallel.clone()).is_err());
+        assert!(option.apply(&mut parallel.clone(), here).is_err());
     }
 }

@@ -1,9 +1,9 @@
 //! Options of a picture, and preparation of the scene for it.
 
-use crate::options::{self, CameraOption};
+use crate::options::{self, CameraOption, LightOption};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use slimbvh::{Aabb, CodeBits, Light, RenderSettings, Scene, TreeKind, View};
+use slimbvh::{Aabb, CodeBits, RenderSettings, Scene, TreeKind, View};
 
 /// Size, camera and lights of a picture.
 #[derive(Debug, Args)]
@@ -13,7 +13,7 @@ pub struct SightArguments {
     pub size: [u32; 2],
 
     /// Camera, any of the parts "eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES lens=RADIUS focus=DISTANCE", or height=H in
-    /// place of fov for parallel rays. A lens without focus is sharp at the target
+    /// place of fov for parallel rays. A lens without focus is sharp at the target. Positions are in the file's own coordinates
     #[arg(long, value_name = "PARTS")]
     pub camera: Option<CameraOption>,
 
@@ -21,7 +21,7 @@ pub struct SightArguments {
     /// light, "point=X,Y,Z color=R,G,B range=D", or for soft shadows "disc=X,Y,Z normal=X,Y,Z radius=R" or
     /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", whose edges are half its sides and which shines along edge1 x edge2
     #[arg(long, value_name = "PARTS", value_parser = options::light)]
-    pub light: Vec<Light>,
+    pub light: Vec<LightOption>,
 }
 
 /// Width of the Morton codes, and how the tree is built over them.
@@ -135,13 +135,18 @@ impl SightArguments {
     /// default camera frames `framing`, or else the scene's bounds.
     pub fn prepare(&self, scene: &mut Scene, name: &str, framing: Option<Aabb>) -> Result<()> {
         if !self.light.is_empty() {
-            scene.lights.clone_from(&self.light);
+            let lights = self.light.iter();
+            scene.lights = lights
+                .map(|option| option.light(|at| scene.to_local(at)))
+                .collect();
         }
         scene.mesh.validate().with_context(|| name.to_owned())?;
         scene.complete(framing.or_else(|| scene.mesh.bounds()), self.size);
         if let Some(camera) = &self.camera {
-            let applied = camera.apply(&mut scene.cameras[0]);
+            let mut first = scene.cameras[0];
+            let applied = camera.apply(&mut first, |at| scene.to_local(at));
             applied.map_err(anyhow::Error::msg)?;
+            scene.cameras[0] = first;
         }
         Ok(())
     }

@@ -43,7 +43,7 @@ pub use frame::{FrameReport, FrameRequest, Frames};
 pub use mesh::{Mesh, MeshError, Part};
 pub use picture::{Picture, PictureMean, RenderReport, RenderSettings, View};
 pub use reduce::ViewTarget;
-pub use scene::{AreaShape, Camera, Light, Material, Projection, Scene, ViewError};
+pub use scene::{AreaShape, Camera, LeftOut, Light, Material, Projection, Scene, Up, ViewError};
 pub use slimbvh_core::ray::PreparedRay;
 pub use slimbvh_core::tile::Tiles;
 pub use slimbvh_core::trace::Collector;

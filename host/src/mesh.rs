@@ -1,10 +1,13 @@
 //! Indexed triangle meshes and their validation.
 
 mod error;
+mod local;
 mod snap;
 
 use crate::text::excerpt;
 pub use error::MeshError;
+#[cfg(feature = "scenes")]
+pub(crate) use local::narrowed;
 use slimbvh_core::IndexedTriangles;
 
 /// Triangles as indices into shared vertices; counter-clockwise is front.

@@ -1,6 +1,6 @@
 //! The parser of `--light`.
 
-use super::{number, pairs, vector};
+use super::{number, pairs, place, vector};
 use slimbvh::{AreaShape, Light};
 
 const KINDS: &str = "give one of sun=X,Y,Z, the direction of its light, or point=X,Y,Z, disc=X,Y,Z, rectangle=X,Y,Z, \
@@ -10,9 +10,10 @@ const KINDS: &str = "give one of sun=X,Y,Z, the direction of its light, or point
 #[derive(Debug, Default)]
 struct Parts {
     sun: Option<[f32; 3]>,
-    point: Option<[f32; 3]>,
-    disc: Option<[f32; 3]>,
-    rectangle: Option<[f32; 3]>,
+    /// In the file's own coordinates, as the next two.
+    point: Option<[f64; 3]>,
+    disc: Option<[f64; 3]>,
+    rectangle: Option<[f64; 3]>,
     normal: Option<[f32; 3]>,
     radius: Option<f32>,
     edge1: Option<[f32; 3]>,
@@ -21,11 +22,34 @@ struct Parts {
     range: Option<f32>,
 }
 
+/// A light that is given on the command line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LightOption {
+    light: Light,
+    /// Where it is in the file's own coordinates, if it is anywhere.
+    place: Option<[f64; 3]>,
+}
+
+impl LightOption {
+    /// The light in a scene. `near` takes a position in the file's own coordinates to the scene's
+    /// ([`slimbvh::Scene::to_local`]).
+    pub fn light(&self, near: impl Fn([f64; 3]) -> [f32; 3]) -> Light {
+        let mut light = self.light;
+        match (&mut light, self.place) {
+            (Light::Point { position: at, .. } | Light::Area { center: at, .. }, Some(place)) => {
+                *at = near(place)
+            }
+            _ => {}
+        }
+        light
+    }
+}
+
 /// Parses a light.
 ///
 /// # Errors
 /// For unknown, missing or incompatible parts.
-pub fn light(text: &str) -> Result<Light, String> {
+pub fn light(text: &str) -> Result<LightOption, String> {
     let parts = Parts::parse(text)?;
     let (
         Parts { sun, point, .. },
@@ -33,24 +57,36 @@ pub fn light(text: &str) -> Result<Light, String> {
             disc, rectangle, ..
         },
     ) = (&parts, &parts);
-    match (*sun, *point, *disc, *rectangle) {
+    let narrow = |place: [f64; 3]| place.map(|x| x as f32);
+    let light = match (*sun, *point, *disc, *rectangle) {
         (Some(direction), None, None, None) => parts.sun(direction),
-        (None, Some(position), None, None) => parts.point(position),
-        (None, None, Some(center), None) => parts.disc(center),
-        (None, None, None, Some(center)) => parts.rectangle(center),
+        (None, Some(position), None, None) => parts.point(narrow(position)),
+        (None, None, Some(center), None) => parts.disc(narrow(center)),
+        (None, None, None, Some(center)) => parts.rectangle(narrow(center)),
         _ => Err(KINDS.into()),
-    }
+    }?;
+    let place = point.or(*disc).or(*rectangle);
+    Ok(LightOption { light, place })
 }
 
 impl Parts {
     fn parse(text: &str) -> Result<Self, String> {
         let mut parts = Self::default();
         for (key, value) in pairs(text)? {
-            let place = match key {
+            let given = match key {
+                "point" => {
+                    parts.point = Some(place(value)?);
+                    continue;
+                }
+                "disc" => {
+                    parts.disc = Some(place(value)?);
+                    continue;
+                }
+                "rectangle" => {
+                    parts.rectangle = Some(place(value)?);
+                    continue;
+                }
                 "sun" => &mut parts.sun,
-                "point" => &mut parts.point,
-                "disc" => &mut parts.disc,
-                "rectangle" => &mut parts.rectangle,
                 "normal" => &mut parts.normal,
                 "edge1" => &mut parts.edge1,
                 "edge2" => &mut parts.edge2,
@@ -70,7 +106,7 @@ impl Parts {
                     ));
                 }
             };
-            *place = Some(vector(value)?);
+            *given = Some(vector(value)?);
         }
         Ok(parts)
     }
@@ -162,15 +198,17 @@ mod tests {
 
     #[test]
     fn lights() {
+        let near = |position: [f64; 3]| position.map(|x| x as f32);
+        let read = |text: &str| light(text).map(|option| option.light(near));
         assert_eq!(
-            light("sun=0,-1,0.5"),
+            read("sun=0,-1,0.5"),
             Ok(Light::Directional {
                 direction: [0.0, -1.0, 0.5],
                 color: [3.0; 3]
             })
         );
         assert_eq!(
-            light("point=1,2,3 color=4,5,6 range=7"),
+            read("point=1,2,3 color=4,5,6 range=7"),
             Ok(Light::Point {
                 position: [1.0, 2.0, 3.0],
                 color: [4.0, 5.0, 6.0],
@@ -178,7 +216,7 @@ mod tests {
             })
         );
         assert_eq!(
-            light("rectangle=1,2,3 edge1=4,0,0;edge2=0,0,5 range=7"),
+            read("rectangle=1,2,3 edge1=4,0,0;edge2=0,0,5 range=7"),
             Ok(Light::Area {
                 center: [1.0, 2.0, 3.0],
                 half_edges: [[4.0, 0.0, 0.0], [0.0, 0.0, 5.0]],
@@ -188,7 +226,7 @@ mod tests {
             })
         );
         assert_eq!(
-            light("disc=1,2,3 normal=0,-1,0 radius=0.5 color=4,5,6"),
+            read("disc=1,2,3 normal=0,-1,0 radius=0.5 color=4,5,6"),
             Ok(Light::disc(
                 [1.0, 2.0, 3.0],
                 [0.0, -1.0, 0.0],
@@ -196,6 +234,16 @@ mod tests {
                 [4.0, 5.0, 6.0]
             ))
         );
+        let origin = 4_649_776.0;
+        let point = light("point=4649776.2,4649777,0");
+        let point = point.map(|option| option.light(|at| at.map(|x| (x - origin) as f32)));
+        assert!(matches!(
+            point,
+            Ok(Light::Point {
+                position: [0.2, 1.0, _],
+                ..
+            })
+        ));
         for bad in [
             "",
             "color=1,1,1",

@@ -125,19 +125,22 @@ impl Found {
         if origin == [0.0; 3] {
             return scene;
         }
-        let near = |at: &[f64; 3]| [0, 1, 2].map(|i| (at[i] - origin[i]) as f32);
-        for (camera, [eye, target]) in scene.cameras.iter_mut().zip(&cameras) {
-            (camera.eye, camera.target) = (near(eye), near(target));
+        scene.origin = origin;
+        for (place, [eye, target]) in cameras.into_iter().enumerate() {
+            let [eye, target] = [eye, target].map(|at| scene.to_local(at));
+            if let Some(camera) = scene.cameras.get_mut(place) {
+                (camera.eye, camera.target) = (eye, target);
+            }
         }
-        for (light, place) in scene.lights.iter_mut().zip(&lights) {
-            match light {
-                Light::Directional { .. } => {}
-                Light::Point { position: at, .. } | Light::Area { center: at, .. } => {
-                    *at = near(place);
+        for (place, at) in lights.into_iter().enumerate() {
+            let near = scene.to_local(at);
+            match scene.lights.get_mut(place) {
+                None | Some(Light::Directional { .. }) => {}
+                Some(Light::Point { position: at, .. } | Light::Area { center: at, .. }) => {
+                    *at = near;
                 }
             }
         }
-        scene.origin = origin;
         scene
     }
 }

@@ -26,6 +26,7 @@ mod stl;
 mod target;
 #[cfg(all(test, feature = "scenes"))]
 mod tests;
+#[cfg(feature = "scenes")]
 mod vertices;
 mod view;
 
@@ -62,6 +63,41 @@ pub struct Scene {
     /// What was taken off all positions, of cameras and lights, too: add it to a position for that in the file's own coordinates. Zero
     /// unless these are so far away that `f32` would lose more than a thousandth of the median edge.
     pub origin: [f64; 3],
+    /// Which axis points up.
+    pub up: Up,
+}
+
+impl Scene {
+    /// A position in the file's own coordinates, as the scene has it: without its [`origin`](Self::origin).
+    ///
+    /// ```
+    /// # use slimbvh::Scene;
+    /// let scene = Scene { origin: [500_000.0, 4_600_000.0, 0.0], ..Scene::default() };
+    /// let local = scene.to_local([500_123.5, 4_600_001.0, 7.0]);
+    /// assert_eq!(local, [123.5, 1.0, 7.0]);
+    /// assert_eq!(scene.to_file(local), [500_123.5, 4_600_001.0, 7.0]);
+    /// ```
+    #[must_use]
+    pub fn to_local(&self, position: [f64; 3]) -> [f32; 3] {
+        [0, 1, 2].map(|i| (position[i] - self.origin[i]) as f32)
+    }
+
+    /// The inverse of [`Self::to_local`]: a hit's position, say, in the file's own coordinates.
+    #[must_use]
+    pub fn to_file(&self, position: [f32; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| f64::from(position[i]) + self.origin[i])
+    }
+}
+
+/// Which axis points up: for the default camera and light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
+pub enum Up {
+    /// Y, as in glTF.
+    #[default]
+    Y,
+    /// Z, as in maps, plans and many CAD programs.
+    Z,
 }
 
 /// Lambert reflection, with a share of mirror reflection or of transmission.

@@ -33,7 +33,7 @@
 //!  9 lights          64  color (3), kind (0 sun, 1 point, 2 disc, 3 rectangle), direction or place (3), range, first half
 //!                        edge (3), 0, second half edge (3), 0
 //! 10 scene           64  box to be framed: min (3), whether there is one, max (3), 0; number of faces that a lenient loader
-//!                        dropped, 0, local origin (three numbers of 8 bytes)
+//!                        dropped, whether z points up, local origin (three numbers of 8 bytes)
 //! 11 hierarchy      128  codec of nodes (0 in full, 1 paper10, 2 the laboratory's lattice; of up to four children: 3 in full, 4 of 64 bytes, 5
 //!                        of 48), bits of a plane on the lattice, codec of triangles (0 in full, 1 in 10 bits, 2 lattice), number
 //!                        of triangles, that of the mesh, depth bound, scene

@@ -1,7 +1,7 @@
 //! Conversion of a scene's camera and lights to core's, in the caller's unit. Core scales them to the scene's magnitude.
 
 use super::area::normal;
-use super::{Camera, Light, Material, Projection, Scene};
+use super::{Camera, Light, Material, Projection, Scene, Up};
 use crate::dvec3::{cross, dot, normalized};
 use glam::Vec3;
 use slimbvh_core::float::{abs, exponent, max, scale_by_power_of_two};
@@ -110,7 +110,38 @@ pub enum ViewError {
 
 impl Camera {
     /// A camera in front of a box, a little to the side and above, that sees the whole box in a picture of this aspect
-    /// ratio.
+    /// ratio, where this axis points up.
+    ///
+    /// ```
+    /// use slimbvh::{Aabb, Camera, Up};
+    /// let bounds = Aabb { min: [-1.0; 3].into(), max: [1.0; 3].into() };
+    /// let camera = Camera::facing_up(&bounds, 16.0 / 9.0, Up::Z);
+    /// assert_eq!(camera.up, [0.0, 0.0, 1.0]);
+    /// assert!(camera.eye[2] > 0.0);
+    /// ```
+    #[must_use]
+    pub fn facing_up(bounds: &Aabb, aspect: f32, up: Up) -> Self {
+        match up {
+            Up::Y => Self::facing(bounds, aspect),
+            Up::Z => {
+                // Turned about x, so that z becomes y; then back.
+                let turned = Aabb {
+                    min: Vec3::new(bounds.min.x, bounds.min.z, -bounds.max.y),
+                    max: Vec3::new(bounds.max.x, bounds.max.z, -bounds.min.y),
+                };
+                let camera = Self::facing(&turned, aspect);
+                let back = |[x, y, z]: [f32; 3]| [x, -z, y];
+                Self {
+                    eye: back(camera.eye),
+                    target: back(camera.target),
+                    up: back(camera.up),
+                    ..camera
+                }
+            }
+        }
+    }
+
+    /// [`Self::facing_up`] with y up.
     #[must_use]
     pub fn facing(bounds: &Aabb, aspect: f32) -> Self {
         const VERTICAL_FOV: f32 = 35.0;
@@ -442,8 +473,11 @@ impl Scene {
                 min: Vec3::ZERO,
                 max: Vec3::ZERO,
             };
-            self.cameras
-                .push(Camera::facing(&bounds.unwrap_or(origin), aspect));
+            self.cameras.push(Camera::facing_up(
+                &bounds.unwrap_or(origin),
+                aspect,
+                self.up,
+            ));
         }
         if self.lights.is_empty() {
             self.lights.push(Light::beside(&self.cameras[0]));

@@ -13,7 +13,7 @@ use super::records::{
 use super::write::scene_record;
 use crate::text::excerpt;
 use crate::tree::{Bvh, ListReader, StoredTree, TagError};
-use crate::{Aabb, Mesh, Part, Scene};
+use crate::{Aabb, Mesh, Part, Scene, Up};
 use bytemuck::Pod;
 
 /// The scene and the hierarchy in a file's bytes, which may be mapped memory. Allocates at most as many bytes as there are,
@@ -241,6 +241,7 @@ pub(super) fn scene(file: &Sections) -> Result<(Scene, Option<Aabb>), FileError>
         dropped_face_count: record.dropped_face_count as usize,
         left_out: Vec::new(),
         origin: record.origin().unwrap_or_default(),
+        up: if record.is_z_up == 1 { Up::Z } else { Up::Y },
     };
     if is_same(&scene_record(&scene, framing), &record) {
         Ok((scene, framing))

@@ -270,8 +270,8 @@ pub struct SceneRecord {
     pub framing: BoxRecord,
     /// Bytes 32–35: faces that a lenient loader dropped.
     pub dropped_face_count: u32,
-    /// Bytes 36–39.
-    pub zero: u32,
+    /// Bytes 36–39: 1 if z points up, else 0.
+    pub is_z_up: u32,
     /// Bytes 40–63: the local origin, three `f64`, their low words first.
     pub origin: [[u32; 2]; 3],
 }

@@ -7,7 +7,7 @@ use super::*;
 use crate::generate::icosphere;
 use crate::{
     AreaShape, BuildConfig, Builder, Camera, Light, Material, MeshCodec, NodeCodec, Part, Picture,
-    Projection, RenderSettings, Renderer,
+    Projection, RenderSettings, Renderer, Up,
 };
 use glam::Vec3;
 use slimbvh_core::Ray;
@@ -92,6 +92,7 @@ fn scene(subdivisions: u32) -> Scene {
         dropped_face_count: 3,
         left_out: Vec::new(),
         origin: [4_649_776.25, -0.5, 1e300],
+        up: Up::Z,
     }
 }
 
@@ -184,6 +185,7 @@ fn what_is_read_is_what_was_written() {
             assert_eq!(read.scene.lights, before.lights);
             assert_eq!(read.scene.dropped_face_count, before.dropped_face_count);
             assert_eq!(read.scene.origin, before.origin);
+            assert_eq!(read.scene.up, before.up);
             assert_eq!(read.framing, framing());
             assert_eq!(read.bvh.codecs(), (config.nodes, config.mesh));
             assert!(again(&read.scene, &read.bvh, read.framing) == bytes);

@@ -10,7 +10,7 @@ use super::records::{
     CameraRecord, HierarchyRecord, LightRecord, MaterialRecord, PartRecord, SceneRecord,
 };
 use crate::tree::{self, Bvh};
-use crate::{Aabb, Scene};
+use crate::{Aabb, Scene, Up};
 use bytemuck::Pod;
 use std::borrow::Cow;
 use std::io::Write;
@@ -84,7 +84,7 @@ pub fn scene_record(scene: &Scene, framing: Option<Aabb>) -> SceneRecord {
     SceneRecord {
         framing: framing.into(),
         dropped_face_count: scene.dropped_face_count.try_into().unwrap_or(u32::MAX),
-        zero: 0,
+        is_z_up: u32::from(scene.up == Up::Z),
         origin: SceneRecord::origin_words(scene.origin),
     }
 }
