@@ -112,46 +112,46 @@ var<private> slimbvh_hit: SlimbvhTypeA;
 fn slimbvh_trace() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_445_: u32;
-    var phi_451_: u32;
-    var phi_457_: u32;
-    var phi_722_: i32;
-    var phi_733_: i32;
-    var phi_847_: i32;
-    var phi_976_: i32;
+    var phi_444_: u32;
+    var phi_450_: u32;
+    var phi_456_: u32;
+    var phi_721_: i32;
+    var phi_732_: i32;
+    var phi_846_: i32;
+    var phi_975_: i32;
+    var phi_997_: u32;
     var phi_998_: u32;
-    var phi_999_: u32;
-    var phi_1000_: bool;
-    var phi_1034_: i32;
+    var phi_999_: bool;
+    var phi_1033_: i32;
+    var phi_1055_: u32;
     var phi_1056_: u32;
-    var phi_1057_: u32;
-    var phi_1058_: bool;
-    var phi_619_: i32;
-    var phi_625_: u32;
+    var phi_1057_: bool;
+    var phi_618_: i32;
+    var phi_624_: u32;
+    var phi_643_: u32;
     var phi_644_: u32;
-    var phi_645_: u32;
-    var phi_646_: bool;
-    var phi_664_: i32;
-    var phi_670_: u32;
+    var phi_645_: bool;
+    var phi_663_: i32;
+    var phi_669_: u32;
+    var phi_688_: u32;
     var phi_689_: u32;
-    var phi_690_: u32;
-    var phi_691_: bool;
-    var phi_1068_: SlimbvhTypeD;
-    var phi_1273_: SlimbvhTypeN;
-    var phi_1289_: SlimbvhTypeN;
-    var phi_1292_: u32;
-    var phi_1294_: u32;
-    var phi_1296_: u32;
-    var phi_1305_: u32;
-    var phi_1308_: u32;
-    var phi_1310_: u32;
+    var phi_690_: bool;
+    var phi_1067_: SlimbvhTypeD;
+    var phi_1272_: SlimbvhTypeN;
+    var phi_1288_: SlimbvhTypeN;
+    var phi_1291_: u32;
+    var phi_1293_: u32;
+    var phi_1295_: u32;
+    var phi_1304_: u32;
+    var phi_1307_: u32;
+    var phi_1309_: u32;
     var phi_1620_: u32;
     var phi_1595_: u32;
     var phi_1621_: u32;
     var phi_1622_: u32;
-    var phi_1306_: u32;
-    var phi_1309_: u32;
-    var phi_1311_: u32;
+    var phi_1305_: u32;
+    var phi_1308_: u32;
+    var phi_1310_: u32;
     var local_2: bool;
     var local_3: u32;
     var local_4: u32;
@@ -211,10 +211,10 @@ fn slimbvh_trace() {
     var phi_3018_: SlimbvhTypeN;
     var phi_3019_: u32;
     var phi_3020_: u32;
-    var phi_1290_: SlimbvhTypeN;
-    var phi_1293_: u32;
-    var phi_1295_: u32;
-    var phi_1297_: u32;
+    var phi_1289_: SlimbvhTypeN;
+    var phi_1292_: u32;
+    var phi_1294_: u32;
+    var phi_1296_: u32;
     var local_7: SlimbvhTypeN;
     var phi_3054_: f32;
     var phi_3056_: f32;
@@ -268,25 +268,25 @@ fn slimbvh_trace() {
     let _e147 = select(_e127, _e145, (_e127 < _e145));
     let _e154 = (((select(_e129, _e147, (_e129 < _e147)) < 2139095040u) && (_e137 <= 2139095040u)) && (_e141 > 0u));
     if (_e131 == _e141) {
-        phi_445_ = 0u;
+        phi_444_ = 0u;
     } else {
-        phi_445_ = select(2u, 1u, (_e133 == _e141));
+        phi_444_ = select(2u, 1u, (_e133 == _e141));
     }
-    let _e159 = phi_445_;
+    let _e159 = phi_444_;
     let _e160 = (_e159 == 2u);
     if _e160 {
-        phi_451_ = 0u;
+        phi_450_ = 0u;
     } else {
-        phi_451_ = (_e159 + 1u);
+        phi_450_ = (_e159 + 1u);
     }
-    let _e163 = phi_451_;
+    let _e163 = phi_450_;
     let _e164 = (_e163 == 2u);
     if _e164 {
-        phi_457_ = 0u;
+        phi_456_ = 0u;
     } else {
-        phi_457_ = (_e163 + 1u);
+        phi_456_ = (_e163 + 1u);
     }
-    let _e167 = phi_457_;
+    let _e167 = phi_456_;
     let _e168 = (_e163 == 0u);
     let _e170 = select(select(_e104.y, _e104.x, _e168), _e104.z, _e164);
     let _e171 = (_e167 == 0u);
@@ -318,77 +318,77 @@ fn slimbvh_trace() {
         let _e475 = bitcast<f32>((bitcast<u32>((_e121 + 127i)) << bitcast<u32>(23i)));
         let _e480 = bitcast<f32>((bitcast<u32>((254i - _e468)) << bitcast<u32>(23i)));
         if (_e129 >= 2139095040u) {
-            phi_619_ = 255i;
+            phi_618_ = 255i;
         } else {
-            phi_619_ = (bitcast<i32>((_e129 >> bitcast<u32>(23i))) + _e470);
+            phi_618_ = (bitcast<i32>((_e129 >> bitcast<u32>(23i))) + _e470);
         }
-        let _e495 = phi_619_;
+        let _e495 = phi_618_;
         if (_e129 == 0u) {
-            phi_625_ = 0u;
+            phi_624_ = 0u;
         } else {
-            phi_625_ = (_e129 | 8388608u);
+            phi_624_ = (_e129 | 8388608u);
         }
-        let _e499 = phi_625_;
+        let _e499 = phi_624_;
         if (_e495 <= 0i) {
-            phi_645_ = u32();
-            phi_646_ = true;
+            phi_644_ = u32();
+            phi_645_ = true;
         } else {
             let _e506 = (_e499 == 0u);
             if _e506 {
-                phi_644_ = u32();
+                phi_643_ = u32();
             } else {
-                phi_644_ = select(((bitcast<u32>(_e495) << bitcast<u32>(23i)) | (_e499 & 8388607u)), 2139095039u, (_e495 >= 255i));
+                phi_643_ = select(((bitcast<u32>(_e495) << bitcast<u32>(23i)) | (_e499 & 8388607u)), 2139095039u, (_e495 >= 255i));
             }
-            let _e510 = phi_644_;
-            phi_645_ = _e510;
-            phi_646_ = _e506;
+            let _e510 = phi_643_;
+            phi_644_ = _e510;
+            phi_645_ = _e506;
         }
-        let _e512 = phi_645_;
-        let _e514 = phi_646_;
+        let _e512 = phi_644_;
+        let _e514 = phi_645_;
         if (_e137 >= 2139095040u) {
-            phi_664_ = 255i;
+            phi_663_ = 255i;
         } else {
-            phi_664_ = (bitcast<i32>((_e137 >> bitcast<u32>(23i))) + _e470);
+            phi_663_ = (bitcast<i32>((_e137 >> bitcast<u32>(23i))) + _e470);
         }
-        let _e525 = phi_664_;
+        let _e525 = phi_663_;
         if (_e137 == 0u) {
-            phi_670_ = 0u;
+            phi_669_ = 0u;
         } else {
-            phi_670_ = (_e137 | 8388608u);
+            phi_669_ = (_e137 | 8388608u);
         }
-        let _e529 = phi_670_;
+        let _e529 = phi_669_;
         if (_e525 <= 0i) {
-            phi_690_ = u32();
-            phi_691_ = true;
+            phi_689_ = u32();
+            phi_690_ = true;
         } else {
             let _e536 = (_e529 == 0u);
             if _e536 {
-                phi_689_ = u32();
+                phi_688_ = u32();
             } else {
-                phi_689_ = select(((bitcast<u32>(_e525) << bitcast<u32>(23i)) | (_e529 & 8388607u)), 2139095039u, (_e525 >= 255i));
+                phi_688_ = select(((bitcast<u32>(_e525) << bitcast<u32>(23i)) | (_e529 & 8388607u)), 2139095039u, (_e525 >= 255i));
             }
-            let _e540 = phi_689_;
-            phi_690_ = _e540;
-            phi_691_ = _e536;
+            let _e540 = phi_688_;
+            phi_689_ = _e540;
+            phi_690_ = _e536;
         }
-        let _e542 = phi_690_;
-        let _e544 = phi_691_;
-        phi_1068_ = SlimbvhTypeD(array<f32, 3>((_e170 * _e475), (_e174 * _e475), (_e177 * _e475)), array<f32, 3>((_e179 * _e480), (_e181 * _e480), (_e183 * _e480)), bitcast<f32>(((_e128 & 2147483648u) | select(_e512, 0u, _e514))), bitcast<f32>(((_e136 & 2147483648u) | select(_e542, 0u, _e544))), _e469);
+        let _e542 = phi_689_;
+        let _e544 = phi_690_;
+        phi_1067_ = SlimbvhTypeD(array<f32, 3>((_e170 * _e475), (_e174 * _e475), (_e177 * _e475)), array<f32, 3>((_e179 * _e480), (_e181 * _e480), (_e183 * _e480)), bitcast<f32>(((_e128 & 2147483648u) | select(_e512, 0u, _e514))), bitcast<f32>(((_e136 & 2147483648u) | select(_e542, 0u, _e544))), _e469);
     } else {
         let _e216 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e141, _e154))) & 2147483647u);
         if (_e216 >= 8388608u) {
-            phi_722_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
+            phi_721_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_722_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
+            phi_721_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
         }
-        let _e230 = phi_722_;
+        let _e230 = phi_721_;
         let _e231 = (_e121 + _e230);
         if (_e121 < -126i) {
-            phi_733_ = -126i;
+            phi_732_ = -126i;
         } else {
-            phi_733_ = select(_e121, 127i, (_e121 > 127i));
+            phi_732_ = select(_e121, 127i, (_e121 > 127i));
         }
-        let _e236 = phi_733_;
+        let _e236 = phi_732_;
         let _e241 = bitcast<f32>((bitcast<u32>((_e236 + 127i)) << bitcast<u32>(23i)));
         let _e247 = bitcast<f32>((bitcast<u32>(((_e121 - _e236) + 127i)) << bitcast<u32>(23i)));
         let _e248 = bitcast<u32>(_e170);
@@ -399,11 +399,11 @@ fn slimbvh_trace() {
         let _e284 = ((_e282 & 2139095040u) != 0u);
         let _e300 = -(_e230);
         if (_e300 < -126i) {
-            phi_847_ = -126i;
+            phi_846_ = -126i;
         } else {
-            phi_847_ = select(_e300, 127i, (_e300 > 127i));
+            phi_846_ = select(_e300, 127i, (_e300 > 127i));
         }
-        let _e305 = phi_847_;
+        let _e305 = phi_846_;
         let _e310 = bitcast<f32>((bitcast<u32>((_e305 + 127i)) << bitcast<u32>(23i)));
         let _e316 = bitcast<f32>((bitcast<u32>(((_e300 - _e305) + 127i)) << bitcast<u32>(23i)));
         let _e317 = bitcast<u32>(_e179);
@@ -416,57 +416,57 @@ fn slimbvh_trace() {
         let _e378 = bitcast<i32>((_e129 >> bitcast<u32>(23i)));
         let _e385 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e375)), 32u, (_e375 == 0u))) - 8i);
         if (_e378 == 255i) {
-            phi_976_ = 255i;
+            phi_975_ = 255i;
         } else {
-            phi_976_ = (((_e378 + select(0i, 1i, (_e378 == 0i))) - _e385) + _e231);
+            phi_975_ = (((_e378 + select(0i, 1i, (_e378 == 0i))) - _e385) + _e231);
         }
-        let _e393 = phi_976_;
+        let _e393 = phi_975_;
         let _e397 = (_e375 << bitcast<u32>(((_e385 & 31i) & 31i)));
         if (_e393 <= 0i) {
-            phi_999_ = u32();
-            phi_1000_ = true;
+            phi_998_ = u32();
+            phi_999_ = true;
         } else {
             let _e404 = (_e397 == 0u);
             if _e404 {
-                phi_998_ = u32();
+                phi_997_ = u32();
             } else {
-                phi_998_ = select(((bitcast<u32>(_e393) << bitcast<u32>(23i)) | (_e397 & 8388607u)), 2139095039u, (_e393 >= 255i));
+                phi_997_ = select(((bitcast<u32>(_e393) << bitcast<u32>(23i)) | (_e397 & 8388607u)), 2139095039u, (_e393 >= 255i));
             }
-            let _e408 = phi_998_;
-            phi_999_ = _e408;
-            phi_1000_ = _e404;
+            let _e408 = phi_997_;
+            phi_998_ = _e408;
+            phi_999_ = _e404;
         }
-        let _e410 = phi_999_;
-        let _e412 = phi_1000_;
+        let _e410 = phi_998_;
+        let _e412 = phi_999_;
         let _e423 = ((_e137 & 8388607u) | (select(0u, 1u, ((_e137 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
         let _e426 = bitcast<i32>((_e137 >> bitcast<u32>(23i)));
         let _e433 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e423)), 32u, (_e423 == 0u))) - 8i);
         if (_e426 == 255i) {
-            phi_1034_ = 255i;
+            phi_1033_ = 255i;
         } else {
-            phi_1034_ = (((_e426 + select(0i, 1i, (_e426 == 0i))) - _e433) + _e231);
+            phi_1033_ = (((_e426 + select(0i, 1i, (_e426 == 0i))) - _e433) + _e231);
         }
-        let _e441 = phi_1034_;
+        let _e441 = phi_1033_;
         let _e445 = (_e423 << bitcast<u32>(((_e433 & 31i) & 31i)));
         if (_e441 <= 0i) {
-            phi_1057_ = u32();
-            phi_1058_ = true;
+            phi_1056_ = u32();
+            phi_1057_ = true;
         } else {
             let _e452 = (_e445 == 0u);
             if _e452 {
-                phi_1056_ = u32();
+                phi_1055_ = u32();
             } else {
-                phi_1056_ = select(((bitcast<u32>(_e441) << bitcast<u32>(23i)) | (_e445 & 8388607u)), 2139095039u, (_e441 >= 255i));
+                phi_1055_ = select(((bitcast<u32>(_e441) << bitcast<u32>(23i)) | (_e445 & 8388607u)), 2139095039u, (_e441 >= 255i));
             }
-            let _e456 = phi_1056_;
-            phi_1057_ = _e456;
-            phi_1058_ = _e452;
+            let _e456 = phi_1055_;
+            phi_1056_ = _e456;
+            phi_1057_ = _e452;
         }
-        let _e458 = phi_1057_;
-        let _e460 = phi_1058_;
-        phi_1068_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e170, _e250) * _e241) * select(0.00000011920929f, 1f, _e250)) * _e247), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e265 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e265 & 2147483648u))), _e174, _e267) * _e241) * select(0.00000011920929f, 1f, _e267)) * _e247), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e282 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e282 & 2147483648u))), _e177, _e284) * _e241) * select(0.00000011920929f, 1f, _e284)) * _e247)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e179, _e319) * _e310) * select(0.00000011920929f, 1f, _e319)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e181, _e336) * _e310) * select(0.00000011920929f, 1f, _e336)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e351 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e351 & 2147483648u))), _e183, _e353) * _e310) * select(0.00000011920929f, 1f, _e353)) * _e316)), bitcast<f32>(((_e128 & 2147483648u) | select(_e410, 0u, _e412))), bitcast<f32>(((_e136 & 2147483648u) | select(_e458, 0u, _e460))), _e230);
+        let _e458 = phi_1056_;
+        let _e460 = phi_1057_;
+        phi_1067_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e248 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e248 & 2147483648u))), _e170, _e250) * _e241) * select(0.00000011920929f, 1f, _e250)) * _e247), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e265 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e265 & 2147483648u))), _e174, _e267) * _e241) * select(0.00000011920929f, 1f, _e267)) * _e247), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e282 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e282 & 2147483648u))), _e177, _e284) * _e241) * select(0.00000011920929f, 1f, _e284)) * _e247)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e317 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e317 & 2147483648u))), _e179, _e319) * _e310) * select(0.00000011920929f, 1f, _e319)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e334 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e334 & 2147483648u))), _e181, _e336) * _e310) * select(0.00000011920929f, 1f, _e336)) * _e316), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e351 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e351 & 2147483648u))), _e183, _e353) * _e310) * select(0.00000011920929f, 1f, _e353)) * _e316)), bitcast<f32>(((_e128 & 2147483648u) | select(_e410, 0u, _e412))), bitcast<f32>(((_e136 & 2147483648u) | select(_e458, 0u, _e460))), _e230);
     }
-    let _e551 = phi_1068_;
+    let _e551 = phi_1067_;
     let _e566 = (bitcast<f32>((bitcast<u32>(_e551.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
     let _e569 = bitcast<f32>((bitcast<u32>(_e551.member[0]) & 2147483647u));
     let _e570 = (_e569 * 0.00000011920929f);
@@ -498,30 +498,30 @@ fn slimbvh_trace() {
     let _e622 = slimbvh_question.member[1u];
     let _e625 = slimbvh_question.member[0u];
     if (_e625 == 1u) {
-        phi_1273_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e617), true);
+        phi_1272_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e617), true);
     } else {
-        phi_1273_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e617), false);
+        phi_1272_ = SlimbvhTypeN(SlimbvhTypeJ(_e85, _e617), false);
     }
-    let _e632 = phi_1273_;
-    phi_1289_ = _e632;
-    phi_1292_ = select(4294967295u, 0u, (_e618 <= _e617));
-    phi_1294_ = 0u;
-    phi_1296_ = (_e89 + 1u);
+    let _e632 = phi_1272_;
+    phi_1288_ = _e632;
+    phi_1291_ = select(4294967295u, 0u, (_e618 <= _e617));
+    phi_1293_ = 0u;
+    phi_1295_ = (_e89 + 1u);
     loop {
-        let _e641 = phi_1289_;
-        let _e643 = phi_1292_;
-        let _e645 = phi_1294_;
-        let _e647 = phi_1296_;
+        let _e641 = phi_1288_;
+        let _e643 = phi_1291_;
+        let _e645 = phi_1293_;
+        let _e647 = phi_1295_;
         local_7 = _e641;
         let _e648 = (_e643 <= 2147483647u);
         if _e648 {
-            phi_1305_ = _e643;
-            phi_1308_ = _e645;
-            phi_1310_ = _e647;
+            phi_1304_ = _e643;
+            phi_1307_ = _e645;
+            phi_1309_ = _e647;
             loop {
-                let _e650 = phi_1305_;
-                let _e652 = phi_1308_;
-                let _e654 = phi_1310_;
+                let _e650 = phi_1304_;
+                let _e652 = phi_1307_;
+                let _e654 = phi_1309_;
                 local_3 = _e652;
                 local_4 = _e652;
                 local_5 = _e650;
@@ -598,22 +598,22 @@ fn slimbvh_trace() {
                     let _e794 = phi_1621_;
                     let _e796 = phi_1622_;
                     let _e797 = (_e654 - 1u);
-                    phi_1306_ = select(_e794, 4294967295u, (_e797 == 0u));
-                    phi_1309_ = _e796;
-                    phi_1311_ = _e797;
+                    phi_1305_ = select(_e794, 4294967295u, (_e797 == 0u));
+                    phi_1308_ = _e796;
+                    phi_1310_ = _e797;
                 } else {
-                    phi_1306_ = u32();
-                    phi_1309_ = u32();
-                    phi_1311_ = u32();
+                    phi_1305_ = u32();
+                    phi_1308_ = u32();
+                    phi_1310_ = u32();
                 }
-                let _e801 = phi_1306_;
-                let _e803 = phi_1309_;
-                let _e805 = phi_1311_;
+                let _e801 = phi_1305_;
+                let _e803 = phi_1308_;
+                let _e805 = phi_1310_;
                 continue;
                 continuing {
-                    phi_1305_ = _e801;
-                    phi_1308_ = _e803;
-                    phi_1310_ = _e805;
+                    phi_1304_ = _e801;
+                    phi_1307_ = _e803;
+                    phi_1309_ = _e805;
                     break if !(_e661);
                 }
             }
@@ -1065,27 +1065,27 @@ fn slimbvh_trace() {
             let _e1788 = phi_3018_;
             let _e1790 = phi_3019_;
             let _e1792 = phi_3020_;
-            phi_1290_ = _e1788;
-            phi_1293_ = _e1790;
-            phi_1295_ = _e1792;
+            phi_1289_ = _e1788;
+            phi_1292_ = _e1790;
+            phi_1294_ = _e1792;
             let _e2046 = local_11;
-            phi_1297_ = _e2046;
+            phi_1296_ = _e2046;
         } else {
-            phi_1290_ = SlimbvhTypeN();
-            phi_1293_ = u32();
-            phi_1295_ = u32();
-            phi_1297_ = u32();
+            phi_1289_ = SlimbvhTypeN();
+            phi_1292_ = u32();
+            phi_1294_ = u32();
+            phi_1296_ = u32();
         }
-        let _e1794 = phi_1290_;
-        let _e1796 = phi_1293_;
-        let _e1798 = phi_1295_;
-        let _e1800 = phi_1297_;
+        let _e1794 = phi_1289_;
+        let _e1796 = phi_1292_;
+        let _e1798 = phi_1294_;
+        let _e1800 = phi_1296_;
         continue;
         continuing {
-            phi_1289_ = _e1794;
-            phi_1292_ = _e1796;
-            phi_1294_ = _e1798;
-            phi_1296_ = _e1800;
+            phi_1288_ = _e1794;
+            phi_1291_ = _e1796;
+            phi_1293_ = _e1798;
+            phi_1295_ = _e1800;
             break if !(_e648);
         }
     }

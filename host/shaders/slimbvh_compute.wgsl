@@ -29,45 +29,45 @@ var<private> slimbvh_lane: SlimbvhTypeR;
 var<private> slimbvh_overflowed: SlimbvhTypeR;
 
 fn slimbvh_trace_in_group() {
-    var phi_447_: u32;
-    var phi_453_: u32;
-    var phi_459_: u32;
-    var phi_724_: i32;
-    var phi_735_: i32;
-    var phi_849_: i32;
-    var phi_978_: i32;
+    var phi_446_: u32;
+    var phi_452_: u32;
+    var phi_458_: u32;
+    var phi_723_: i32;
+    var phi_734_: i32;
+    var phi_848_: i32;
+    var phi_977_: i32;
+    var phi_999_: u32;
     var phi_1000_: u32;
-    var phi_1001_: u32;
-    var phi_1002_: bool;
-    var phi_1036_: i32;
+    var phi_1001_: bool;
+    var phi_1035_: i32;
+    var phi_1057_: u32;
     var phi_1058_: u32;
-    var phi_1059_: u32;
-    var phi_1060_: bool;
-    var phi_621_: i32;
-    var phi_627_: u32;
+    var phi_1059_: bool;
+    var phi_620_: i32;
+    var phi_626_: u32;
+    var phi_645_: u32;
     var phi_646_: u32;
-    var phi_647_: u32;
-    var phi_648_: bool;
-    var phi_666_: i32;
-    var phi_672_: u32;
+    var phi_647_: bool;
+    var phi_665_: i32;
+    var phi_671_: u32;
+    var phi_690_: u32;
     var phi_691_: u32;
-    var phi_692_: u32;
-    var phi_693_: bool;
-    var phi_1070_: SlimbvhTypeD;
-    var phi_1282_: SlimbvhTypeN;
-    var phi_1298_: SlimbvhTypeN;
-    var phi_1301_: u32;
-    var phi_1303_: u32;
-    var phi_1305_: u32;
-    var phi_1314_: u32;
-    var phi_1317_: u32;
-    var phi_1319_: u32;
+    var phi_692_: bool;
+    var phi_1069_: SlimbvhTypeD;
+    var phi_1281_: SlimbvhTypeN;
+    var phi_1297_: SlimbvhTypeN;
+    var phi_1300_: u32;
+    var phi_1302_: u32;
+    var phi_1304_: u32;
+    var phi_1313_: u32;
+    var phi_1316_: u32;
+    var phi_1318_: u32;
     var phi_1596_: u32;
     var phi_1612_: u32;
     var phi_1613_: u32;
-    var phi_1315_: u32;
-    var phi_1318_: u32;
-    var phi_1320_: u32;
+    var phi_1314_: u32;
+    var phi_1317_: u32;
+    var phi_1319_: u32;
     var local: bool;
     var local_1: u32;
     var local_2: u32;
@@ -126,10 +126,10 @@ fn slimbvh_trace_in_group() {
     var phi_2999_: SlimbvhTypeN;
     var phi_3000_: u32;
     var phi_3001_: u32;
-    var phi_1299_: SlimbvhTypeN;
-    var phi_1302_: u32;
-    var phi_1304_: u32;
-    var phi_1306_: u32;
+    var phi_1298_: SlimbvhTypeN;
+    var phi_1301_: u32;
+    var phi_1303_: u32;
+    var phi_1305_: u32;
     var local_5: u32;
     var local_6: SlimbvhTypeN;
     var phi_3036_: f32;
@@ -185,25 +185,25 @@ fn slimbvh_trace_in_group() {
     let _e151 = select(_e131, _e149, (_e131 < _e149));
     let _e158 = (((select(_e133, _e151, (_e133 < _e151)) < 2139095040u) && (_e141 <= 2139095040u)) && (_e145 > 0u));
     if (_e135 == _e145) {
-        phi_447_ = 0u;
+        phi_446_ = 0u;
     } else {
-        phi_447_ = select(2u, 1u, (_e137 == _e145));
+        phi_446_ = select(2u, 1u, (_e137 == _e145));
     }
-    let _e163 = phi_447_;
+    let _e163 = phi_446_;
     let _e164 = (_e163 == 2u);
     if _e164 {
-        phi_453_ = 0u;
+        phi_452_ = 0u;
     } else {
-        phi_453_ = (_e163 + 1u);
+        phi_452_ = (_e163 + 1u);
     }
-    let _e167 = phi_453_;
+    let _e167 = phi_452_;
     let _e168 = (_e167 == 2u);
     if _e168 {
-        phi_459_ = 0u;
+        phi_458_ = 0u;
     } else {
-        phi_459_ = (_e167 + 1u);
+        phi_458_ = (_e167 + 1u);
     }
-    let _e171 = phi_459_;
+    let _e171 = phi_458_;
     let _e172 = (_e167 == 0u);
     let _e174 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e168);
     let _e175 = (_e171 == 0u);
@@ -235,77 +235,77 @@ fn slimbvh_trace_in_group() {
         let _e479 = bitcast<f32>((bitcast<u32>((_e125 + 127i)) << bitcast<u32>(23i)));
         let _e484 = bitcast<f32>((bitcast<u32>((254i - _e472)) << bitcast<u32>(23i)));
         if (_e133 >= 2139095040u) {
-            phi_621_ = 255i;
+            phi_620_ = 255i;
         } else {
-            phi_621_ = (bitcast<i32>((_e133 >> bitcast<u32>(23i))) + _e474);
+            phi_620_ = (bitcast<i32>((_e133 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e499 = phi_621_;
+        let _e499 = phi_620_;
         if (_e133 == 0u) {
-            phi_627_ = 0u;
+            phi_626_ = 0u;
         } else {
-            phi_627_ = (_e133 | 8388608u);
+            phi_626_ = (_e133 | 8388608u);
         }
-        let _e503 = phi_627_;
+        let _e503 = phi_626_;
         if (_e499 <= 0i) {
-            phi_647_ = u32();
-            phi_648_ = true;
+            phi_646_ = u32();
+            phi_647_ = true;
         } else {
             let _e510 = (_e503 == 0u);
             if _e510 {
-                phi_646_ = u32();
+                phi_645_ = u32();
             } else {
-                phi_646_ = select(((bitcast<u32>(_e499) << bitcast<u32>(23i)) | (_e503 & 8388607u)), 2139095039u, (_e499 >= 255i));
+                phi_645_ = select(((bitcast<u32>(_e499) << bitcast<u32>(23i)) | (_e503 & 8388607u)), 2139095039u, (_e499 >= 255i));
             }
-            let _e514 = phi_646_;
-            phi_647_ = _e514;
-            phi_648_ = _e510;
+            let _e514 = phi_645_;
+            phi_646_ = _e514;
+            phi_647_ = _e510;
         }
-        let _e516 = phi_647_;
-        let _e518 = phi_648_;
+        let _e516 = phi_646_;
+        let _e518 = phi_647_;
         if (_e141 >= 2139095040u) {
-            phi_666_ = 255i;
+            phi_665_ = 255i;
         } else {
-            phi_666_ = (bitcast<i32>((_e141 >> bitcast<u32>(23i))) + _e474);
+            phi_665_ = (bitcast<i32>((_e141 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e529 = phi_666_;
+        let _e529 = phi_665_;
         if (_e141 == 0u) {
-            phi_672_ = 0u;
+            phi_671_ = 0u;
         } else {
-            phi_672_ = (_e141 | 8388608u);
+            phi_671_ = (_e141 | 8388608u);
         }
-        let _e533 = phi_672_;
+        let _e533 = phi_671_;
         if (_e529 <= 0i) {
-            phi_692_ = u32();
-            phi_693_ = true;
+            phi_691_ = u32();
+            phi_692_ = true;
         } else {
             let _e540 = (_e533 == 0u);
             if _e540 {
-                phi_691_ = u32();
+                phi_690_ = u32();
             } else {
-                phi_691_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | (_e533 & 8388607u)), 2139095039u, (_e529 >= 255i));
+                phi_690_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | (_e533 & 8388607u)), 2139095039u, (_e529 >= 255i));
             }
-            let _e544 = phi_691_;
-            phi_692_ = _e544;
-            phi_693_ = _e540;
+            let _e544 = phi_690_;
+            phi_691_ = _e544;
+            phi_692_ = _e540;
         }
-        let _e546 = phi_692_;
-        let _e548 = phi_693_;
-        phi_1070_ = SlimbvhTypeD(array<f32, 3>((_e174 * _e479), (_e178 * _e479), (_e181 * _e479)), array<f32, 3>((_e183 * _e484), (_e185 * _e484), (_e187 * _e484)), bitcast<f32>(((_e132 & 2147483648u) | select(_e516, 0u, _e518))), bitcast<f32>(((_e140 & 2147483648u) | select(_e546, 0u, _e548))), _e473);
+        let _e546 = phi_691_;
+        let _e548 = phi_692_;
+        phi_1069_ = SlimbvhTypeD(array<f32, 3>((_e174 * _e479), (_e178 * _e479), (_e181 * _e479)), array<f32, 3>((_e183 * _e484), (_e185 * _e484), (_e187 * _e484)), bitcast<f32>(((_e132 & 2147483648u) | select(_e516, 0u, _e518))), bitcast<f32>(((_e140 & 2147483648u) | select(_e546, 0u, _e548))), _e473);
     } else {
         let _e220 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e145, _e158))) & 2147483647u);
         if (_e220 >= 8388608u) {
-            phi_724_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
+            phi_723_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_724_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
+            phi_723_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
         }
-        let _e234 = phi_724_;
+        let _e234 = phi_723_;
         let _e235 = (_e125 + _e234);
         if (_e125 < -126i) {
-            phi_735_ = -126i;
+            phi_734_ = -126i;
         } else {
-            phi_735_ = select(_e125, 127i, (_e125 > 127i));
+            phi_734_ = select(_e125, 127i, (_e125 > 127i));
         }
-        let _e240 = phi_735_;
+        let _e240 = phi_734_;
         let _e245 = bitcast<f32>((bitcast<u32>((_e240 + 127i)) << bitcast<u32>(23i)));
         let _e251 = bitcast<f32>((bitcast<u32>(((_e125 - _e240) + 127i)) << bitcast<u32>(23i)));
         let _e252 = bitcast<u32>(_e174);
@@ -316,11 +316,11 @@ fn slimbvh_trace_in_group() {
         let _e288 = ((_e286 & 2139095040u) != 0u);
         let _e304 = -(_e234);
         if (_e304 < -126i) {
-            phi_849_ = -126i;
+            phi_848_ = -126i;
         } else {
-            phi_849_ = select(_e304, 127i, (_e304 > 127i));
+            phi_848_ = select(_e304, 127i, (_e304 > 127i));
         }
-        let _e309 = phi_849_;
+        let _e309 = phi_848_;
         let _e314 = bitcast<f32>((bitcast<u32>((_e309 + 127i)) << bitcast<u32>(23i)));
         let _e320 = bitcast<f32>((bitcast<u32>(((_e304 - _e309) + 127i)) << bitcast<u32>(23i)));
         let _e321 = bitcast<u32>(_e183);
@@ -333,57 +333,57 @@ fn slimbvh_trace_in_group() {
         let _e382 = bitcast<i32>((_e133 >> bitcast<u32>(23i)));
         let _e389 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e379)), 32u, (_e379 == 0u))) - 8i);
         if (_e382 == 255i) {
-            phi_978_ = 255i;
+            phi_977_ = 255i;
         } else {
-            phi_978_ = (((_e382 + select(0i, 1i, (_e382 == 0i))) - _e389) + _e235);
+            phi_977_ = (((_e382 + select(0i, 1i, (_e382 == 0i))) - _e389) + _e235);
         }
-        let _e397 = phi_978_;
+        let _e397 = phi_977_;
         let _e401 = (_e379 << bitcast<u32>(((_e389 & 31i) & 31i)));
         if (_e397 <= 0i) {
-            phi_1001_ = u32();
-            phi_1002_ = true;
+            phi_1000_ = u32();
+            phi_1001_ = true;
         } else {
             let _e408 = (_e401 == 0u);
             if _e408 {
-                phi_1000_ = u32();
+                phi_999_ = u32();
             } else {
-                phi_1000_ = select(((bitcast<u32>(_e397) << bitcast<u32>(23i)) | (_e401 & 8388607u)), 2139095039u, (_e397 >= 255i));
+                phi_999_ = select(((bitcast<u32>(_e397) << bitcast<u32>(23i)) | (_e401 & 8388607u)), 2139095039u, (_e397 >= 255i));
             }
-            let _e412 = phi_1000_;
-            phi_1001_ = _e412;
-            phi_1002_ = _e408;
+            let _e412 = phi_999_;
+            phi_1000_ = _e412;
+            phi_1001_ = _e408;
         }
-        let _e414 = phi_1001_;
-        let _e416 = phi_1002_;
+        let _e414 = phi_1000_;
+        let _e416 = phi_1001_;
         let _e427 = ((_e141 & 8388607u) | (select(0u, 1u, ((_e141 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
         let _e430 = bitcast<i32>((_e141 >> bitcast<u32>(23i)));
         let _e437 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e427)), 32u, (_e427 == 0u))) - 8i);
         if (_e430 == 255i) {
-            phi_1036_ = 255i;
+            phi_1035_ = 255i;
         } else {
-            phi_1036_ = (((_e430 + select(0i, 1i, (_e430 == 0i))) - _e437) + _e235);
+            phi_1035_ = (((_e430 + select(0i, 1i, (_e430 == 0i))) - _e437) + _e235);
         }
-        let _e445 = phi_1036_;
+        let _e445 = phi_1035_;
         let _e449 = (_e427 << bitcast<u32>(((_e437 & 31i) & 31i)));
         if (_e445 <= 0i) {
-            phi_1059_ = u32();
-            phi_1060_ = true;
+            phi_1058_ = u32();
+            phi_1059_ = true;
         } else {
             let _e456 = (_e449 == 0u);
             if _e456 {
-                phi_1058_ = u32();
+                phi_1057_ = u32();
             } else {
-                phi_1058_ = select(((bitcast<u32>(_e445) << bitcast<u32>(23i)) | (_e449 & 8388607u)), 2139095039u, (_e445 >= 255i));
+                phi_1057_ = select(((bitcast<u32>(_e445) << bitcast<u32>(23i)) | (_e449 & 8388607u)), 2139095039u, (_e445 >= 255i));
             }
-            let _e460 = phi_1058_;
-            phi_1059_ = _e460;
-            phi_1060_ = _e456;
+            let _e460 = phi_1057_;
+            phi_1058_ = _e460;
+            phi_1059_ = _e456;
         }
-        let _e462 = phi_1059_;
-        let _e464 = phi_1060_;
-        phi_1070_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e174, _e254) * _e245) * select(0.00000011920929f, 1f, _e254)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e178, _e271) * _e245) * select(0.00000011920929f, 1f, _e271)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e286 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e286 & 2147483648u))), _e181, _e288) * _e245) * select(0.00000011920929f, 1f, _e288)) * _e251)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e183, _e323) * _e314) * select(0.00000011920929f, 1f, _e323)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e185, _e340) * _e314) * select(0.00000011920929f, 1f, _e340)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e187, _e357) * _e314) * select(0.00000011920929f, 1f, _e357)) * _e320)), bitcast<f32>(((_e132 & 2147483648u) | select(_e414, 0u, _e416))), bitcast<f32>(((_e140 & 2147483648u) | select(_e462, 0u, _e464))), _e234);
+        let _e462 = phi_1058_;
+        let _e464 = phi_1059_;
+        phi_1069_ = SlimbvhTypeD(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e174, _e254) * _e245) * select(0.00000011920929f, 1f, _e254)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e178, _e271) * _e245) * select(0.00000011920929f, 1f, _e271)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e286 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e286 & 2147483648u))), _e181, _e288) * _e245) * select(0.00000011920929f, 1f, _e288)) * _e251)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e183, _e323) * _e314) * select(0.00000011920929f, 1f, _e323)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e185, _e340) * _e314) * select(0.00000011920929f, 1f, _e340)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e187, _e357) * _e314) * select(0.00000011920929f, 1f, _e357)) * _e320)), bitcast<f32>(((_e132 & 2147483648u) | select(_e414, 0u, _e416))), bitcast<f32>(((_e140 & 2147483648u) | select(_e462, 0u, _e464))), _e234);
     }
-    let _e555 = phi_1070_;
+    let _e555 = phi_1069_;
     let _e570 = (bitcast<f32>((bitcast<u32>(_e555.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
     let _e573 = bitcast<f32>((bitcast<u32>(_e555.member[0]) & 2147483647u));
     let _e574 = (_e573 * 0.00000011920929f);
@@ -418,31 +418,31 @@ fn slimbvh_trace_in_group() {
         let _e629 = (_e627 % 64u);
         let _e632 = slimbvh_question.member[0u];
         if (_e632 == 1u) {
-            phi_1282_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e621), true);
+            phi_1281_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e621), true);
         } else {
-            phi_1282_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e621), false);
+            phi_1281_ = SlimbvhTypeN(SlimbvhTypeJ(_e87, _e621), false);
         }
-        let _e639 = phi_1282_;
-        phi_1298_ = _e639;
-        phi_1301_ = select(4294967295u, 0u, (_e622 <= _e621));
-        phi_1303_ = 0u;
-        phi_1305_ = (_e91 + 1u);
+        let _e639 = phi_1281_;
+        phi_1297_ = _e639;
+        phi_1300_ = select(4294967295u, 0u, (_e622 <= _e621));
+        phi_1302_ = 0u;
+        phi_1304_ = (_e91 + 1u);
         loop {
-            let _e648 = phi_1298_;
-            let _e650 = phi_1301_;
-            let _e652 = phi_1303_;
-            let _e654 = phi_1305_;
+            let _e648 = phi_1297_;
+            let _e650 = phi_1300_;
+            let _e652 = phi_1302_;
+            let _e654 = phi_1304_;
             local_5 = _e650;
             local_6 = _e648;
             let _e655 = (_e650 <= 32u);
             if _e655 {
-                phi_1314_ = _e650;
-                phi_1317_ = _e652;
-                phi_1319_ = _e654;
+                phi_1313_ = _e650;
+                phi_1316_ = _e652;
+                phi_1318_ = _e654;
                 loop {
-                    let _e657 = phi_1314_;
-                    let _e659 = phi_1317_;
-                    let _e661 = phi_1319_;
+                    let _e657 = phi_1313_;
+                    let _e659 = phi_1316_;
+                    let _e661 = phi_1318_;
                     local_1 = _e659;
                     local_2 = _e659;
                     local_3 = _e657;
@@ -509,22 +509,22 @@ fn slimbvh_trace_in_group() {
                         let _e798 = phi_1612_;
                         let _e800 = phi_1613_;
                         let _e801 = (_e661 - 1u);
-                        phi_1315_ = select(_e798, 4294967295u, (_e801 == 0u));
-                        phi_1318_ = _e800;
-                        phi_1320_ = _e801;
+                        phi_1314_ = select(_e798, 4294967295u, (_e801 == 0u));
+                        phi_1317_ = _e800;
+                        phi_1319_ = _e801;
                     } else {
-                        phi_1315_ = u32();
-                        phi_1318_ = u32();
-                        phi_1320_ = u32();
+                        phi_1314_ = u32();
+                        phi_1317_ = u32();
+                        phi_1319_ = u32();
                     }
-                    let _e805 = phi_1315_;
-                    let _e807 = phi_1318_;
-                    let _e809 = phi_1320_;
+                    let _e805 = phi_1314_;
+                    let _e807 = phi_1317_;
+                    let _e809 = phi_1319_;
                     continue;
                     continuing {
-                        phi_1314_ = _e805;
-                        phi_1317_ = _e807;
-                        phi_1319_ = _e809;
+                        phi_1313_ = _e805;
+                        phi_1316_ = _e807;
+                        phi_1318_ = _e809;
                         break if !(_e668);
                     }
                 }
@@ -968,27 +968,27 @@ fn slimbvh_trace_in_group() {
                 let _e1789 = phi_2999_;
                 let _e1791 = phi_3000_;
                 let _e1793 = phi_3001_;
-                phi_1299_ = _e1789;
-                phi_1302_ = _e1791;
-                phi_1304_ = _e1793;
+                phi_1298_ = _e1789;
+                phi_1301_ = _e1791;
+                phi_1303_ = _e1793;
                 let _e2058 = local_10;
-                phi_1306_ = _e2058;
+                phi_1305_ = _e2058;
             } else {
-                phi_1299_ = SlimbvhTypeN();
-                phi_1302_ = u32();
-                phi_1304_ = u32();
-                phi_1306_ = u32();
+                phi_1298_ = SlimbvhTypeN();
+                phi_1301_ = u32();
+                phi_1303_ = u32();
+                phi_1305_ = u32();
             }
-            let _e1795 = phi_1299_;
-            let _e1797 = phi_1302_;
-            let _e1799 = phi_1304_;
-            let _e1801 = phi_1306_;
+            let _e1795 = phi_1298_;
+            let _e1797 = phi_1301_;
+            let _e1799 = phi_1303_;
+            let _e1801 = phi_1305_;
             continue;
             continuing {
-                phi_1298_ = _e1795;
-                phi_1301_ = _e1797;
-                phi_1303_ = _e1799;
-                phi_1305_ = _e1801;
+                phi_1297_ = _e1795;
+                phi_1300_ = _e1797;
+                phi_1302_ = _e1799;
+                phi_1304_ = _e1801;
                 break if !(_e655);
             }
         }

@@ -66,141 +66,141 @@ fn slimbvh_trace_in_group() {
     var phi_1751_: u32;
     var phi_1754_: u32;
     var phi_1756_: u32;
-    var phi_1862_: SlimbvhTypeJ;
     var phi_1863_: SlimbvhTypeJ;
-    var phi_1922_: SlimbvhTypeJ;
+    var phi_1864_: SlimbvhTypeJ;
     var phi_1923_: SlimbvhTypeJ;
-    var phi_1982_: SlimbvhTypeJ;
+    var phi_1924_: SlimbvhTypeJ;
     var phi_1983_: SlimbvhTypeJ;
-    var phi_2473_: u32;
-    var phi_2486_: u32;
-    var phi_2499_: u32;
-    var phi_2512_: u32;
-    var phi_5258_: SlimbvhTypeD;
-    var phi_5270_: SlimbvhTypeD;
-    var phi_5282_: SlimbvhTypeD;
-    var phi_5294_: SlimbvhTypeD;
-    var phi_5306_: SlimbvhTypeD;
-    var phi_2596_: u32;
-    var phi_2601_: u32;
+    var phi_1984_: SlimbvhTypeJ;
+    var phi_2474_: u32;
+    var phi_2487_: u32;
+    var phi_2500_: u32;
+    var phi_2513_: u32;
+    var phi_5259_: SlimbvhTypeD;
+    var phi_5271_: SlimbvhTypeD;
+    var phi_5283_: SlimbvhTypeD;
+    var phi_5295_: SlimbvhTypeD;
+    var phi_5307_: SlimbvhTypeD;
+    var phi_2597_: u32;
     var phi_2602_: u32;
-    var phi_2656_: u32;
+    var phi_2603_: u32;
     var phi_2657_: u32;
+    var phi_2658_: u32;
     var phi_1752_: u32;
     var phi_1755_: u32;
     var phi_1757_: u32;
     var local: bool;
     var local_1: u32;
-    var phi_2842_: u32;
-    var phi_2847_: u32;
-    var phi_2890_: SlimbvhTypeM;
-    var phi_2897_: SlimbvhTypeP;
-    var phi_2900_: SlimbvhTypeD;
+    var phi_2843_: u32;
+    var phi_2848_: u32;
+    var phi_2891_: SlimbvhTypeM;
+    var phi_2898_: SlimbvhTypeP;
     var phi_2901_: SlimbvhTypeD;
-    var phi_2923_: SlimbvhTypeD;
-    var phi_2948_: u32;
-    var phi_2971_: u32;
-    var phi_2980_: u32;
-    var phi_2990_: u32;
-    var phi_3449_: u32;
-    var phi_3462_: u32;
-    var phi_3475_: u32;
-    var phi_3501_: u32;
-    var phi_3514_: u32;
-    var phi_3527_: u32;
-    var phi_3553_: u32;
-    var phi_3566_: u32;
-    var phi_3579_: u32;
-    var phi_3171_: u32;
-    var phi_3184_: u32;
-    var phi_3194_: u32;
-    var phi_3215_: u32;
-    var phi_3236_: u32;
-    var phi_3263_: u32;
-    var phi_3276_: u32;
-    var phi_3286_: u32;
-    var phi_3307_: u32;
-    var phi_3328_: u32;
-    var phi_3355_: u32;
-    var phi_3368_: u32;
-    var phi_3378_: u32;
-    var phi_3399_: u32;
-    var phi_3420_: u32;
-    var phi_3032_: u32;
-    var phi_3078_: u32;
-    var phi_3124_: u32;
-    var phi_3591_: array<array<f32, 3>, 3>;
-    var phi_3956_: f32;
+    var phi_2902_: SlimbvhTypeD;
+    var phi_2924_: SlimbvhTypeD;
+    var phi_2949_: u32;
+    var phi_2972_: u32;
+    var phi_2981_: u32;
+    var phi_2991_: u32;
+    var phi_3450_: u32;
+    var phi_3463_: u32;
+    var phi_3476_: u32;
+    var phi_3502_: u32;
+    var phi_3515_: u32;
+    var phi_3528_: u32;
+    var phi_3554_: u32;
+    var phi_3567_: u32;
+    var phi_3580_: u32;
+    var phi_3172_: u32;
+    var phi_3185_: u32;
+    var phi_3195_: u32;
+    var phi_3216_: u32;
+    var phi_3237_: u32;
+    var phi_3264_: u32;
+    var phi_3277_: u32;
+    var phi_3287_: u32;
+    var phi_3308_: u32;
+    var phi_3329_: u32;
+    var phi_3356_: u32;
+    var phi_3369_: u32;
+    var phi_3379_: u32;
+    var phi_3400_: u32;
+    var phi_3421_: u32;
+    var phi_3033_: u32;
+    var phi_3079_: u32;
+    var phi_3125_: u32;
+    var phi_3592_: array<array<f32, 3>, 3>;
     var phi_3957_: f32;
     var phi_3958_: f32;
     var phi_3959_: f32;
-    var phi_3960_: vec3<f32>;
+    var phi_3960_: f32;
     var phi_3961_: vec3<f32>;
     var phi_3962_: vec3<f32>;
     var phi_3963_: vec3<f32>;
-    var phi_4142_: f32;
-    var phi_4168_: SlimbvhTypeE;
+    var phi_3964_: vec3<f32>;
+    var phi_4143_: f32;
     var phi_4169_: SlimbvhTypeE;
-    var phi_4172_: SlimbvhTypeE;
+    var phi_4170_: SlimbvhTypeE;
     var phi_4173_: SlimbvhTypeE;
-    var phi_4174_: bool;
-    var phi_4178_: SlimbvhTypeE;
-    var phi_4187_: SlimbvhTypeF;
-    var phi_4240_: i32;
-    var phi_4380_: SlimbvhTypeH;
-    var phi_4404_: u32;
-    var phi_4433_: vec3<f32>;
+    var phi_4174_: SlimbvhTypeE;
+    var phi_4175_: bool;
+    var phi_4179_: SlimbvhTypeE;
+    var phi_4188_: SlimbvhTypeF;
+    var phi_4241_: i32;
+    var phi_4381_: SlimbvhTypeH;
+    var phi_4405_: u32;
     var phi_4434_: vec3<f32>;
-    var phi_4452_: vec3<f32>;
+    var phi_4435_: vec3<f32>;
     var phi_4453_: vec3<f32>;
-    var phi_4471_: vec3<f32>;
+    var phi_4454_: vec3<f32>;
     var phi_4472_: vec3<f32>;
-    var phi_4508_: vec3<f32>;
-    var phi_4690_: f32;
-    var phi_4708_: bool;
+    var phi_4473_: vec3<f32>;
+    var phi_4509_: vec3<f32>;
+    var phi_4691_: f32;
     var phi_4709_: bool;
-    var phi_4728_: bool;
+    var phi_4710_: bool;
     var phi_4729_: bool;
-    var phi_4736_: SlimbvhTypeP;
-    var phi_4742_: SlimbvhTypeP;
+    var phi_4730_: bool;
+    var phi_4737_: SlimbvhTypeP;
     var phi_4743_: SlimbvhTypeP;
     var phi_4744_: SlimbvhTypeP;
-    var phi_2898_: SlimbvhTypeP;
+    var phi_4745_: SlimbvhTypeP;
+    var phi_2899_: SlimbvhTypeP;
     var local_2: u32;
     var local_3: u32;
-    var phi_4835_: u32;
     var phi_4836_: u32;
+    var phi_4837_: u32;
     var local_4: SlimbvhTypeP;
-    var phi_4845_: SlimbvhTypeP;
-    var phi_4846_: u32;
+    var phi_4846_: SlimbvhTypeP;
     var phi_4847_: u32;
+    var phi_4848_: u32;
     var phi_1736_: SlimbvhTypeP;
     var phi_1739_: u32;
     var phi_1741_: u32;
     var phi_1743_: u32;
     var local_5: u32;
     var local_6: SlimbvhTypeP;
-    var phi_4884_: f32;
-    var phi_4886_: f32;
-    var phi_4887_: bool;
-    var phi_4888_: f32;
-    var phi_4889_: bool;
-    var phi_5537_: u32;
-    var phi_5555_: bool;
-    var phi_5558_: bool;
-    var phi_5571_: f32;
+    var phi_4885_: f32;
+    var phi_4887_: f32;
+    var phi_4888_: bool;
+    var phi_4889_: f32;
+    var phi_4890_: bool;
+    var phi_5538_: u32;
+    var phi_5556_: bool;
+    var phi_5559_: bool;
     var phi_5572_: f32;
-    var phi_5577_: f32;
+    var phi_5573_: f32;
     var phi_5578_: f32;
-    var phi_5579_: bool;
-    var phi_5587_: f32;
-    var phi_4904_: f32;
+    var phi_5579_: f32;
+    var phi_5580_: bool;
+    var phi_5588_: f32;
     var phi_4905_: f32;
-    var phi_4917_: f32;
-    var phi_4922_: SlimbvhTypeF;
-    var phi_4935_: bool;
+    var phi_4906_: f32;
+    var phi_4918_: f32;
+    var phi_4923_: SlimbvhTypeF;
     var phi_4936_: bool;
     var phi_4937_: bool;
+    var phi_4938_: bool;
     var local_7: SlimbvhTypeP;
     var local_8: u32;
     var local_9: u32;
@@ -565,38 +565,38 @@ fn slimbvh_trace_in_group() {
                         let _e859 = bitcast<f32>((_e853 + ((_e840.w & 31u) << bitcast<u32>(23i))));
                         let _e860 = (_e858 + _e859);
                         if ((bitcast<u32>(_e659) >> bitcast<u32>(31i)) == 0u) {
-                            phi_1862_ = SlimbvhTypeJ(_e840.z, _e860);
-                            phi_1863_ = SlimbvhTypeJ(_e840.y, _e858);
-                        } else {
-                            phi_1862_ = SlimbvhTypeJ(_e840.y, _e858);
                             phi_1863_ = SlimbvhTypeJ(_e840.z, _e860);
+                            phi_1864_ = SlimbvhTypeJ(_e840.y, _e858);
+                        } else {
+                            phi_1863_ = SlimbvhTypeJ(_e840.y, _e858);
+                            phi_1864_ = SlimbvhTypeJ(_e840.z, _e860);
                         }
-                        let _e871 = phi_1862_;
-                        let _e873 = phi_1863_;
+                        let _e871 = phi_1863_;
+                        let _e873 = phi_1864_;
                         let _e912 = bitcast<f32>(_e845.x);
                         let _e913 = bitcast<f32>((_e853 + ((_e845.w & 31u) << bitcast<u32>(23i))));
                         let _e914 = (_e912 + _e913);
                         if ((bitcast<u32>(_e675) >> bitcast<u32>(31i)) == 0u) {
-                            phi_1922_ = SlimbvhTypeJ(_e845.z, _e914);
-                            phi_1923_ = SlimbvhTypeJ(_e845.y, _e912);
-                        } else {
-                            phi_1922_ = SlimbvhTypeJ(_e845.y, _e912);
                             phi_1923_ = SlimbvhTypeJ(_e845.z, _e914);
+                            phi_1924_ = SlimbvhTypeJ(_e845.y, _e912);
+                        } else {
+                            phi_1923_ = SlimbvhTypeJ(_e845.y, _e912);
+                            phi_1924_ = SlimbvhTypeJ(_e845.z, _e914);
                         }
-                        let _e925 = phi_1922_;
-                        let _e927 = phi_1923_;
+                        let _e925 = phi_1923_;
+                        let _e927 = phi_1924_;
                         let _e966 = bitcast<f32>(_e850.x);
                         let _e967 = bitcast<f32>((_e853 + ((_e850.w & 31u) << bitcast<u32>(23i))));
                         let _e968 = (_e966 + _e967);
                         if ((bitcast<u32>(_e691) >> bitcast<u32>(31i)) == 0u) {
-                            phi_1982_ = SlimbvhTypeJ(_e850.z, _e968);
-                            phi_1983_ = SlimbvhTypeJ(_e850.y, _e966);
-                        } else {
-                            phi_1982_ = SlimbvhTypeJ(_e850.y, _e966);
                             phi_1983_ = SlimbvhTypeJ(_e850.z, _e968);
+                            phi_1984_ = SlimbvhTypeJ(_e850.y, _e966);
+                        } else {
+                            phi_1983_ = SlimbvhTypeJ(_e850.y, _e966);
+                            phi_1984_ = SlimbvhTypeJ(_e850.z, _e968);
                         }
-                        let _e979 = phi_1982_;
-                        let _e981 = phi_1983_;
+                        let _e979 = phi_1983_;
+                        let _e981 = phi_1984_;
                         let _e1016 = (_e859 * _e659);
                         let _e1019 = bitcast<f32>((bitcast<u32>(_e1016) & 2147483647u));
                         let _e1023 = (((_e873.member_1 - _e656) * _e659) + (_e1019 * -0.00012207031f));
@@ -623,59 +623,59 @@ fn slimbvh_trace_in_group() {
                         let _e1135 = max(max(max(((f32(((_e873.member >> bitcast<u32>(24u)) & 255u)) * _e1016) + _e1023), ((f32(((_e927.member >> bitcast<u32>(24u)) & 255u)) * _e1044) + _e1051)), _e1087), _e699);
                         let _e1140 = (_e815.member.member_1 + (bitcast<f32>((bitcast<u32>(_e815.member.member_1) & 2147483647u)) * 0.0000004768374f));
                         if (_e1132 <= min((min(min(((f32((_e871.member & 255u)) * _e1016) + _e1035), ((f32((_e925.member & 255u)) * _e1044) + _e1063)), _e1096) + (max(_e1096, -(_e1084)) * 0.0000023841915f)), _e1140)) {
-                            phi_2473_ = (((bitcast<u32>(_e1132) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u);
+                            phi_2474_ = (((bitcast<u32>(_e1132) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u);
                         } else {
-                            phi_2473_ = 4294967288u;
+                            phi_2474_ = 4294967288u;
                         }
-                        let _e1155 = phi_2473_;
+                        let _e1155 = phi_2474_;
                         if (_e1133 <= min((min(min(((f32(((_e871.member >> bitcast<u32>(8u)) & 255u)) * _e1016) + _e1035), ((f32(((_e925.member >> bitcast<u32>(8u)) & 255u)) * _e1044) + _e1063)), _e1097) + (max(_e1097, -(_e1085)) * 0.0000023841915f)), _e1140)) {
-                            phi_2486_ = ((((bitcast<u32>(_e1133) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u) | 1u);
+                            phi_2487_ = ((((bitcast<u32>(_e1133) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u) | 1u);
                         } else {
-                            phi_2486_ = 4294967288u;
+                            phi_2487_ = 4294967288u;
                         }
-                        let _e1163 = phi_2486_;
+                        let _e1163 = phi_2487_;
                         if (_e1134 <= min((min(min(((f32(((_e871.member >> bitcast<u32>(16u)) & 255u)) * _e1016) + _e1035), ((f32(((_e925.member >> bitcast<u32>(16u)) & 255u)) * _e1044) + _e1063)), _e1098) + (max(_e1098, -(_e1086)) * 0.0000023841915f)), _e1140)) {
-                            phi_2499_ = ((((bitcast<u32>(_e1134) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u) | 2u);
+                            phi_2500_ = ((((bitcast<u32>(_e1134) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u) | 2u);
                         } else {
-                            phi_2499_ = 4294967288u;
+                            phi_2500_ = 4294967288u;
                         }
-                        let _e1171 = phi_2499_;
+                        let _e1171 = phi_2500_;
                         if (_e1135 <= min((min(min(((f32(((_e871.member >> bitcast<u32>(24u)) & 255u)) * _e1016) + _e1035), ((f32(((_e925.member >> bitcast<u32>(24u)) & 255u)) * _e1044) + _e1063)), _e1099) + (max(_e1099, -(_e1087)) * 0.0000023841915f)), _e1140)) {
-                            phi_2512_ = ((((bitcast<u32>(_e1135) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u) | 3u);
+                            phi_2513_ = ((((bitcast<u32>(_e1135) ^ select(0u, 4294967288u, _e716.member_1)) & 2147483640u) | 4u) | 3u);
                         } else {
-                            phi_2512_ = 4294967288u;
+                            phi_2513_ = 4294967288u;
                         }
-                        let _e1179 = phi_2512_;
+                        let _e1179 = phi_2513_;
                         if (_e1155 < _e1163) {
-                            phi_5258_ = SlimbvhTypeD(_e1155, _e1163);
+                            phi_5259_ = SlimbvhTypeD(_e1155, _e1163);
                         } else {
-                            phi_5258_ = SlimbvhTypeD(_e1163, _e1155);
+                            phi_5259_ = SlimbvhTypeD(_e1163, _e1155);
                         }
-                        let _e1184 = phi_5258_;
+                        let _e1184 = phi_5259_;
                         if (_e1171 < _e1179) {
-                            phi_5270_ = SlimbvhTypeD(_e1171, _e1179);
+                            phi_5271_ = SlimbvhTypeD(_e1171, _e1179);
                         } else {
-                            phi_5270_ = SlimbvhTypeD(_e1179, _e1171);
+                            phi_5271_ = SlimbvhTypeD(_e1179, _e1171);
                         }
-                        let _e1191 = phi_5270_;
+                        let _e1191 = phi_5271_;
                         if (_e1184.member < _e1191.member) {
-                            phi_5282_ = SlimbvhTypeD(_e1184.member, _e1191.member);
+                            phi_5283_ = SlimbvhTypeD(_e1184.member, _e1191.member);
                         } else {
-                            phi_5282_ = SlimbvhTypeD(_e1191.member, _e1184.member);
+                            phi_5283_ = SlimbvhTypeD(_e1191.member, _e1184.member);
                         }
-                        let _e1198 = phi_5282_;
+                        let _e1198 = phi_5283_;
                         if (_e1184.member_1 < _e1191.member_1) {
-                            phi_5294_ = SlimbvhTypeD(_e1184.member_1, _e1191.member_1);
+                            phi_5295_ = SlimbvhTypeD(_e1184.member_1, _e1191.member_1);
                         } else {
-                            phi_5294_ = SlimbvhTypeD(_e1191.member_1, _e1184.member_1);
+                            phi_5295_ = SlimbvhTypeD(_e1191.member_1, _e1184.member_1);
                         }
-                        let _e1205 = phi_5294_;
+                        let _e1205 = phi_5295_;
                         if (_e1205.member < _e1198.member_1) {
-                            phi_5306_ = SlimbvhTypeD(_e1205.member, _e1198.member_1);
+                            phi_5307_ = SlimbvhTypeD(_e1205.member, _e1198.member_1);
                         } else {
-                            phi_5306_ = SlimbvhTypeD(_e1198.member_1, _e1205.member);
+                            phi_5307_ = SlimbvhTypeD(_e1198.member_1, _e1205.member);
                         }
-                        let _e1212 = phi_5306_;
+                        let _e1212 = phi_5307_;
                         let _e1227 = (((_e1198.member & 7u) | ((_e1212.member & 7u) << bitcast<u32>(3u))) | (((_e1212.member_1 & 7u) | ((_e1205.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                         if (_e1227 == 0u) {
                             let _e1247 = (_e824 - 1u);
@@ -687,22 +687,22 @@ fn slimbvh_trace_in_group() {
                             } else {
                                 slimbvh_stacks[(((_e1247 % 32u) * 64u) + _e706)] = (((_e1252 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1255);
                             }
-                            phi_2601_ = select(_e824, _e1247, _e1258);
-                            phi_2602_ = (((_e1252 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1253 & 3u) & 3u));
+                            phi_2602_ = select(_e824, _e1247, _e1258);
+                            phi_2603_ = (((_e1252 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1253 & 3u) & 3u));
                         } else {
                             let _e1230 = (_e1227 >> bitcast<u32>(3u));
                             if (_e1230 == 0u) {
-                                phi_2596_ = _e824;
+                                phi_2597_ = _e824;
                             } else {
                                 slimbvh_stacks[(((_e824 % 32u) * 64u) + _e706)] = ((_e831 << bitcast<u32>(9u)) | _e1230);
-                                phi_2596_ = (_e824 + 1u);
+                                phi_2597_ = (_e824 + 1u);
                             }
-                            let _e1241 = phi_2596_;
-                            phi_2601_ = _e1241;
-                            phi_2602_ = ((_e831 << bitcast<u32>(2i)) | ((_e1227 & 3u) & 3u));
+                            let _e1241 = phi_2597_;
+                            phi_2602_ = _e1241;
+                            phi_2603_ = ((_e831 << bitcast<u32>(2i)) | ((_e1227 & 3u) & 3u));
                         }
-                        let _e1273 = phi_2601_;
-                        let _e1275 = phi_2602_;
+                        let _e1273 = phi_2602_;
+                        let _e1275 = phi_2603_;
                         let _e1277 = (_e1275 >> bitcast<u32>(2i));
                         if (_e1277 < _e127) {
                             let _e1282 = slimbvh_nodes.member[_e1277][1u][3u];
@@ -711,16 +711,16 @@ fn slimbvh_trace_in_group() {
                             let _e1292 = (_e1275 & 3u);
                             if (((_e1291 >> bitcast<u32>((((3u * _e1292) & 31u) & 31u))) & 7u) == 7u) {
                                 let _e1304 = ((_e1291 | (_e1291 << bitcast<u32>(10i))) & 4128831u);
-                                phi_2656_ = (((_e1282 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1304 | (_e1304 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1292) & 31u) & 31u))) & 255u));
+                                phi_2657_ = (((_e1282 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1304 | (_e1304 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1292) & 31u) & 31u))) & 255u));
                             } else {
-                                phi_2656_ = (2147483648u | _e1275);
+                                phi_2657_ = (2147483648u | _e1275);
                             }
-                            let _e1322 = phi_2656_;
-                            phi_2657_ = _e1322;
+                            let _e1322 = phi_2657_;
+                            phi_2658_ = _e1322;
                         } else {
-                            phi_2657_ = 4294967295u;
+                            phi_2658_ = 4294967295u;
                         }
-                        let _e1324 = phi_2657_;
+                        let _e1324 = phi_2658_;
                         let _e1325 = (_e828 - 1u);
                         phi_1752_ = select(_e1273, 4294967295u, (_e1325 == 0u));
                         phi_1755_ = _e1324;
@@ -747,7 +747,7 @@ fn slimbvh_trace_in_group() {
                     let _e1339 = (_e1338 & 2147483647u);
                     let _e1341 = (_e1339 >> bitcast<u32>(2i));
                     if (_e1341 >= _e127) {
-                        phi_2890_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+                        phi_2891_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                     } else {
                         let _e1347 = slimbvh_nodes.member[_e1341][select(_e721, 2u, (2u < _e721))];
                         let _e1356 = slimbvh_nodes.member[_e1341][select(_e722, 2u, (2u < _e722))];
@@ -762,97 +762,97 @@ fn slimbvh_trace_in_group() {
                         let _e1412 = ((_e1394 >> bitcast<u32>((((3u * _e1406) & 31u) & 31u))) & 7u);
                         if (_e1412 == 7u) {
                             let _e1465 = ((_e1394 | (_e1394 << bitcast<u32>(10i))) & 4128831u);
-                            phi_2842_ = (((_e1377 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1465 | (_e1465 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1406) & 31u) & 31u))) & 255u));
+                            phi_2843_ = (((_e1377 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1465 | (_e1465 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1406) & 31u) & 31u))) & 255u));
                         } else {
                             let _e1417 = ((_e1394 | (_e1394 << bitcast<u32>(10i))) & 4128831u);
                             let _e1421 = ((_e1417 | (_e1417 << bitcast<u32>(5i))) & 117901063u);
                             let _e1427 = (_e1421 - (7u * (((_e1421 + 16843009u) >> bitcast<u32>(3i)) & 16843009u)));
                             let _e1435 = ((_e1402 | (_e1402 << bitcast<u32>(8i))) & 16711935u);
-                            phi_2842_ = ((2147483648u | (_e1412 << bitcast<u32>(28u))) | ((((_e1373 >> bitcast<u32>(5u)) | (((_e1377 >> bitcast<u32>(28u)) & 1u) << bitcast<u32>(27u))) + (((((((((_e1435 | (_e1435 << bitcast<u32>(4i))) & 252645135u) + (3u * (((_e1427 + 117901063u) >> bitcast<u32>(3i)) & 16843009u))) * (_e1405 + 1u)) + _e1427) + ((_e1427 >> bitcast<u32>(1i)) & 50529027u)) * 16843008u) >> bitcast<u32>((((8u * _e1406) & 31u) & 31u))) & 255u)) & 268435455u));
+                            phi_2843_ = ((2147483648u | (_e1412 << bitcast<u32>(28u))) | ((((_e1373 >> bitcast<u32>(5u)) | (((_e1377 >> bitcast<u32>(28u)) & 1u) << bitcast<u32>(27u))) + (((((((((_e1435 | (_e1435 << bitcast<u32>(4i))) & 252645135u) + (3u * (((_e1427 + 117901063u) >> bitcast<u32>(3i)) & 16843009u))) * (_e1405 + 1u)) + _e1427) + ((_e1427 >> bitcast<u32>(1i)) & 50529027u)) * 16843008u) >> bitcast<u32>((((8u * _e1406) & 31u) & 31u))) & 255u)) & 268435455u));
                         }
-                        let _e1483 = phi_2842_;
+                        let _e1483 = phi_2843_;
                         switch bitcast<i32>(_e1405) {
                             case 0: {
-                                phi_2847_ = 0u;
+                                phi_2848_ = 0u;
                                 break;
                             }
                             case 1: {
-                                phi_2847_ = 1u;
+                                phi_2848_ = 1u;
                                 break;
                             }
                             default: {
-                                phi_2847_ = 2u;
+                                phi_2848_ = 2u;
                                 break;
                             }
                         }
-                        let _e1486 = phi_2847_;
+                        let _e1486 = phi_2848_;
                         let _e1489 = (((8u * _e1406) & 31u) & 31u);
-                        phi_2890_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1347.x) + (f32((((_e1347.y >> bitcast<u32>(_e1489)) & 255u) << bitcast<u32>(((_e1347.w & 31u) & 31u)))) * _e178)), (bitcast<f32>(_e1356.x) + (f32((((_e1356.y >> bitcast<u32>(_e1489)) & 255u) << bitcast<u32>(((_e1356.w & 31u) & 31u)))) * _e178)), (bitcast<f32>(_e1365.x) + (f32((((_e1365.y >> bitcast<u32>(_e1489)) & 255u) << bitcast<u32>(((_e1365.w & 31u) & 31u)))) * _e178)), 0f), _e1486), (_e1483 & 268435455u), ((_e1483 >> bitcast<u32>(28u)) & 7u));
+                        phi_2891_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1347.x) + (f32((((_e1347.y >> bitcast<u32>(_e1489)) & 255u) << bitcast<u32>(((_e1347.w & 31u) & 31u)))) * _e178)), (bitcast<f32>(_e1356.x) + (f32((((_e1356.y >> bitcast<u32>(_e1489)) & 255u) << bitcast<u32>(((_e1356.w & 31u) & 31u)))) * _e178)), (bitcast<f32>(_e1365.x) + (f32((((_e1365.y >> bitcast<u32>(_e1489)) & 255u) << bitcast<u32>(((_e1365.w & 31u) & 31u)))) * _e178)), 0f), _e1486), (_e1483 & 268435455u), ((_e1483 >> bitcast<u32>(28u)) & 7u));
                     }
-                    let _e1528 = phi_2890_;
+                    let _e1528 = phi_2891_;
                     let _e1530 = (_e1528.member_1 + _e184);
-                    phi_2897_ = _e815;
-                    phi_2900_ = SlimbvhTypeD(0u, _e1528.member_2);
+                    phi_2898_ = _e815;
+                    phi_2901_ = SlimbvhTypeD(0u, _e1528.member_2);
                     loop {
-                        let _e1535 = phi_2897_;
-                        let _e1537 = phi_2900_;
+                        let _e1535 = phi_2898_;
+                        let _e1537 = phi_2901_;
                         local_4 = _e1535;
                         local_7 = _e1535;
                         if (_e1537.member < _e1537.member_1) {
-                            phi_2901_ = SlimbvhTypeD((_e1537.member + 1u), _e1537.member_1);
-                            phi_2923_ = SlimbvhTypeD(1u, _e1537.member);
+                            phi_2902_ = SlimbvhTypeD((_e1537.member + 1u), _e1537.member_1);
+                            phi_2924_ = SlimbvhTypeD(1u, _e1537.member);
                         } else {
-                            phi_2901_ = _e1537;
-                            phi_2923_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                            phi_2902_ = _e1537;
+                            phi_2924_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                         }
-                        let _e1550 = phi_2901_;
-                        let _e1552 = phi_2923_;
+                        let _e1550 = phi_2902_;
+                        let _e1552 = phi_2924_;
                         let _e1556 = (bitcast<i32>(_e1552.member) != 0i);
                         if _e1556 {
                             let _e1558 = (_e1530 + (_e1528.member_2 / 2u));
                             let _e1559 = (_e1558 + _e1552.member_1);
                             if (_e1559 < _e130) {
                                 let _e1562 = slimbvh_triangles.member[_e1559];
-                                phi_2948_ = _e1562;
+                                phi_2949_ = _e1562;
                             } else {
-                                phi_2948_ = 4294967295u;
+                                phi_2949_ = 4294967295u;
                             }
-                            let _e1564 = phi_2948_;
+                            let _e1564 = phi_2949_;
                             let _e1565 = (_e1552.member_1 - 1u);
                             let _e1568 = (_e1530 + (_e1565 >> bitcast<u32>(1i)));
                             if (_e1568 < _e130) {
                                 let _e1571 = slimbvh_triangles.member[_e1568];
-                                phi_2971_ = _e1571;
+                                phi_2972_ = _e1571;
                             } else {
-                                phi_2971_ = 0u;
+                                phi_2972_ = 0u;
                             }
-                            let _e1573 = phi_2971_;
+                            let _e1573 = phi_2972_;
                             if (_e1552.member_1 == 0u) {
-                                phi_2980_ = 2080u;
+                                phi_2981_ = 2080u;
                             } else {
-                                phi_2980_ = (_e1573 >> bitcast<u32>(((16u * (_e1565 & 1u)) & 31u)));
+                                phi_2981_ = (_e1573 >> bitcast<u32>(((16u * (_e1565 & 1u)) & 31u)));
                             }
-                            let _e1581 = phi_2980_;
+                            let _e1581 = phi_2981_;
                             let _e1582 = (_e1558 + _e1528.member_2);
                             switch bitcast<i32>(_e1528.member.member_1) {
                                 case 0: {
-                                    phi_2990_ = 1u;
+                                    phi_2991_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2990_ = 2u;
+                                    phi_2991_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2990_ = 3u;
+                                    phi_2991_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2990_ = u32();
+                                    phi_2991_ = u32();
                                     break;
                                 }
                             }
-                            let _e1586 = phi_2990_;
+                            let _e1586 = phi_2991_;
                             let _e1589 = (_e1582 + ((_e1581 & 31u) * _e1586));
                             let _e1594 = (_e1582 + (((_e1581 >> bitcast<u32>(5u)) & 31u) * _e1586));
                             let _e1599 = (_e1582 + (((_e1581 >> bitcast<u32>(10u)) & 31u) * _e1586));
@@ -860,219 +860,219 @@ fn slimbvh_trace_in_group() {
                                 case 0: {
                                     if (_e1589 < _e130) {
                                         let _e1876 = slimbvh_triangles.member[_e1589];
-                                        phi_3032_ = _e1876;
+                                        phi_3033_ = _e1876;
                                     } else {
-                                        phi_3032_ = 0u;
+                                        phi_3033_ = 0u;
                                     }
-                                    let _e1878 = phi_3032_;
+                                    let _e1878 = phi_3033_;
                                     let _e1881 = ((10u * _e244) & 31u);
                                     let _e1892 = ((10u * _e248) & 31u);
                                     let _e1903 = ((10u * _e240) & 31u);
                                     if (_e1594 < _e130) {
                                         let _e1915 = slimbvh_triangles.member[_e1594];
-                                        phi_3078_ = _e1915;
+                                        phi_3079_ = _e1915;
                                     } else {
-                                        phi_3078_ = 0u;
+                                        phi_3079_ = 0u;
                                     }
-                                    let _e1917 = phi_3078_;
+                                    let _e1917 = phi_3079_;
                                     if (_e1599 < _e130) {
                                         let _e1945 = slimbvh_triangles.member[_e1599];
-                                        phi_3124_ = _e1945;
+                                        phi_3125_ = _e1945;
                                     } else {
-                                        phi_3124_ = 0u;
+                                        phi_3125_ = 0u;
                                     }
-                                    let _e1947 = phi_3124_;
-                                    phi_3591_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1881)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1892)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1903)) & 1023u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | ((_e1917 >> bitcast<u32>(_e1881)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | ((_e1917 >> bitcast<u32>(_e1892)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | ((_e1917 >> bitcast<u32>(_e1903)) & 1023u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | ((_e1947 >> bitcast<u32>(_e1881)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | ((_e1947 >> bitcast<u32>(_e1892)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | ((_e1947 >> bitcast<u32>(_e1903)) & 1023u))) - 8388608f) * _e178))));
+                                    let _e1947 = phi_3125_;
+                                    phi_3592_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1881)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1892)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | ((_e1878 >> bitcast<u32>(_e1903)) & 1023u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | ((_e1917 >> bitcast<u32>(_e1881)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | ((_e1917 >> bitcast<u32>(_e1892)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | ((_e1917 >> bitcast<u32>(_e1903)) & 1023u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | ((_e1947 >> bitcast<u32>(_e1881)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | ((_e1947 >> bitcast<u32>(_e1892)) & 1023u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | ((_e1947 >> bitcast<u32>(_e1903)) & 1023u))) - 8388608f) * _e178))));
                                     break;
                                 }
                                 case 1: {
                                     if (_e1589 < _e130) {
                                         let _e1689 = slimbvh_triangles.member[_e1589];
-                                        phi_3171_ = _e1689;
+                                        phi_3172_ = _e1689;
                                     } else {
-                                        phi_3171_ = 0u;
+                                        phi_3172_ = 0u;
                                     }
-                                    let _e1691 = phi_3171_;
+                                    let _e1691 = phi_3172_;
                                     let _e1692 = (_e1589 + 1u);
                                     if (_e1692 < _e130) {
                                         let _e1695 = slimbvh_triangles.member[_e1692];
-                                        phi_3184_ = _e1695;
+                                        phi_3185_ = _e1695;
                                     } else {
-                                        phi_3184_ = 0u;
+                                        phi_3185_ = 0u;
                                     }
-                                    let _e1697 = phi_3184_;
+                                    let _e1697 = phi_3185_;
                                     let _e1699 = (_e244 == 1u);
                                     if _e1699 {
-                                        phi_3194_ = ((_e1691 >> bitcast<u32>(21i)) | (_e1697 << bitcast<u32>(11i)));
+                                        phi_3195_ = ((_e1691 >> bitcast<u32>(21i)) | (_e1697 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3194_ = (_e1697 >> bitcast<u32>(10i));
+                                        phi_3195_ = (_e1697 >> bitcast<u32>(10i));
                                     }
-                                    let _e1708 = phi_3194_;
+                                    let _e1708 = phi_3195_;
                                     let _e1717 = (_e248 == 1u);
                                     if _e1717 {
-                                        phi_3215_ = ((_e1691 >> bitcast<u32>(21i)) | (_e1697 << bitcast<u32>(11i)));
+                                        phi_3216_ = ((_e1691 >> bitcast<u32>(21i)) | (_e1697 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3215_ = (_e1697 >> bitcast<u32>(10i));
+                                        phi_3216_ = (_e1697 >> bitcast<u32>(10i));
                                     }
-                                    let _e1726 = phi_3215_;
+                                    let _e1726 = phi_3216_;
                                     let _e1735 = (_e240 == 1u);
                                     if _e1735 {
-                                        phi_3236_ = ((_e1691 >> bitcast<u32>(21i)) | (_e1697 << bitcast<u32>(11i)));
+                                        phi_3237_ = ((_e1691 >> bitcast<u32>(21i)) | (_e1697 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3236_ = (_e1697 >> bitcast<u32>(10i));
+                                        phi_3237_ = (_e1697 >> bitcast<u32>(10i));
                                     }
-                                    let _e1744 = phi_3236_;
+                                    let _e1744 = phi_3237_;
                                     if (_e1594 < _e130) {
                                         let _e1755 = slimbvh_triangles.member[_e1594];
-                                        phi_3263_ = _e1755;
+                                        phi_3264_ = _e1755;
                                     } else {
-                                        phi_3263_ = 0u;
+                                        phi_3264_ = 0u;
                                     }
-                                    let _e1757 = phi_3263_;
+                                    let _e1757 = phi_3264_;
                                     let _e1758 = (_e1594 + 1u);
                                     if (_e1758 < _e130) {
                                         let _e1761 = slimbvh_triangles.member[_e1758];
-                                        phi_3276_ = _e1761;
+                                        phi_3277_ = _e1761;
                                     } else {
-                                        phi_3276_ = 0u;
+                                        phi_3277_ = 0u;
                                     }
-                                    let _e1763 = phi_3276_;
+                                    let _e1763 = phi_3277_;
                                     if _e1699 {
-                                        phi_3286_ = ((_e1757 >> bitcast<u32>(21i)) | (_e1763 << bitcast<u32>(11i)));
+                                        phi_3287_ = ((_e1757 >> bitcast<u32>(21i)) | (_e1763 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3286_ = (_e1763 >> bitcast<u32>(10i));
+                                        phi_3287_ = (_e1763 >> bitcast<u32>(10i));
                                     }
-                                    let _e1772 = phi_3286_;
+                                    let _e1772 = phi_3287_;
                                     if _e1717 {
-                                        phi_3307_ = ((_e1757 >> bitcast<u32>(21i)) | (_e1763 << bitcast<u32>(11i)));
+                                        phi_3308_ = ((_e1757 >> bitcast<u32>(21i)) | (_e1763 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3307_ = (_e1763 >> bitcast<u32>(10i));
+                                        phi_3308_ = (_e1763 >> bitcast<u32>(10i));
                                     }
-                                    let _e1788 = phi_3307_;
+                                    let _e1788 = phi_3308_;
                                     if _e1735 {
-                                        phi_3328_ = ((_e1757 >> bitcast<u32>(21i)) | (_e1763 << bitcast<u32>(11i)));
+                                        phi_3329_ = ((_e1757 >> bitcast<u32>(21i)) | (_e1763 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3328_ = (_e1763 >> bitcast<u32>(10i));
+                                        phi_3329_ = (_e1763 >> bitcast<u32>(10i));
                                     }
-                                    let _e1804 = phi_3328_;
+                                    let _e1804 = phi_3329_;
                                     if (_e1599 < _e130) {
                                         let _e1815 = slimbvh_triangles.member[_e1599];
-                                        phi_3355_ = _e1815;
+                                        phi_3356_ = _e1815;
                                     } else {
-                                        phi_3355_ = 0u;
+                                        phi_3356_ = 0u;
                                     }
-                                    let _e1817 = phi_3355_;
+                                    let _e1817 = phi_3356_;
                                     let _e1818 = (_e1599 + 1u);
                                     if (_e1818 < _e130) {
                                         let _e1821 = slimbvh_triangles.member[_e1818];
-                                        phi_3368_ = _e1821;
+                                        phi_3369_ = _e1821;
                                     } else {
-                                        phi_3368_ = 0u;
+                                        phi_3369_ = 0u;
                                     }
-                                    let _e1823 = phi_3368_;
+                                    let _e1823 = phi_3369_;
                                     if _e1699 {
-                                        phi_3378_ = ((_e1817 >> bitcast<u32>(21i)) | (_e1823 << bitcast<u32>(11i)));
+                                        phi_3379_ = ((_e1817 >> bitcast<u32>(21i)) | (_e1823 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3378_ = (_e1823 >> bitcast<u32>(10i));
+                                        phi_3379_ = (_e1823 >> bitcast<u32>(10i));
                                     }
-                                    let _e1832 = phi_3378_;
+                                    let _e1832 = phi_3379_;
                                     if _e1717 {
-                                        phi_3399_ = ((_e1817 >> bitcast<u32>(21i)) | (_e1823 << bitcast<u32>(11i)));
+                                        phi_3400_ = ((_e1817 >> bitcast<u32>(21i)) | (_e1823 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3399_ = (_e1823 >> bitcast<u32>(10i));
+                                        phi_3400_ = (_e1823 >> bitcast<u32>(10i));
                                     }
-                                    let _e1848 = phi_3399_;
+                                    let _e1848 = phi_3400_;
                                     if _e1735 {
-                                        phi_3420_ = ((_e1817 >> bitcast<u32>(21i)) | (_e1823 << bitcast<u32>(11i)));
+                                        phi_3421_ = ((_e1817 >> bitcast<u32>(21i)) | (_e1823 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3420_ = (_e1823 >> bitcast<u32>(10i));
+                                        phi_3421_ = (_e1823 >> bitcast<u32>(10i));
                                     }
-                                    let _e1864 = phi_3420_;
-                                    phi_3591_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1708, _e1691, _e249) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1726, _e1691, _e252) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1744, _e1691, _e256) & 2097151u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1772, _e1757, _e249) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1788, _e1757, _e252) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1804, _e1757, _e256) & 2097151u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1832, _e1817, _e249) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1848, _e1817, _e252) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1864, _e1817, _e256) & 2097151u))) - 8388608f) * _e178))));
+                                    let _e1864 = phi_3421_;
+                                    phi_3592_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1708, _e1691, _e249) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1726, _e1691, _e252) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1744, _e1691, _e256) & 2097151u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1772, _e1757, _e249) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1788, _e1757, _e252) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1804, _e1757, _e256) & 2097151u))) - 8388608f) * _e178))), array<f32, 3>((_e1528.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1832, _e1817, _e249) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1848, _e1817, _e252) & 2097151u))) - 8388608f) * _e178)), (_e1528.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1864, _e1817, _e256) & 2097151u))) - 8388608f) * _e178))));
                                     break;
                                 }
                                 case 2: {
                                     let _e1602 = (_e1589 + _e244);
                                     if (_e1602 < _e130) {
                                         let _e1605 = slimbvh_triangles.member[_e1602];
-                                        phi_3449_ = _e1605;
+                                        phi_3450_ = _e1605;
                                     } else {
-                                        phi_3449_ = 0u;
+                                        phi_3450_ = 0u;
                                     }
-                                    let _e1607 = phi_3449_;
+                                    let _e1607 = phi_3450_;
                                     let _e1608 = (_e1589 + _e248);
                                     if (_e1608 < _e130) {
                                         let _e1611 = slimbvh_triangles.member[_e1608];
-                                        phi_3462_ = _e1611;
+                                        phi_3463_ = _e1611;
                                     } else {
-                                        phi_3462_ = 0u;
+                                        phi_3463_ = 0u;
                                     }
-                                    let _e1613 = phi_3462_;
+                                    let _e1613 = phi_3463_;
                                     let _e1614 = (_e1589 + _e240);
                                     if (_e1614 < _e130) {
                                         let _e1617 = slimbvh_triangles.member[_e1614];
-                                        phi_3475_ = _e1617;
+                                        phi_3476_ = _e1617;
                                     } else {
-                                        phi_3475_ = 0u;
+                                        phi_3476_ = 0u;
                                     }
-                                    let _e1619 = phi_3475_;
+                                    let _e1619 = phi_3476_;
                                     let _e1630 = (_e1594 + _e244);
                                     if (_e1630 < _e130) {
                                         let _e1633 = slimbvh_triangles.member[_e1630];
-                                        phi_3501_ = _e1633;
+                                        phi_3502_ = _e1633;
                                     } else {
-                                        phi_3501_ = 0u;
+                                        phi_3502_ = 0u;
                                     }
-                                    let _e1635 = phi_3501_;
+                                    let _e1635 = phi_3502_;
                                     let _e1636 = (_e1594 + _e248);
                                     if (_e1636 < _e130) {
                                         let _e1639 = slimbvh_triangles.member[_e1636];
-                                        phi_3514_ = _e1639;
+                                        phi_3515_ = _e1639;
                                     } else {
-                                        phi_3514_ = 0u;
+                                        phi_3515_ = 0u;
                                     }
-                                    let _e1641 = phi_3514_;
+                                    let _e1641 = phi_3515_;
                                     let _e1642 = (_e1594 + _e240);
                                     if (_e1642 < _e130) {
                                         let _e1645 = slimbvh_triangles.member[_e1642];
-                                        phi_3527_ = _e1645;
+                                        phi_3528_ = _e1645;
                                     } else {
-                                        phi_3527_ = 0u;
+                                        phi_3528_ = 0u;
                                     }
-                                    let _e1647 = phi_3527_;
+                                    let _e1647 = phi_3528_;
                                     let _e1658 = (_e1599 + _e244);
                                     if (_e1658 < _e130) {
                                         let _e1661 = slimbvh_triangles.member[_e1658];
-                                        phi_3553_ = _e1661;
+                                        phi_3554_ = _e1661;
                                     } else {
-                                        phi_3553_ = 0u;
+                                        phi_3554_ = 0u;
                                     }
-                                    let _e1663 = phi_3553_;
+                                    let _e1663 = phi_3554_;
                                     let _e1664 = (_e1599 + _e248);
                                     if (_e1664 < _e130) {
                                         let _e1667 = slimbvh_triangles.member[_e1664];
-                                        phi_3566_ = _e1667;
+                                        phi_3567_ = _e1667;
                                     } else {
-                                        phi_3566_ = 0u;
+                                        phi_3567_ = 0u;
                                     }
-                                    let _e1669 = phi_3566_;
+                                    let _e1669 = phi_3567_;
                                     let _e1670 = (_e1599 + _e240);
                                     if (_e1670 < _e130) {
                                         let _e1673 = slimbvh_triangles.member[_e1670];
-                                        phi_3579_ = _e1673;
+                                        phi_3580_ = _e1673;
                                     } else {
-                                        phi_3579_ = 0u;
+                                        phi_3580_ = 0u;
                                     }
-                                    let _e1675 = phi_3579_;
-                                    phi_3591_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1607)) * _e178), (f32(bitcast<i32>(_e1613)) * _e178), (f32(bitcast<i32>(_e1619)) * _e178)), array<f32, 3>((f32(bitcast<i32>(_e1635)) * _e178), (f32(bitcast<i32>(_e1641)) * _e178), (f32(bitcast<i32>(_e1647)) * _e178)), array<f32, 3>((f32(bitcast<i32>(_e1663)) * _e178), (f32(bitcast<i32>(_e1669)) * _e178), (f32(bitcast<i32>(_e1675)) * _e178)));
+                                    let _e1675 = phi_3580_;
+                                    phi_3592_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1607)) * _e178), (f32(bitcast<i32>(_e1613)) * _e178), (f32(bitcast<i32>(_e1619)) * _e178)), array<f32, 3>((f32(bitcast<i32>(_e1635)) * _e178), (f32(bitcast<i32>(_e1641)) * _e178), (f32(bitcast<i32>(_e1647)) * _e178)), array<f32, 3>((f32(bitcast<i32>(_e1663)) * _e178), (f32(bitcast<i32>(_e1669)) * _e178), (f32(bitcast<i32>(_e1675)) * _e178)));
                                     break;
                                 }
                                 default: {
-                                    phi_3591_ = array<array<f32, 3>, 3>();
+                                    phi_3592_ = array<array<f32, 3>, 3>();
                                     break;
                                 }
                             }
-                            let _e1975 = phi_3591_;
+                            let _e1975 = phi_3592_;
                             let _e1992 = (_e1975[0][2] - _e632.member[2]);
                             let _e1995 = (((_e1975[0][0] - _e632.member[0]) * _e687) - (_e1992 * _e655));
                             let _e1998 = (((_e1975[0][1] - _e632.member[1]) * _e687) - (_e1992 * _e671));
@@ -1132,34 +1132,34 @@ fn slimbvh_trace_in_group() {
                                     let _e2160 = max(max(bitcast<f32>((bitcast<u32>(_e2131) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2132) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2133) & 2147483647u)));
                                     let _e2173 = max(max(_e2149, _e2160), max(max(bitcast<f32>((bitcast<u32>(_e2135) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2136) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2137) & 2147483647u))));
                                     if (_e2149 == _e2173) {
-                                        phi_3956_ = _e2007;
-                                        phi_3957_ = _e2004;
-                                        phi_3958_ = _e1998;
-                                        phi_3959_ = _e1995;
-                                        phi_3960_ = vec3<f32>(_e1975[0][0], _e1975[0][1], _e1975[0][2]);
-                                        phi_3961_ = _e2138;
-                                        phi_3962_ = _e2134;
-                                        phi_3963_ = _e2130;
+                                        phi_3957_ = _e2007;
+                                        phi_3958_ = _e2004;
+                                        phi_3959_ = _e1998;
+                                        phi_3960_ = _e1995;
+                                        phi_3961_ = vec3<f32>(_e1975[0][0], _e1975[0][1], _e1975[0][2]);
+                                        phi_3962_ = _e2138;
+                                        phi_3963_ = _e2134;
+                                        phi_3964_ = _e2130;
                                     } else {
                                         let _e2175 = (_e2160 == _e2173);
                                         let _e2180 = vec3(_e2175);
-                                        phi_3956_ = select(_e1998, _e2016, _e2175);
-                                        phi_3957_ = select(_e1995, _e2013, _e2175);
-                                        phi_3958_ = select(_e2016, _e2007, _e2175);
-                                        phi_3959_ = select(_e2013, _e2004, _e2175);
-                                        phi_3960_ = select(vec3<f32>(_e1975[2][0], _e1975[2][1], _e1975[2][2]), vec3<f32>(_e1975[1][0], _e1975[1][1], _e1975[1][2]), _e2180);
-                                        phi_3961_ = select(_e2134, _e2130, _e2180);
-                                        phi_3962_ = select(_e2130, _e2138, _e2180);
-                                        phi_3963_ = select(_e2138, _e2134, _e2180);
+                                        phi_3957_ = select(_e1998, _e2016, _e2175);
+                                        phi_3958_ = select(_e1995, _e2013, _e2175);
+                                        phi_3959_ = select(_e2016, _e2007, _e2175);
+                                        phi_3960_ = select(_e2013, _e2004, _e2175);
+                                        phi_3961_ = select(vec3<f32>(_e1975[2][0], _e1975[2][1], _e1975[2][2]), vec3<f32>(_e1975[1][0], _e1975[1][1], _e1975[1][2]), _e2180);
+                                        phi_3962_ = select(_e2134, _e2130, _e2180);
+                                        phi_3963_ = select(_e2130, _e2138, _e2180);
+                                        phi_3964_ = select(_e2138, _e2134, _e2180);
                                     }
-                                    let _e2186 = phi_3956_;
-                                    let _e2188 = phi_3957_;
-                                    let _e2190 = phi_3958_;
-                                    let _e2192 = phi_3959_;
-                                    let _e2194 = phi_3960_;
-                                    let _e2196 = phi_3961_;
-                                    let _e2198 = phi_3962_;
-                                    let _e2200 = phi_3963_;
+                                    let _e2186 = phi_3957_;
+                                    let _e2188 = phi_3958_;
+                                    let _e2190 = phi_3959_;
+                                    let _e2192 = phi_3960_;
+                                    let _e2194 = phi_3961_;
+                                    let _e2196 = phi_3962_;
+                                    let _e2198 = phi_3963_;
+                                    let _e2200 = phi_3964_;
                                     let _e2207 = ((_e2198.y * _e2196.z) - (_e2196.y * _e2198.z));
                                     let _e2212 = ((_e2198.z * _e2196.x) - (_e2196.z * _e2198.x));
                                     let _e2215 = ((_e2198.x * _e2196.y) - (_e2196.x * _e2198.y));
@@ -1181,46 +1181,46 @@ fn slimbvh_trace_in_group() {
                                     if (_e2122 && !(_e2334)) {
                                         let _e2338 = (_e2269 / _e687);
                                         let _e2346 = (((_e2207 * (_e2263 - (_e655 * _e2338))) + (_e2212 * (_e2266 - (_e671 * _e2338)))) / _e2238);
-                                        phi_4142_ = select(select(_e2338, (_e2338 + _e2346), (bitcast<f32>((bitcast<u32>(_e2346) & 2147483647u)) <= _e2173)), _e2335, _e2334);
+                                        phi_4143_ = select(select(_e2338, (_e2338 + _e2346), (bitcast<f32>((bitcast<u32>(_e2346) & 2147483647u)) <= _e2173)), _e2335, _e2334);
                                     } else {
-                                        phi_4142_ = _e2335;
+                                        phi_4143_ = _e2335;
                                     }
-                                    let _e2355 = phi_4142_;
+                                    let _e2355 = phi_4143_;
                                     let _e2357 = select(_e2095, _e2355, (_e2355 < _e2095));
                                     let _e2359 = select(_e2090, _e2357, (_e2357 > _e2090));
                                     let _e2362 = select(_e2359, 0f, (bitcast<u32>(_e2359) == 2147483648u));
                                     let _e2363 = (1f / _e2049);
-                                    phi_4168_ = SlimbvhTypeE(_e2362, (_e2043 * _e2363), (_e2047 * _e2363), ((_e2122 && (_e2362 >= _e699)) && (_e2362 <= _e1535.member.member_1)));
-                                    phi_4169_ = SlimbvhTypeE();
+                                    phi_4169_ = SlimbvhTypeE(_e2362, (_e2043 * _e2363), (_e2047 * _e2363), ((_e2122 && (_e2362 >= _e699)) && (_e2362 <= _e1535.member.member_1)));
+                                    phi_4170_ = SlimbvhTypeE();
                                 } else {
-                                    phi_4168_ = SlimbvhTypeE();
-                                    phi_4169_ = SlimbvhTypeE(0f, 0f, 0f, _e2122);
+                                    phi_4169_ = SlimbvhTypeE();
+                                    phi_4170_ = SlimbvhTypeE(0f, 0f, 0f, _e2122);
                                 }
-                                let _e2372 = phi_4168_;
-                                let _e2374 = phi_4169_;
-                                phi_4172_ = _e2372;
-                                phi_4173_ = _e2374;
-                                phi_4174_ = select(true, false, _e2122);
+                                let _e2372 = phi_4169_;
+                                let _e2374 = phi_4170_;
+                                phi_4173_ = _e2372;
+                                phi_4174_ = _e2374;
+                                phi_4175_ = select(true, false, _e2122);
                             } else {
-                                phi_4172_ = SlimbvhTypeE();
-                                phi_4173_ = SlimbvhTypeE(0f, 0f, 0f, _e2033);
-                                phi_4174_ = true;
+                                phi_4173_ = SlimbvhTypeE();
+                                phi_4174_ = SlimbvhTypeE(0f, 0f, 0f, _e2033);
+                                phi_4175_ = true;
                             }
-                            let _e2377 = phi_4172_;
-                            let _e2379 = phi_4173_;
-                            let _e2381 = phi_4174_;
+                            let _e2377 = phi_4173_;
+                            let _e2379 = phi_4174_;
+                            let _e2381 = phi_4175_;
                             if _e2381 {
-                                phi_4178_ = _e2379;
+                                phi_4179_ = _e2379;
                             } else {
-                                phi_4178_ = _e2377;
+                                phi_4179_ = _e2377;
                             }
-                            let _e2383 = phi_4178_;
+                            let _e2383 = phi_4179_;
                             if _e2383.member_3 {
-                                phi_4187_ = SlimbvhTypeF(_e2383.member, _e2383.member_1, _e2383.member_2, _e1564);
+                                phi_4188_ = SlimbvhTypeF(_e2383.member, _e2383.member_1, _e2383.member_2, _e1564);
                             } else {
-                                phi_4187_ = _e123;
+                                phi_4188_ = _e123;
                             }
-                            let _e2390 = phi_4187_;
+                            let _e2390 = phi_4188_;
                             if (_e2390.member_3 != 4294967295u) {
                                 let _e2396 = slimbvh_target.member[0u][0u];
                                 let _e2400 = slimbvh_target.member[0u][1u];
@@ -1236,15 +1236,15 @@ fn slimbvh_trace_in_group() {
                                 let _e2429 = bitcast<f32>(_e2412);
                                 let _e2430 = array<u32, 3>(_e2416, _e2420, _e2424);
                                 if (_e202 < -126i) {
-                                    phi_4240_ = -126i;
+                                    phi_4241_ = -126i;
                                 } else {
-                                    phi_4240_ = select(_e202, 127i, (_e202 > 127i));
+                                    phi_4241_ = select(_e202, 127i, (_e202 > 127i));
                                 }
-                                let _e2436 = phi_4240_;
+                                let _e2436 = phi_4241_;
                                 let _e2441 = bitcast<f32>((bitcast<u32>((_e2436 + 127i)) << bitcast<u32>(23i)));
                                 let _e2447 = bitcast<f32>((bitcast<u32>(((_e202 - _e2436) + 127i)) << bitcast<u32>(23i)));
                                 if (_e2408 == 0u) {
-                                    phi_4380_ = SlimbvhTypeH(array<f32, 3>(_e2425, _e2426, _e2427), _e2408, _e2429, _e2430);
+                                    phi_4381_ = SlimbvhTypeH(array<f32, 3>(_e2425, _e2426, _e2427), _e2408, _e2429, _e2430);
                                 } else {
                                     let _e2449 = bitcast<u32>(_e2425);
                                     let _e2451 = ((_e2449 & 2139095040u) != 0u);
@@ -1254,61 +1254,61 @@ fn slimbvh_trace_in_group() {
                                     let _e2485 = ((_e2483 & 2139095040u) != 0u);
                                     let _e2501 = bitcast<u32>(_e2429);
                                     let _e2503 = ((_e2501 & 2139095040u) != 0u);
-                                    phi_4380_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2449 & 2147483648u))), _e2425, _e2451) * _e2441) * select(0.00000011920929f, 1f, _e2451)) * _e2447), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2466 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2466 & 2147483648u))), _e2426, _e2468) * _e2441) * select(0.00000011920929f, 1f, _e2468)) * _e2447), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2483 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2483 & 2147483648u))), _e2427, _e2485) * _e2441) * select(0.00000011920929f, 1f, _e2485)) * _e2447)), _e2408, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2501 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2501 & 2147483648u))), _e2429, _e2503) * _e2441) * select(0.00000011920929f, 1f, _e2503)) * _e2447), _e2430);
+                                    phi_4381_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2449 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2449 & 2147483648u))), _e2425, _e2451) * _e2441) * select(0.00000011920929f, 1f, _e2451)) * _e2447), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2466 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2466 & 2147483648u))), _e2426, _e2468) * _e2441) * select(0.00000011920929f, 1f, _e2468)) * _e2447), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2483 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2483 & 2147483648u))), _e2427, _e2485) * _e2441) * select(0.00000011920929f, 1f, _e2485)) * _e2447)), _e2408, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2501 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2501 & 2147483648u))), _e2429, _e2503) * _e2441) * select(0.00000011920929f, 1f, _e2503)) * _e2447), _e2430);
                                 }
-                                let _e2520 = phi_4380_;
+                                let _e2520 = phi_4381_;
                                 if (_e1564 == _e703) {
-                                    phi_4709_ = false;
+                                    phi_4710_ = false;
                                 } else {
                                     let _e2522 = (_e1564 / 16u);
                                     if (_e2522 < arrayLength((&slimbvh_sides.member))) {
                                         let _e2525 = slimbvh_sides.member[_e2522];
-                                        phi_4404_ = _e2525;
+                                        phi_4405_ = _e2525;
                                     } else {
-                                        phi_4404_ = 0u;
+                                        phi_4405_ = 0u;
                                     }
-                                    let _e2527 = phi_4404_;
+                                    let _e2527 = phi_4405_;
                                     let _e2536 = (bitcast<i32>((_e2527 << bitcast<u32>(((30u - ((_e1564 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
                                     let _e2537 = (_e2536 == 0i);
                                     if _e2537 {
-                                        phi_4708_ = true;
+                                        phi_4709_ = true;
                                     } else {
                                         if _e249 {
-                                            phi_4434_ = vec3<f32>(_e1975[0][0], _e1975[0][1], _e1975[0][2]);
+                                            phi_4435_ = vec3<f32>(_e1975[0][0], _e1975[0][1], _e1975[0][2]);
                                         } else {
                                             if (_e244 == 1u) {
-                                                phi_4433_ = vec3<f32>(_e1975[0][2], _e1975[0][0], _e1975[0][1]);
+                                                phi_4434_ = vec3<f32>(_e1975[0][2], _e1975[0][0], _e1975[0][1]);
                                             } else {
-                                                phi_4433_ = vec3<f32>(_e1975[0][1], _e1975[0][2], _e1975[0][0]);
+                                                phi_4434_ = vec3<f32>(_e1975[0][1], _e1975[0][2], _e1975[0][0]);
                                             }
-                                            let _e2542 = phi_4433_;
-                                            phi_4434_ = _e2542;
+                                            let _e2542 = phi_4434_;
+                                            phi_4435_ = _e2542;
                                         }
-                                        let _e2545 = phi_4434_;
+                                        let _e2545 = phi_4435_;
                                         if _e249 {
-                                            phi_4453_ = vec3<f32>(_e1975[1][0], _e1975[1][1], _e1975[1][2]);
+                                            phi_4454_ = vec3<f32>(_e1975[1][0], _e1975[1][1], _e1975[1][2]);
                                         } else {
                                             if (_e244 == 1u) {
-                                                phi_4452_ = vec3<f32>(_e1975[1][2], _e1975[1][0], _e1975[1][1]);
+                                                phi_4453_ = vec3<f32>(_e1975[1][2], _e1975[1][0], _e1975[1][1]);
                                             } else {
-                                                phi_4452_ = vec3<f32>(_e1975[1][1], _e1975[1][2], _e1975[1][0]);
+                                                phi_4453_ = vec3<f32>(_e1975[1][1], _e1975[1][2], _e1975[1][0]);
                                             }
-                                            let _e2550 = phi_4452_;
-                                            phi_4453_ = _e2550;
+                                            let _e2550 = phi_4453_;
+                                            phi_4454_ = _e2550;
                                         }
-                                        let _e2553 = phi_4453_;
+                                        let _e2553 = phi_4454_;
                                         if _e249 {
-                                            phi_4472_ = vec3<f32>(_e1975[2][0], _e1975[2][1], _e1975[2][2]);
+                                            phi_4473_ = vec3<f32>(_e1975[2][0], _e1975[2][1], _e1975[2][2]);
                                         } else {
                                             if (_e244 == 1u) {
-                                                phi_4471_ = vec3<f32>(_e1975[2][2], _e1975[2][0], _e1975[2][1]);
+                                                phi_4472_ = vec3<f32>(_e1975[2][2], _e1975[2][0], _e1975[2][1]);
                                             } else {
-                                                phi_4471_ = vec3<f32>(_e1975[2][1], _e1975[2][2], _e1975[2][0]);
+                                                phi_4472_ = vec3<f32>(_e1975[2][1], _e1975[2][2], _e1975[2][0]);
                                             }
-                                            let _e2558 = phi_4471_;
-                                            phi_4472_ = _e2558;
+                                            let _e2558 = phi_4472_;
+                                            phi_4473_ = _e2558;
                                         }
-                                        let _e2561 = phi_4472_;
+                                        let _e2561 = phi_4473_;
                                         let _e2564 = (_e2553.x - _e2545.x);
                                         let _e2567 = (_e2553.y - _e2545.y);
                                         let _e2570 = (_e2553.z - _e2545.z);
@@ -1316,11 +1316,11 @@ fn slimbvh_trace_in_group() {
                                         let _e2574 = (_e2561.y - _e2545.y);
                                         let _e2576 = (_e2561.z - _e2545.z);
                                         if (_e2520.member_1 == 1u) {
-                                            phi_4508_ = (vec3<f32>(_e2520.member[0], _e2520.member[1], _e2520.member[2]) - _e2545);
+                                            phi_4509_ = (vec3<f32>(_e2520.member[0], _e2520.member[1], _e2520.member[2]) - _e2545);
                                         } else {
-                                            phi_4508_ = vec3<f32>(_e2520.member[0], _e2520.member[1], _e2520.member[2]);
+                                            phi_4509_ = vec3<f32>(_e2520.member[0], _e2520.member[1], _e2520.member[2]);
                                         }
-                                        let _e2591 = phi_4508_;
+                                        let _e2591 = phi_4509_;
                                         let _e2597 = bitcast<f32>((bitcast<u32>((_e2564 * _e2574)) ^ _e2520.member_3[0]));
                                         let _e2601 = bitcast<f32>((bitcast<u32>((_e2567 * _e2572)) ^ _e2520.member_3[0]));
                                         let _e2605 = bitcast<f32>((bitcast<u32>((_e2567 * _e2576)) ^ _e2520.member_3[0]));
@@ -1334,7 +1334,7 @@ fn slimbvh_trace_in_group() {
                                         let _e2651 = (bitcast<f32>((bitcast<u32>(_e2613) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2617) & 2147483647u)));
                                         let _e2658 = (bitcast<f32>((bitcast<u32>(_e2597) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2601) & 2147483647u)));
                                         if (_e2520.member_2 == 0f) {
-                                            phi_4690_ = 0f;
+                                            phi_4691_ = 0f;
                                         } else {
                                             let _e2688 = bitcast<f32>((bitcast<u32>(_e2618) & 2147483647u));
                                             let _e2691 = bitcast<f32>((bitcast<u32>(_e2619) & 2147483647u));
@@ -1344,59 +1344,59 @@ fn slimbvh_trace_in_group() {
                                             let _e2704 = select(_e2691, _e2688, (_e2688 < _e2691));
                                             let _e2706 = select(_e2691, _e2688, (_e2688 > _e2691));
                                             let _e2708 = select(_e2694, _e2706, (_e2706 < _e2694));
-                                            phi_4690_ = bitcast<f32>((bitcast<u32>((_e2520.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2696, _e2688, (_e2688 > _e2696)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2708, _e2704, (_e2704 > _e2708)))) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2700, _e2688, (_e2688 < _e2700)))) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2644 + _e2651) + _e2658))) ^ _e2520.member_3[0]))) * 1.0000005f)) ^ _e2520.member_3[0])))) ^ _e2520.member_3[0]));
+                                            phi_4691_ = bitcast<f32>((bitcast<u32>((_e2520.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2696, _e2688, (_e2688 > _e2696)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2708, _e2704, (_e2704 > _e2708)))) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2700, _e2688, (_e2688 < _e2700)))) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2644 + _e2651) + _e2658))) ^ _e2520.member_3[0]))) * 1.0000005f)) ^ _e2520.member_3[0])))) ^ _e2520.member_3[0]));
                                         }
-                                        let _e2735 = phi_4690_;
-                                        phi_4708_ = (_e2537 || !(((((bitcast<f32>((bitcast<u32>((_e2591.x * _e2618)) ^ _e2520.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2591.y * _e2619)) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2591.z * _e2620)) ^ _e2520.member_3[0]))) * f32(-(_e2536))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2591.x) & 2147483647u)) * _e2644)) ^ _e2520.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2591.y) & 2147483647u)) * _e2651)) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2591.z) & 2147483647u)) * _e2658)) ^ _e2520.member_3[0]))))) ^ _e2520.member_3[0])) + _e2735) + 0.0000000000000000000000000000000000001880791f))));
+                                        let _e2735 = phi_4691_;
+                                        phi_4709_ = (_e2537 || !(((((bitcast<f32>((bitcast<u32>((_e2591.x * _e2618)) ^ _e2520.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2591.y * _e2619)) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2591.z * _e2620)) ^ _e2520.member_3[0]))) * f32(-(_e2536))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2591.x) & 2147483647u)) * _e2644)) ^ _e2520.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2591.y) & 2147483647u)) * _e2651)) ^ _e2520.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2591.z) & 2147483647u)) * _e2658)) ^ _e2520.member_3[0]))))) ^ _e2520.member_3[0])) + _e2735) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e2749 = phi_4708_;
-                                    phi_4709_ = _e2749;
+                                    let _e2749 = phi_4709_;
+                                    phi_4710_ = _e2749;
                                 }
-                                let _e2751 = phi_4709_;
+                                let _e2751 = phi_4710_;
                                 if _e2751 {
                                     if (_e2390.member < _e1535.member.member.member) {
-                                        phi_4729_ = true;
+                                        phi_4730_ = true;
                                     } else {
                                         if (_e2390.member == _e1535.member.member.member) {
-                                            phi_4728_ = (_e2390.member_3 < _e1535.member.member.member_3);
+                                            phi_4729_ = (_e2390.member_3 < _e1535.member.member.member_3);
                                         } else {
-                                            phi_4728_ = false;
+                                            phi_4729_ = false;
                                         }
-                                        let _e2763 = phi_4728_;
-                                        phi_4729_ = _e2763;
+                                        let _e2763 = phi_4729_;
+                                        phi_4730_ = _e2763;
                                     }
-                                    let _e2765 = phi_4729_;
+                                    let _e2765 = phi_4730_;
                                     if _e2765 {
-                                        phi_4736_ = SlimbvhTypeP(SlimbvhTypeI(_e2390, _e2390.member), _e1535.member_1);
+                                        phi_4737_ = SlimbvhTypeP(SlimbvhTypeI(_e2390, _e2390.member), _e1535.member_1);
                                     } else {
-                                        phi_4736_ = _e1535;
+                                        phi_4737_ = _e1535;
                                     }
-                                    let _e2771 = phi_4736_;
+                                    let _e2771 = phi_4737_;
                                     if _e2771.member_1 {
-                                        phi_4742_ = SlimbvhTypeP(SlimbvhTypeI(_e2771.member.member, bitcast<f32>(4286578687u)), _e2771.member_1);
+                                        phi_4743_ = SlimbvhTypeP(SlimbvhTypeI(_e2771.member.member, bitcast<f32>(4286578687u)), _e2771.member_1);
                                     } else {
-                                        phi_4742_ = _e2771;
+                                        phi_4743_ = _e2771;
                                     }
-                                    let _e2780 = phi_4742_;
-                                    phi_4743_ = _e2780;
+                                    let _e2780 = phi_4743_;
+                                    phi_4744_ = _e2780;
                                 } else {
-                                    phi_4743_ = _e1535;
+                                    phi_4744_ = _e1535;
                                 }
-                                let _e2782 = phi_4743_;
-                                phi_4744_ = _e2782;
+                                let _e2782 = phi_4744_;
+                                phi_4745_ = _e2782;
                             } else {
-                                phi_4744_ = _e1535;
+                                phi_4745_ = _e1535;
                             }
-                            let _e2784 = phi_4744_;
-                            phi_2898_ = _e2784;
+                            let _e2784 = phi_4745_;
+                            phi_2899_ = _e2784;
                         } else {
-                            phi_2898_ = SlimbvhTypeP();
+                            phi_2899_ = SlimbvhTypeP();
                         }
-                        let _e2786 = phi_2898_;
+                        let _e2786 = phi_2899_;
                         continue;
                         continuing {
-                            phi_2897_ = _e2786;
-                            phi_2900_ = _e1550;
+                            phi_2898_ = _e2786;
+                            phi_2901_ = _e1550;
                             break if !(_e1556);
                         }
                     }
@@ -1420,31 +1420,31 @@ fn slimbvh_trace_in_group() {
                         let _e2833 = (_e2816 & 3u);
                         if (((_e2832 >> bitcast<u32>((((3u * _e2833) & 31u) & 31u))) & 7u) == 7u) {
                             let _e2845 = ((_e2832 | (_e2832 << bitcast<u32>(10i))) & 4128831u);
-                            phi_4835_ = (((_e2823 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2845 | (_e2845 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2833) & 31u) & 31u))) & 255u));
+                            phi_4836_ = (((_e2823 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2845 | (_e2845 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2833) & 31u) & 31u))) & 255u));
                         } else {
-                            phi_4835_ = (2147483648u | _e2816);
+                            phi_4836_ = (2147483648u | _e2816);
                         }
-                        let _e2863 = phi_4835_;
-                        phi_4836_ = _e2863;
+                        let _e2863 = phi_4836_;
+                        phi_4837_ = _e2863;
                     } else {
-                        phi_4836_ = 4294967295u;
+                        phi_4837_ = 4294967295u;
                     }
-                    let _e2865 = phi_4836_;
+                    let _e2865 = phi_4837_;
                     let _e2867 = local_4;
                     let _e3178 = local_7;
-                    phi_4845_ = _e3178;
-                    phi_4846_ = select(select(_e2808, _e2790, _e2801), 4294967295u, (_e699 > _e2867.member.member_1));
-                    phi_4847_ = _e2865;
+                    phi_4846_ = _e3178;
+                    phi_4847_ = select(select(_e2808, _e2790, _e2801), 4294967295u, (_e699 > _e2867.member.member_1));
+                    phi_4848_ = _e2865;
                 } else {
-                    phi_4845_ = _e815;
+                    phi_4846_ = _e815;
                     let _e3181 = local_8;
-                    phi_4846_ = _e3181;
+                    phi_4847_ = _e3181;
                     let _e3184 = local_9;
-                    phi_4847_ = _e3184;
+                    phi_4848_ = _e3184;
                 }
-                let _e2873 = phi_4845_;
-                let _e2875 = phi_4846_;
-                let _e2877 = phi_4847_;
+                let _e2873 = phi_4846_;
+                let _e2875 = phi_4847_;
+                let _e2877 = phi_4848_;
                 phi_1736_ = _e2873;
                 phi_1739_ = _e2875;
                 phi_1741_ = _e2877;
@@ -1478,122 +1478,122 @@ fn slimbvh_trace_in_group() {
             let _e2902 = (bitcast<i32>((_e2898 >> bitcast<u32>(23i))) & 255i);
             let _e2903 = (_e2902 + _e2897);
             if (_e2902 == 255i) {
-                phi_4905_ = _e2891.member.member.member;
+                phi_4906_ = _e2891.member.member.member;
             } else {
                 if (_e2902 > 0i) {
                     if (_e2903 > 0i) {
                         let _e2907 = (_e2903 < 255i);
                         if _e2907 {
-                            phi_4884_ = bitcast<f32>((_e2898 + bitcast<u32>((_e2897 << bitcast<u32>(23i)))));
+                            phi_4885_ = bitcast<f32>((_e2898 + bitcast<u32>((_e2897 << bitcast<u32>(23i)))));
                         } else {
-                            phi_4884_ = f32();
+                            phi_4885_ = f32();
                         }
-                        let _e2914 = phi_4884_;
-                        phi_4886_ = _e2914;
-                        phi_4887_ = select(true, false, _e2907);
+                        let _e2914 = phi_4885_;
+                        phi_4887_ = _e2914;
+                        phi_4888_ = select(true, false, _e2907);
                     } else {
-                        phi_4886_ = f32();
-                        phi_4887_ = true;
+                        phi_4887_ = f32();
+                        phi_4888_ = true;
                     }
-                    let _e2917 = phi_4886_;
-                    let _e2919 = phi_4887_;
-                    phi_4888_ = _e2917;
-                    phi_4889_ = _e2919;
+                    let _e2917 = phi_4887_;
+                    let _e2919 = phi_4888_;
+                    phi_4889_ = _e2917;
+                    phi_4890_ = _e2919;
                 } else {
-                    phi_4888_ = f32();
-                    phi_4889_ = true;
+                    phi_4889_ = f32();
+                    phi_4890_ = true;
                 }
-                let _e2921 = phi_4888_;
-                let _e2923 = phi_4889_;
+                let _e2921 = phi_4889_;
+                let _e2923 = phi_4890_;
                 if _e2923 {
                     let _e2924 = (_e2898 & 2147483648u);
                     let _e2931 = ((_e2898 & 8388607u) | (select(0u, 1u, ((_e2898 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                     let _e2935 = (_e2931 == 0u);
                     if _e2935 {
-                        phi_5587_ = bitcast<f32>(_e2924);
+                        phi_5588_ = bitcast<f32>(_e2924);
                     } else {
                         let _e2940 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2931)), 32u, _e2935) - 8u);
                         let _e2943 = (_e2931 << bitcast<u32>((_e2940 & 31u)));
                         let _e2945 = ((_e2903 + select(0i, 1i, (_e2902 == 0i))) - bitcast<i32>(_e2940));
                         if (_e2945 >= 255i) {
-                            phi_5577_ = bitcast<f32>((_e2924 | 2139095040u));
-                            phi_5578_ = f32();
-                            phi_5579_ = true;
+                            phi_5578_ = bitcast<f32>((_e2924 | 2139095040u));
+                            phi_5579_ = f32();
+                            phi_5580_ = true;
                         } else {
                             let _e2947 = (_e2945 > 0i);
                             if _e2947 {
-                                phi_5571_ = bitcast<f32>(((_e2924 | (bitcast<u32>(_e2945) << bitcast<u32>(23i))) | (_e2943 & 8388607u)));
-                                phi_5572_ = f32();
+                                phi_5572_ = bitcast<f32>(((_e2924 | (bitcast<u32>(_e2945) << bitcast<u32>(23i))) | (_e2943 & 8388607u)));
+                                phi_5573_ = f32();
                             } else {
                                 if (_e2945 < -24i) {
-                                    phi_5537_ = 26u;
+                                    phi_5538_ = 26u;
                                 } else {
-                                    phi_5537_ = bitcast<u32>((1i - _e2945));
+                                    phi_5538_ = bitcast<u32>((1i - _e2945));
                                 }
-                                let _e2952 = phi_5537_;
+                                let _e2952 = phi_5538_;
                                 let _e2953 = (_e2952 & 31u);
                                 let _e2955 = (_e2943 >> bitcast<u32>(_e2953));
                                 let _e2959 = (_e2943 & ((1u << bitcast<u32>(_e2953)) - 1u));
                                 let _e2963 = (1u << bitcast<u32>(((_e2952 - 1u) & 31u)));
                                 if (_e2959 > _e2963) {
-                                    phi_5558_ = true;
+                                    phi_5559_ = true;
                                 } else {
                                     if (_e2959 == _e2963) {
-                                        phi_5555_ = ((_e2955 & 1u) == 1u);
+                                        phi_5556_ = ((_e2955 & 1u) == 1u);
                                     } else {
-                                        phi_5555_ = false;
+                                        phi_5556_ = false;
                                     }
-                                    let _e2969 = phi_5555_;
-                                    phi_5558_ = _e2969;
+                                    let _e2969 = phi_5556_;
+                                    phi_5559_ = _e2969;
                                 }
-                                let _e2971 = phi_5558_;
-                                phi_5571_ = f32();
-                                phi_5572_ = bitcast<f32>((_e2924 | (_e2955 + select(0u, 1u, _e2971))));
+                                let _e2971 = phi_5559_;
+                                phi_5572_ = f32();
+                                phi_5573_ = bitcast<f32>((_e2924 | (_e2955 + select(0u, 1u, _e2971))));
                             }
-                            let _e2984 = phi_5571_;
-                            let _e2986 = phi_5572_;
-                            phi_5577_ = _e2984;
-                            phi_5578_ = _e2986;
-                            phi_5579_ = _e2947;
+                            let _e2984 = phi_5572_;
+                            let _e2986 = phi_5573_;
+                            phi_5578_ = _e2984;
+                            phi_5579_ = _e2986;
+                            phi_5580_ = _e2947;
                         }
-                        let _e2990 = phi_5577_;
-                        let _e2992 = phi_5578_;
-                        let _e2994 = phi_5579_;
-                        phi_5587_ = select(_e2992, _e2990, _e2994);
+                        let _e2990 = phi_5578_;
+                        let _e2992 = phi_5579_;
+                        let _e2994 = phi_5580_;
+                        phi_5588_ = select(_e2992, _e2990, _e2994);
                     }
-                    let _e2998 = phi_5587_;
-                    phi_4904_ = _e2998;
+                    let _e2998 = phi_5588_;
+                    phi_4905_ = _e2998;
                 } else {
-                    phi_4904_ = _e2921;
+                    phi_4905_ = _e2921;
                 }
-                let _e3000 = phi_4904_;
-                phi_4905_ = _e3000;
+                let _e3000 = phi_4905_;
+                phi_4906_ = _e3000;
             }
-            let _e3002 = phi_4905_;
+            let _e3002 = phi_4906_;
             let _e3003 = bitcast<u32>(_e3002);
             if ((_e3003 & 2147483647u) >= 2139095040u) {
-                phi_4917_ = bitcast<f32>(((_e3003 & 2147483648u) | 2139095039u));
+                phi_4918_ = bitcast<f32>(((_e3003 & 2147483648u) | 2139095039u));
             } else {
-                phi_4917_ = _e3002;
+                phi_4918_ = _e3002;
             }
-            let _e3010 = phi_4917_;
-            phi_4922_ = SlimbvhTypeF(_e3010, _e2891.member.member.member_1, _e2891.member.member.member_2, _e2891.member.member.member_3);
+            let _e3010 = phi_4918_;
+            phi_4923_ = SlimbvhTypeF(_e3010, _e2891.member.member.member_1, _e2891.member.member.member_2, _e2891.member.member.member_3);
         } else {
-            phi_4922_ = _e123;
+            phi_4923_ = _e123;
         }
-        let _e3015 = phi_4922_;
+        let _e3015 = phi_4923_;
         slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e3015.member), bitcast<u32>(_e3015.member_1), bitcast<u32>(_e3015.member_2), _e3015.member_3);
-        phi_4935_ = _e2889;
         phi_4936_ = _e2889;
-        phi_4937_ = select(true, false, _e2889);
+        phi_4937_ = _e2889;
+        phi_4938_ = select(true, false, _e2889);
     } else {
-        phi_4935_ = bool();
-        phi_4936_ = false;
-        phi_4937_ = true;
+        phi_4936_ = bool();
+        phi_4937_ = false;
+        phi_4938_ = true;
     }
-    let _e3026 = phi_4935_;
-    let _e3028 = phi_4936_;
-    let _e3030 = phi_4937_;
+    let _e3026 = phi_4936_;
+    let _e3028 = phi_4937_;
+    let _e3030 = phi_4938_;
     if _e3030 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }

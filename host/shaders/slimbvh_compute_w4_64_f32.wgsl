@@ -66,115 +66,115 @@ fn slimbvh_trace_in_group() {
     var phi_1718_: u32;
     var phi_1721_: u32;
     var phi_1723_: u32;
-    var phi_1829_: SlimbvhTypeM;
     var phi_1830_: SlimbvhTypeM;
-    var phi_1889_: SlimbvhTypeM;
+    var phi_1831_: SlimbvhTypeM;
     var phi_1890_: SlimbvhTypeM;
-    var phi_1949_: SlimbvhTypeM;
+    var phi_1891_: SlimbvhTypeM;
     var phi_1950_: SlimbvhTypeM;
-    var phi_2434_: u32;
-    var phi_2447_: u32;
-    var phi_2460_: u32;
-    var phi_2473_: u32;
-    var phi_4472_: SlimbvhTypeE;
-    var phi_4484_: SlimbvhTypeE;
-    var phi_4496_: SlimbvhTypeE;
-    var phi_4508_: SlimbvhTypeE;
-    var phi_4520_: SlimbvhTypeE;
-    var phi_2557_: u32;
-    var phi_2562_: u32;
+    var phi_1951_: SlimbvhTypeM;
+    var phi_2435_: u32;
+    var phi_2448_: u32;
+    var phi_2461_: u32;
+    var phi_2474_: u32;
+    var phi_4473_: SlimbvhTypeE;
+    var phi_4485_: SlimbvhTypeE;
+    var phi_4497_: SlimbvhTypeE;
+    var phi_4509_: SlimbvhTypeE;
+    var phi_4521_: SlimbvhTypeE;
+    var phi_2558_: u32;
     var phi_2563_: u32;
-    var phi_2587_: u32;
+    var phi_2564_: u32;
+    var phi_2588_: u32;
     var phi_1719_: u32;
     var phi_1722_: u32;
     var phi_1724_: u32;
     var local: bool;
     var local_1: u32;
     var local_2: u32;
-    var phi_2604_: SlimbvhTypeP;
-    var phi_2607_: SlimbvhTypeE;
+    var phi_2605_: SlimbvhTypeP;
     var phi_2608_: SlimbvhTypeE;
-    var phi_2630_: SlimbvhTypeE;
-    var phi_2709_: array<vec4<f32>, 3>;
+    var phi_2609_: SlimbvhTypeE;
+    var phi_2631_: SlimbvhTypeE;
     var phi_2710_: array<vec4<f32>, 3>;
-    var phi_2790_: array<vec4<f32>, 3>;
+    var phi_2711_: array<vec4<f32>, 3>;
     var phi_2791_: array<vec4<f32>, 3>;
-    var phi_2814_: array<f32, 3>;
+    var phi_2792_: array<vec4<f32>, 3>;
     var phi_2815_: array<f32, 3>;
-    var phi_2829_: array<f32, 3>;
+    var phi_2816_: array<f32, 3>;
     var phi_2830_: array<f32, 3>;
-    var phi_2844_: array<f32, 3>;
+    var phi_2831_: array<f32, 3>;
     var phi_2845_: array<f32, 3>;
-    var phi_3204_: f32;
+    var phi_2846_: array<f32, 3>;
     var phi_3205_: f32;
     var phi_3206_: f32;
     var phi_3207_: f32;
-    var phi_3208_: vec3<f32>;
+    var phi_3208_: f32;
     var phi_3209_: vec3<f32>;
     var phi_3210_: vec3<f32>;
     var phi_3211_: vec3<f32>;
-    var phi_3390_: f32;
-    var phi_3416_: SlimbvhTypeF;
+    var phi_3212_: vec3<f32>;
+    var phi_3391_: f32;
     var phi_3417_: SlimbvhTypeF;
-    var phi_3420_: SlimbvhTypeF;
+    var phi_3418_: SlimbvhTypeF;
     var phi_3421_: SlimbvhTypeF;
-    var phi_3422_: bool;
-    var phi_3426_: SlimbvhTypeF;
-    var phi_3435_: SlimbvhTypeG;
-    var phi_3488_: i32;
-    var phi_3628_: SlimbvhTypeI;
-    var phi_3652_: u32;
-    var phi_3680_: vec3<f32>;
+    var phi_3422_: SlimbvhTypeF;
+    var phi_3423_: bool;
+    var phi_3427_: SlimbvhTypeF;
+    var phi_3436_: SlimbvhTypeG;
+    var phi_3489_: i32;
+    var phi_3629_: SlimbvhTypeI;
+    var phi_3653_: u32;
     var phi_3681_: vec3<f32>;
-    var phi_3698_: vec3<f32>;
+    var phi_3682_: vec3<f32>;
     var phi_3699_: vec3<f32>;
-    var phi_3716_: vec3<f32>;
+    var phi_3700_: vec3<f32>;
     var phi_3717_: vec3<f32>;
-    var phi_3753_: vec3<f32>;
-    var phi_3935_: f32;
-    var phi_3953_: bool;
+    var phi_3718_: vec3<f32>;
+    var phi_3754_: vec3<f32>;
+    var phi_3936_: f32;
     var phi_3954_: bool;
-    var phi_3973_: bool;
+    var phi_3955_: bool;
     var phi_3974_: bool;
-    var phi_3981_: SlimbvhTypeP;
-    var phi_3987_: SlimbvhTypeP;
+    var phi_3975_: bool;
+    var phi_3982_: SlimbvhTypeP;
     var phi_3988_: SlimbvhTypeP;
     var phi_3989_: SlimbvhTypeP;
-    var phi_2605_: SlimbvhTypeP;
+    var phi_3990_: SlimbvhTypeP;
+    var phi_2606_: SlimbvhTypeP;
     var local_3: u32;
     var local_4: u32;
-    var phi_4050_: u32;
+    var phi_4051_: u32;
     var local_5: SlimbvhTypeP;
-    var phi_4059_: SlimbvhTypeP;
-    var phi_4060_: u32;
+    var phi_4060_: SlimbvhTypeP;
     var phi_4061_: u32;
+    var phi_4062_: u32;
     var phi_1703_: SlimbvhTypeP;
     var phi_1706_: u32;
     var phi_1708_: u32;
     var phi_1710_: u32;
     var local_6: u32;
     var local_7: SlimbvhTypeP;
-    var phi_4098_: f32;
-    var phi_4100_: f32;
-    var phi_4101_: bool;
-    var phi_4102_: f32;
-    var phi_4103_: bool;
-    var phi_4751_: u32;
-    var phi_4769_: bool;
-    var phi_4772_: bool;
-    var phi_4785_: f32;
+    var phi_4099_: f32;
+    var phi_4101_: f32;
+    var phi_4102_: bool;
+    var phi_4103_: f32;
+    var phi_4104_: bool;
+    var phi_4752_: u32;
+    var phi_4770_: bool;
+    var phi_4773_: bool;
     var phi_4786_: f32;
-    var phi_4791_: f32;
+    var phi_4787_: f32;
     var phi_4792_: f32;
-    var phi_4793_: bool;
-    var phi_4801_: f32;
-    var phi_4118_: f32;
+    var phi_4793_: f32;
+    var phi_4794_: bool;
+    var phi_4802_: f32;
     var phi_4119_: f32;
-    var phi_4131_: f32;
-    var phi_4136_: SlimbvhTypeG;
-    var phi_4149_: bool;
+    var phi_4120_: f32;
+    var phi_4132_: f32;
+    var phi_4137_: SlimbvhTypeG;
     var phi_4150_: bool;
     var phi_4151_: bool;
+    var phi_4152_: bool;
     var local_8: SlimbvhTypeP;
     var local_9: u32;
     var local_10: u32;
@@ -541,38 +541,38 @@ fn slimbvh_trace_in_group() {
                         let _e836 = bitcast<f32>(_e816.x);
                         let _e841 = (_e836 + (f32((_e816.w >> bitcast<u32>(5u))) * _e153));
                         if (_e701 == 0u) {
-                            phi_1829_ = SlimbvhTypeM(_e816.z, _e841);
-                            phi_1830_ = SlimbvhTypeM(_e816.y, _e836);
-                        } else {
-                            phi_1829_ = SlimbvhTypeM(_e816.y, _e836);
                             phi_1830_ = SlimbvhTypeM(_e816.z, _e841);
+                            phi_1831_ = SlimbvhTypeM(_e816.y, _e836);
+                        } else {
+                            phi_1830_ = SlimbvhTypeM(_e816.y, _e836);
+                            phi_1831_ = SlimbvhTypeM(_e816.z, _e841);
                         }
-                        let _e852 = phi_1829_;
-                        let _e854 = phi_1830_;
+                        let _e852 = phi_1830_;
+                        let _e854 = phi_1831_;
                         let _e858 = bitcast<f32>(((_e831 + ((_e816.w & 31u) << bitcast<u32>(23i))) ^ (_e701 << bitcast<u32>(31i))));
                         let _e898 = bitcast<f32>(_e822.x);
                         let _e903 = (_e898 + (f32((_e822.w >> bitcast<u32>(5u))) * _e153));
                         if (_e704 == 0u) {
-                            phi_1889_ = SlimbvhTypeM(_e822.z, _e903);
-                            phi_1890_ = SlimbvhTypeM(_e822.y, _e898);
-                        } else {
-                            phi_1889_ = SlimbvhTypeM(_e822.y, _e898);
                             phi_1890_ = SlimbvhTypeM(_e822.z, _e903);
+                            phi_1891_ = SlimbvhTypeM(_e822.y, _e898);
+                        } else {
+                            phi_1890_ = SlimbvhTypeM(_e822.y, _e898);
+                            phi_1891_ = SlimbvhTypeM(_e822.z, _e903);
                         }
-                        let _e914 = phi_1889_;
-                        let _e916 = phi_1890_;
+                        let _e914 = phi_1890_;
+                        let _e916 = phi_1891_;
                         let _e920 = bitcast<f32>(((_e831 + ((_e822.w & 31u) << bitcast<u32>(23i))) ^ (_e704 << bitcast<u32>(31i))));
                         let _e960 = bitcast<f32>(_e828.x);
                         let _e965 = (_e960 + (f32((_e828.w >> bitcast<u32>(5u))) * _e153));
                         if (_e707 == 0u) {
-                            phi_1949_ = SlimbvhTypeM(_e828.z, _e965);
-                            phi_1950_ = SlimbvhTypeM(_e828.y, _e960);
-                        } else {
-                            phi_1949_ = SlimbvhTypeM(_e828.y, _e960);
                             phi_1950_ = SlimbvhTypeM(_e828.z, _e965);
+                            phi_1951_ = SlimbvhTypeM(_e828.y, _e960);
+                        } else {
+                            phi_1950_ = SlimbvhTypeM(_e828.y, _e960);
+                            phi_1951_ = SlimbvhTypeM(_e828.z, _e965);
                         }
-                        let _e976 = phi_1949_;
-                        let _e978 = phi_1950_;
+                        let _e976 = phi_1950_;
+                        let _e978 = phi_1951_;
                         let _e982 = bitcast<f32>(((_e831 + ((_e828.w & 31u) << bitcast<u32>(23i))) ^ (_e707 << bitcast<u32>(31i))));
                         let _e1018 = (_e858 * _e634);
                         let _e1025 = (((_e854.member_1 - _e631) * _e634) + (bitcast<f32>((bitcast<u32>(_e1018) & 2147483647u)) * -0.00012207031f));
@@ -600,59 +600,59 @@ fn slimbvh_trace_in_group() {
                         let _e1149 = max(max(max(((f32(((_e854.member >> bitcast<u32>(24u)) & 255u)) * _e1018) + _e1025), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1050) + _e1057)), _e1097), _e674);
                         let _e1154 = (_e790.member.member_1 + (bitcast<f32>((bitcast<u32>(_e790.member.member_1) & 2147483647u)) * 0.0000004768374f));
                         if (_e1146 <= min((min(min(((f32((_e852.member & 255u)) * _e1034) + _e1041), ((f32((_e914.member & 255u)) * _e1066) + _e1073)), _e1110) + (max(_e1110, -(_e1094)) * 0.0000023841915f)), _e1154)) {
-                            phi_2434_ = (((bitcast<u32>(_e1146) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u);
+                            phi_2435_ = (((bitcast<u32>(_e1146) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u);
                         } else {
-                            phi_2434_ = 4294967288u;
+                            phi_2435_ = 4294967288u;
                         }
-                        let _e1169 = phi_2434_;
+                        let _e1169 = phi_2435_;
                         if (_e1147 <= min((min(min(((f32(((_e852.member >> bitcast<u32>(8u)) & 255u)) * _e1034) + _e1041), ((f32(((_e914.member >> bitcast<u32>(8u)) & 255u)) * _e1066) + _e1073)), _e1111) + (max(_e1111, -(_e1095)) * 0.0000023841915f)), _e1154)) {
-                            phi_2447_ = ((((bitcast<u32>(_e1147) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u) | 1u);
+                            phi_2448_ = ((((bitcast<u32>(_e1147) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u) | 1u);
                         } else {
-                            phi_2447_ = 4294967288u;
+                            phi_2448_ = 4294967288u;
                         }
-                        let _e1177 = phi_2447_;
+                        let _e1177 = phi_2448_;
                         if (_e1148 <= min((min(min(((f32(((_e852.member >> bitcast<u32>(16u)) & 255u)) * _e1034) + _e1041), ((f32(((_e914.member >> bitcast<u32>(16u)) & 255u)) * _e1066) + _e1073)), _e1112) + (max(_e1112, -(_e1096)) * 0.0000023841915f)), _e1154)) {
-                            phi_2460_ = ((((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u) | 2u);
+                            phi_2461_ = ((((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u) | 2u);
                         } else {
-                            phi_2460_ = 4294967288u;
+                            phi_2461_ = 4294967288u;
                         }
-                        let _e1185 = phi_2460_;
+                        let _e1185 = phi_2461_;
                         if (_e1149 <= min((min(min(((f32(((_e852.member >> bitcast<u32>(24u)) & 255u)) * _e1034) + _e1041), ((f32(((_e914.member >> bitcast<u32>(24u)) & 255u)) * _e1066) + _e1073)), _e1113) + (max(_e1113, -(_e1097)) * 0.0000023841915f)), _e1154)) {
-                            phi_2473_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u) | 3u);
+                            phi_2474_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e691.member_1)) & 2147483640u) | 4u) | 3u);
                         } else {
-                            phi_2473_ = 4294967288u;
+                            phi_2474_ = 4294967288u;
                         }
-                        let _e1193 = phi_2473_;
+                        let _e1193 = phi_2474_;
                         if (_e1169 < _e1177) {
-                            phi_4472_ = SlimbvhTypeE(_e1169, _e1177);
+                            phi_4473_ = SlimbvhTypeE(_e1169, _e1177);
                         } else {
-                            phi_4472_ = SlimbvhTypeE(_e1177, _e1169);
+                            phi_4473_ = SlimbvhTypeE(_e1177, _e1169);
                         }
-                        let _e1198 = phi_4472_;
+                        let _e1198 = phi_4473_;
                         if (_e1185 < _e1193) {
-                            phi_4484_ = SlimbvhTypeE(_e1185, _e1193);
+                            phi_4485_ = SlimbvhTypeE(_e1185, _e1193);
                         } else {
-                            phi_4484_ = SlimbvhTypeE(_e1193, _e1185);
+                            phi_4485_ = SlimbvhTypeE(_e1193, _e1185);
                         }
-                        let _e1205 = phi_4484_;
+                        let _e1205 = phi_4485_;
                         if (_e1198.member < _e1205.member) {
-                            phi_4496_ = SlimbvhTypeE(_e1198.member, _e1205.member);
+                            phi_4497_ = SlimbvhTypeE(_e1198.member, _e1205.member);
                         } else {
-                            phi_4496_ = SlimbvhTypeE(_e1205.member, _e1198.member);
+                            phi_4497_ = SlimbvhTypeE(_e1205.member, _e1198.member);
                         }
-                        let _e1212 = phi_4496_;
+                        let _e1212 = phi_4497_;
                         if (_e1198.member_1 < _e1205.member_1) {
-                            phi_4508_ = SlimbvhTypeE(_e1198.member_1, _e1205.member_1);
+                            phi_4509_ = SlimbvhTypeE(_e1198.member_1, _e1205.member_1);
                         } else {
-                            phi_4508_ = SlimbvhTypeE(_e1205.member_1, _e1198.member_1);
+                            phi_4509_ = SlimbvhTypeE(_e1205.member_1, _e1198.member_1);
                         }
-                        let _e1219 = phi_4508_;
+                        let _e1219 = phi_4509_;
                         if (_e1219.member < _e1212.member_1) {
-                            phi_4520_ = SlimbvhTypeE(_e1219.member, _e1212.member_1);
+                            phi_4521_ = SlimbvhTypeE(_e1219.member, _e1212.member_1);
                         } else {
-                            phi_4520_ = SlimbvhTypeE(_e1212.member_1, _e1219.member);
+                            phi_4521_ = SlimbvhTypeE(_e1212.member_1, _e1219.member);
                         }
-                        let _e1226 = phi_4520_;
+                        let _e1226 = phi_4521_;
                         let _e1241 = (((_e1212.member & 7u) | ((_e1226.member & 7u) << bitcast<u32>(3u))) | (((_e1226.member_1 & 7u) | ((_e1219.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                         if (_e1241 == 0u) {
                             let _e1261 = (_e799 - 1u);
@@ -664,30 +664,30 @@ fn slimbvh_trace_in_group() {
                             } else {
                                 slimbvh_stacks[(((_e1261 % 32u) * 64u) + _e681)] = (((_e1266 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1269);
                             }
-                            phi_2562_ = select(_e799, _e1261, _e1272);
-                            phi_2563_ = (((_e1266 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1267 & 3u) & 3u));
+                            phi_2563_ = select(_e799, _e1261, _e1272);
+                            phi_2564_ = (((_e1266 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1267 & 3u) & 3u));
                         } else {
                             let _e1244 = (_e1241 >> bitcast<u32>(3u));
                             if (_e1244 == 0u) {
-                                phi_2557_ = _e799;
+                                phi_2558_ = _e799;
                             } else {
                                 slimbvh_stacks[(((_e799 % 32u) * 64u) + _e681)] = ((_e806 << bitcast<u32>(9u)) | _e1244);
-                                phi_2557_ = (_e799 + 1u);
+                                phi_2558_ = (_e799 + 1u);
                             }
-                            let _e1255 = phi_2557_;
-                            phi_2562_ = _e1255;
-                            phi_2563_ = ((_e806 << bitcast<u32>(2i)) | ((_e1241 & 3u) & 3u));
+                            let _e1255 = phi_2558_;
+                            phi_2563_ = _e1255;
+                            phi_2564_ = ((_e806 << bitcast<u32>(2i)) | ((_e1241 & 3u) & 3u));
                         }
-                        let _e1287 = phi_2562_;
-                        let _e1289 = phi_2563_;
+                        let _e1287 = phi_2563_;
+                        let _e1289 = phi_2564_;
                         let _e1291 = (_e1289 >> bitcast<u32>(2i));
                         if (_e1291 < _e103) {
                             let _e1297 = slimbvh_nodes.member[_e1291].member_1[(_e1289 & 3u)];
-                            phi_2587_ = _e1297;
+                            phi_2588_ = _e1297;
                         } else {
-                            phi_2587_ = 2147483648u;
+                            phi_2588_ = 2147483648u;
                         }
-                        let _e1299 = phi_2587_;
+                        let _e1299 = phi_2588_;
                         let _e1300 = (_e803 - 1u);
                         phi_1719_ = select(_e1287, 4294967295u, (_e1300 == 0u));
                         phi_1722_ = _e1299;
@@ -712,22 +712,22 @@ fn slimbvh_trace_in_group() {
                 if _e1311 {
                     let _e1313 = local_1;
                     let _e1316 = local_2;
-                    phi_2604_ = _e790;
-                    phi_2607_ = SlimbvhTypeE(0u, ((_e1316 >> bitcast<u32>(28u)) & 7u));
+                    phi_2605_ = _e790;
+                    phi_2608_ = SlimbvhTypeE(0u, ((_e1316 >> bitcast<u32>(28u)) & 7u));
                     loop {
-                        let _e1323 = phi_2604_;
-                        let _e1325 = phi_2607_;
+                        let _e1323 = phi_2605_;
+                        let _e1325 = phi_2608_;
                         local_5 = _e1323;
                         local_8 = _e1323;
                         if (_e1325.member < _e1325.member_1) {
-                            phi_2608_ = SlimbvhTypeE((_e1325.member + 1u), _e1325.member_1);
-                            phi_2630_ = SlimbvhTypeE(1u, _e1325.member);
+                            phi_2609_ = SlimbvhTypeE((_e1325.member + 1u), _e1325.member_1);
+                            phi_2631_ = SlimbvhTypeE(1u, _e1325.member);
                         } else {
-                            phi_2608_ = _e1325;
-                            phi_2630_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                            phi_2609_ = _e1325;
+                            phi_2631_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                         }
-                        let _e1338 = phi_2608_;
-                        let _e1340 = phi_2630_;
+                        let _e1338 = phi_2609_;
+                        let _e1340 = phi_2631_;
                         let _e1344 = (bitcast<i32>(_e1340.member) != 0i);
                         if _e1344 {
                             let _e1345 = (((_e1313 & 268435455u) + _e159) + _e1340.member_1);
@@ -735,74 +735,74 @@ fn slimbvh_trace_in_group() {
                             let _e1347 = (_e1345 % 2u);
                             let _e1348 = (_e1346 >= arrayLength((&slimbvh_triangles.member)));
                             if _e1348 {
-                                phi_2710_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                                phi_2711_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
                                 let _e1349 = (2u * _e1347);
                                 let _e1353 = slimbvh_triangles.member[_e1346][_e1349];
                                 let _e1358 = slimbvh_triangles.member[_e1346][(_e1349 + 1u)];
                                 let _e1363 = slimbvh_triangles.member[_e1346][(_e1349 + 2u)];
                                 if (_e1347 == 0u) {
-                                    phi_2709_ = array<vec4<f32>, 3>(_e1353, _e1358, _e1363);
+                                    phi_2710_ = array<vec4<f32>, 3>(_e1353, _e1358, _e1363);
                                 } else {
-                                    phi_2709_ = array<vec4<f32>, 3>(vec4<f32>(_e1353.z, _e1353.w, _e1358.x, _e1358.y), vec4<f32>(_e1358.z, _e1358.w, _e1363.x, _e1363.y), vec4<f32>(_e1363.z, _e1363.w, 0f, 0f));
+                                    phi_2710_ = array<vec4<f32>, 3>(vec4<f32>(_e1353.z, _e1353.w, _e1358.x, _e1358.y), vec4<f32>(_e1358.z, _e1358.w, _e1363.x, _e1363.y), vec4<f32>(_e1363.z, _e1363.w, 0f, 0f));
                                 }
-                                let _e1381 = phi_2709_;
-                                phi_2710_ = _e1381;
+                                let _e1381 = phi_2710_;
+                                phi_2711_ = _e1381;
                             }
-                            let _e1383 = phi_2710_;
+                            let _e1383 = phi_2711_;
                             let _e1386 = bitcast<u32>(_e1383[2].y);
                             if _e1348 {
-                                phi_2791_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                                phi_2792_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                             } else {
                                 let _e1387 = (2u * _e1347);
                                 let _e1391 = slimbvh_triangles.member[_e1346][_e1387];
                                 let _e1396 = slimbvh_triangles.member[_e1346][(_e1387 + 1u)];
                                 let _e1401 = slimbvh_triangles.member[_e1346][(_e1387 + 2u)];
                                 if (_e1347 == 0u) {
-                                    phi_2790_ = array<vec4<f32>, 3>(_e1391, _e1396, _e1401);
+                                    phi_2791_ = array<vec4<f32>, 3>(_e1391, _e1396, _e1401);
                                 } else {
-                                    phi_2790_ = array<vec4<f32>, 3>(vec4<f32>(_e1391.z, _e1391.w, _e1396.x, _e1396.y), vec4<f32>(_e1396.z, _e1396.w, _e1401.x, _e1401.y), vec4<f32>(_e1401.z, _e1401.w, 0f, 0f));
+                                    phi_2791_ = array<vec4<f32>, 3>(vec4<f32>(_e1391.z, _e1391.w, _e1396.x, _e1396.y), vec4<f32>(_e1396.z, _e1396.w, _e1401.x, _e1401.y), vec4<f32>(_e1401.z, _e1401.w, 0f, 0f));
                                 }
-                                let _e1419 = phi_2790_;
-                                phi_2791_ = _e1419;
+                                let _e1419 = phi_2791_;
+                                phi_2792_ = _e1419;
                             }
-                            let _e1421 = phi_2791_;
+                            let _e1421 = phi_2792_;
                             if _e224 {
-                                phi_2815_ = array<f32, 3>(_e1421[0].x, _e1421[0].y, _e1421[0].z);
+                                phi_2816_ = array<f32, 3>(_e1421[0].x, _e1421[0].y, _e1421[0].z);
                             } else {
                                 if (_e219 == 1u) {
-                                    phi_2814_ = array<f32, 3>(_e1421[0].y, _e1421[0].z, _e1421[0].x);
+                                    phi_2815_ = array<f32, 3>(_e1421[0].y, _e1421[0].z, _e1421[0].x);
                                 } else {
-                                    phi_2814_ = array<f32, 3>(_e1421[0].z, _e1421[0].x, _e1421[0].y);
+                                    phi_2815_ = array<f32, 3>(_e1421[0].z, _e1421[0].x, _e1421[0].y);
                                 }
-                                let _e1444 = phi_2814_;
-                                phi_2815_ = _e1444;
+                                let _e1444 = phi_2815_;
+                                phi_2816_ = _e1444;
                             }
-                            let _e1447 = phi_2815_;
+                            let _e1447 = phi_2816_;
                             if _e224 {
-                                phi_2830_ = array<f32, 3>(_e1421[0].w, _e1421[1].x, _e1421[1].y);
+                                phi_2831_ = array<f32, 3>(_e1421[0].w, _e1421[1].x, _e1421[1].y);
                             } else {
                                 if (_e219 == 1u) {
-                                    phi_2829_ = array<f32, 3>(_e1421[1].x, _e1421[1].y, _e1421[0].w);
+                                    phi_2830_ = array<f32, 3>(_e1421[1].x, _e1421[1].y, _e1421[0].w);
                                 } else {
-                                    phi_2829_ = array<f32, 3>(_e1421[1].y, _e1421[0].w, _e1421[1].x);
+                                    phi_2830_ = array<f32, 3>(_e1421[1].y, _e1421[0].w, _e1421[1].x);
                                 }
-                                let _e1452 = phi_2829_;
-                                phi_2830_ = _e1452;
+                                let _e1452 = phi_2830_;
+                                phi_2831_ = _e1452;
                             }
-                            let _e1455 = phi_2830_;
+                            let _e1455 = phi_2831_;
                             if _e224 {
-                                phi_2845_ = array<f32, 3>(_e1421[1].z, _e1421[1].w, _e1421[2].x);
+                                phi_2846_ = array<f32, 3>(_e1421[1].z, _e1421[1].w, _e1421[2].x);
                             } else {
                                 if (_e219 == 1u) {
-                                    phi_2844_ = array<f32, 3>(_e1421[1].w, _e1421[2].x, _e1421[1].z);
+                                    phi_2845_ = array<f32, 3>(_e1421[1].w, _e1421[2].x, _e1421[1].z);
                                 } else {
-                                    phi_2844_ = array<f32, 3>(_e1421[2].x, _e1421[1].z, _e1421[1].w);
+                                    phi_2845_ = array<f32, 3>(_e1421[2].x, _e1421[1].z, _e1421[1].w);
                                 }
-                                let _e1460 = phi_2844_;
-                                phi_2845_ = _e1460;
+                                let _e1460 = phi_2845_;
+                                phi_2846_ = _e1460;
                             }
-                            let _e1463 = phi_2845_;
+                            let _e1463 = phi_2846_;
                             let _e1477 = (_e1447[2] - _e607.member[2]);
                             let _e1480 = (((_e1447[0] - _e607.member[0]) * _e662) - (_e1477 * _e630));
                             let _e1483 = (((_e1447[1] - _e607.member[1]) * _e662) - (_e1477 * _e646));
@@ -862,34 +862,34 @@ fn slimbvh_trace_in_group() {
                                     let _e1645 = max(max(bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u)));
                                     let _e1658 = max(max(_e1634, _e1645), max(max(bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u))));
                                     if (_e1634 == _e1658) {
-                                        phi_3204_ = _e1492;
-                                        phi_3205_ = _e1489;
-                                        phi_3206_ = _e1483;
-                                        phi_3207_ = _e1480;
-                                        phi_3208_ = vec3<f32>(_e1447[0], _e1447[1], _e1447[2]);
-                                        phi_3209_ = _e1623;
-                                        phi_3210_ = _e1619;
-                                        phi_3211_ = _e1615;
+                                        phi_3205_ = _e1492;
+                                        phi_3206_ = _e1489;
+                                        phi_3207_ = _e1483;
+                                        phi_3208_ = _e1480;
+                                        phi_3209_ = vec3<f32>(_e1447[0], _e1447[1], _e1447[2]);
+                                        phi_3210_ = _e1623;
+                                        phi_3211_ = _e1619;
+                                        phi_3212_ = _e1615;
                                     } else {
                                         let _e1660 = (_e1645 == _e1658);
                                         let _e1665 = vec3(_e1660);
-                                        phi_3204_ = select(_e1483, _e1501, _e1660);
-                                        phi_3205_ = select(_e1480, _e1498, _e1660);
-                                        phi_3206_ = select(_e1501, _e1492, _e1660);
-                                        phi_3207_ = select(_e1498, _e1489, _e1660);
-                                        phi_3208_ = select(vec3<f32>(_e1463[0], _e1463[1], _e1463[2]), vec3<f32>(_e1455[0], _e1455[1], _e1455[2]), _e1665);
-                                        phi_3209_ = select(_e1619, _e1615, _e1665);
-                                        phi_3210_ = select(_e1615, _e1623, _e1665);
-                                        phi_3211_ = select(_e1623, _e1619, _e1665);
+                                        phi_3205_ = select(_e1483, _e1501, _e1660);
+                                        phi_3206_ = select(_e1480, _e1498, _e1660);
+                                        phi_3207_ = select(_e1501, _e1492, _e1660);
+                                        phi_3208_ = select(_e1498, _e1489, _e1660);
+                                        phi_3209_ = select(vec3<f32>(_e1463[0], _e1463[1], _e1463[2]), vec3<f32>(_e1455[0], _e1455[1], _e1455[2]), _e1665);
+                                        phi_3210_ = select(_e1619, _e1615, _e1665);
+                                        phi_3211_ = select(_e1615, _e1623, _e1665);
+                                        phi_3212_ = select(_e1623, _e1619, _e1665);
                                     }
-                                    let _e1671 = phi_3204_;
-                                    let _e1673 = phi_3205_;
-                                    let _e1675 = phi_3206_;
-                                    let _e1677 = phi_3207_;
-                                    let _e1679 = phi_3208_;
-                                    let _e1681 = phi_3209_;
-                                    let _e1683 = phi_3210_;
-                                    let _e1685 = phi_3211_;
+                                    let _e1671 = phi_3205_;
+                                    let _e1673 = phi_3206_;
+                                    let _e1675 = phi_3207_;
+                                    let _e1677 = phi_3208_;
+                                    let _e1679 = phi_3209_;
+                                    let _e1681 = phi_3210_;
+                                    let _e1683 = phi_3211_;
+                                    let _e1685 = phi_3212_;
                                     let _e1692 = ((_e1683.y * _e1681.z) - (_e1681.y * _e1683.z));
                                     let _e1697 = ((_e1683.z * _e1681.x) - (_e1681.z * _e1683.x));
                                     let _e1700 = ((_e1683.x * _e1681.y) - (_e1681.x * _e1683.y));
@@ -911,46 +911,46 @@ fn slimbvh_trace_in_group() {
                                     if (_e1607 && !(_e1819)) {
                                         let _e1823 = (_e1754 / _e662);
                                         let _e1831 = (((_e1692 * (_e1748 - (_e630 * _e1823))) + (_e1697 * (_e1751 - (_e646 * _e1823)))) / _e1723);
-                                        phi_3390_ = select(select(_e1823, (_e1823 + _e1831), (bitcast<f32>((bitcast<u32>(_e1831) & 2147483647u)) <= _e1658)), _e1820, _e1819);
+                                        phi_3391_ = select(select(_e1823, (_e1823 + _e1831), (bitcast<f32>((bitcast<u32>(_e1831) & 2147483647u)) <= _e1658)), _e1820, _e1819);
                                     } else {
-                                        phi_3390_ = _e1820;
+                                        phi_3391_ = _e1820;
                                     }
-                                    let _e1840 = phi_3390_;
+                                    let _e1840 = phi_3391_;
                                     let _e1842 = select(_e1580, _e1840, (_e1840 < _e1580));
                                     let _e1844 = select(_e1575, _e1842, (_e1842 > _e1575));
                                     let _e1847 = select(_e1844, 0f, (bitcast<u32>(_e1844) == 2147483648u));
                                     let _e1848 = (1f / _e1534);
-                                    phi_3416_ = SlimbvhTypeF(_e1847, (_e1528 * _e1848), (_e1532 * _e1848), ((_e1607 && (_e1847 >= _e674)) && (_e1847 <= _e1323.member.member_1)));
-                                    phi_3417_ = SlimbvhTypeF();
+                                    phi_3417_ = SlimbvhTypeF(_e1847, (_e1528 * _e1848), (_e1532 * _e1848), ((_e1607 && (_e1847 >= _e674)) && (_e1847 <= _e1323.member.member_1)));
+                                    phi_3418_ = SlimbvhTypeF();
                                 } else {
-                                    phi_3416_ = SlimbvhTypeF();
-                                    phi_3417_ = SlimbvhTypeF(0f, 0f, 0f, _e1607);
+                                    phi_3417_ = SlimbvhTypeF();
+                                    phi_3418_ = SlimbvhTypeF(0f, 0f, 0f, _e1607);
                                 }
-                                let _e1857 = phi_3416_;
-                                let _e1859 = phi_3417_;
-                                phi_3420_ = _e1857;
-                                phi_3421_ = _e1859;
-                                phi_3422_ = select(true, false, _e1607);
+                                let _e1857 = phi_3417_;
+                                let _e1859 = phi_3418_;
+                                phi_3421_ = _e1857;
+                                phi_3422_ = _e1859;
+                                phi_3423_ = select(true, false, _e1607);
                             } else {
-                                phi_3420_ = SlimbvhTypeF();
-                                phi_3421_ = SlimbvhTypeF(0f, 0f, 0f, _e1518);
-                                phi_3422_ = true;
+                                phi_3421_ = SlimbvhTypeF();
+                                phi_3422_ = SlimbvhTypeF(0f, 0f, 0f, _e1518);
+                                phi_3423_ = true;
                             }
-                            let _e1862 = phi_3420_;
-                            let _e1864 = phi_3421_;
-                            let _e1866 = phi_3422_;
+                            let _e1862 = phi_3421_;
+                            let _e1864 = phi_3422_;
+                            let _e1866 = phi_3423_;
                             if _e1866 {
-                                phi_3426_ = _e1864;
+                                phi_3427_ = _e1864;
                             } else {
-                                phi_3426_ = _e1862;
+                                phi_3427_ = _e1862;
                             }
-                            let _e1868 = phi_3426_;
+                            let _e1868 = phi_3427_;
                             if _e1868.member_3 {
-                                phi_3435_ = SlimbvhTypeG(_e1868.member, _e1868.member_1, _e1868.member_2, _e1386);
+                                phi_3436_ = SlimbvhTypeG(_e1868.member, _e1868.member_1, _e1868.member_2, _e1386);
                             } else {
-                                phi_3435_ = _e99;
+                                phi_3436_ = _e99;
                             }
-                            let _e1875 = phi_3435_;
+                            let _e1875 = phi_3436_;
                             if (_e1875.member_3 != 4294967295u) {
                                 let _e1881 = slimbvh_target.member[0u][0u];
                                 let _e1885 = slimbvh_target.member[0u][1u];
@@ -966,15 +966,15 @@ fn slimbvh_trace_in_group() {
                                 let _e1914 = bitcast<f32>(_e1897);
                                 let _e1915 = array<u32, 3>(_e1901, _e1905, _e1909);
                                 if (_e177 < -126i) {
-                                    phi_3488_ = -126i;
+                                    phi_3489_ = -126i;
                                 } else {
-                                    phi_3488_ = select(_e177, 127i, (_e177 > 127i));
+                                    phi_3489_ = select(_e177, 127i, (_e177 > 127i));
                                 }
-                                let _e1921 = phi_3488_;
+                                let _e1921 = phi_3489_;
                                 let _e1926 = bitcast<f32>((bitcast<u32>((_e1921 + 127i)) << bitcast<u32>(23i)));
                                 let _e1932 = bitcast<f32>((bitcast<u32>(((_e177 - _e1921) + 127i)) << bitcast<u32>(23i)));
                                 if (_e1893 == 0u) {
-                                    phi_3628_ = SlimbvhTypeI(array<f32, 3>(_e1910, _e1911, _e1912), _e1893, _e1914, _e1915);
+                                    phi_3629_ = SlimbvhTypeI(array<f32, 3>(_e1910, _e1911, _e1912), _e1893, _e1914, _e1915);
                                 } else {
                                     let _e1934 = bitcast<u32>(_e1910);
                                     let _e1936 = ((_e1934 & 2139095040u) != 0u);
@@ -984,61 +984,61 @@ fn slimbvh_trace_in_group() {
                                     let _e1970 = ((_e1968 & 2139095040u) != 0u);
                                     let _e1986 = bitcast<u32>(_e1914);
                                     let _e1988 = ((_e1986 & 2139095040u) != 0u);
-                                    phi_3628_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1934 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1934 & 2147483648u))), _e1910, _e1936) * _e1926) * select(0.00000011920929f, 1f, _e1936)) * _e1932), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1951 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1951 & 2147483648u))), _e1911, _e1953) * _e1926) * select(0.00000011920929f, 1f, _e1953)) * _e1932), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1968 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1968 & 2147483648u))), _e1912, _e1970) * _e1926) * select(0.00000011920929f, 1f, _e1970)) * _e1932)), _e1893, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1986 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1986 & 2147483648u))), _e1914, _e1988) * _e1926) * select(0.00000011920929f, 1f, _e1988)) * _e1932), _e1915);
+                                    phi_3629_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1934 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1934 & 2147483648u))), _e1910, _e1936) * _e1926) * select(0.00000011920929f, 1f, _e1936)) * _e1932), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1951 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1951 & 2147483648u))), _e1911, _e1953) * _e1926) * select(0.00000011920929f, 1f, _e1953)) * _e1932), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1968 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1968 & 2147483648u))), _e1912, _e1970) * _e1926) * select(0.00000011920929f, 1f, _e1970)) * _e1932)), _e1893, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1986 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1986 & 2147483648u))), _e1914, _e1988) * _e1926) * select(0.00000011920929f, 1f, _e1988)) * _e1932), _e1915);
                                 }
-                                let _e2005 = phi_3628_;
+                                let _e2005 = phi_3629_;
                                 if (_e1386 == _e678) {
-                                    phi_3954_ = false;
+                                    phi_3955_ = false;
                                 } else {
                                     let _e2007 = (_e1386 / 16u);
                                     if (_e2007 < arrayLength((&slimbvh_sides.member))) {
                                         let _e2010 = slimbvh_sides.member[_e2007];
-                                        phi_3652_ = _e2010;
+                                        phi_3653_ = _e2010;
                                     } else {
-                                        phi_3652_ = 0u;
+                                        phi_3653_ = 0u;
                                     }
-                                    let _e2012 = phi_3652_;
+                                    let _e2012 = phi_3653_;
                                     let _e2021 = (bitcast<i32>((_e2012 << bitcast<u32>(((30u - ((_e1386 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
                                     let _e2022 = (_e2021 == 0i);
                                     if _e2022 {
-                                        phi_3953_ = true;
+                                        phi_3954_ = true;
                                     } else {
                                         if _e224 {
-                                            phi_3681_ = vec3<f32>(_e1447[0], _e1447[1], _e1447[2]);
+                                            phi_3682_ = vec3<f32>(_e1447[0], _e1447[1], _e1447[2]);
                                         } else {
                                             if (_e219 == 1u) {
-                                                phi_3680_ = vec3<f32>(_e1447[2], _e1447[0], _e1447[1]);
+                                                phi_3681_ = vec3<f32>(_e1447[2], _e1447[0], _e1447[1]);
                                             } else {
-                                                phi_3680_ = vec3<f32>(_e1447[1], _e1447[2], _e1447[0]);
+                                                phi_3681_ = vec3<f32>(_e1447[1], _e1447[2], _e1447[0]);
                                             }
-                                            let _e2027 = phi_3680_;
-                                            phi_3681_ = _e2027;
+                                            let _e2027 = phi_3681_;
+                                            phi_3682_ = _e2027;
                                         }
-                                        let _e2030 = phi_3681_;
+                                        let _e2030 = phi_3682_;
                                         if _e224 {
-                                            phi_3699_ = vec3<f32>(_e1455[0], _e1455[1], _e1455[2]);
+                                            phi_3700_ = vec3<f32>(_e1455[0], _e1455[1], _e1455[2]);
                                         } else {
                                             if (_e219 == 1u) {
-                                                phi_3698_ = vec3<f32>(_e1455[2], _e1455[0], _e1455[1]);
+                                                phi_3699_ = vec3<f32>(_e1455[2], _e1455[0], _e1455[1]);
                                             } else {
-                                                phi_3698_ = vec3<f32>(_e1455[1], _e1455[2], _e1455[0]);
+                                                phi_3699_ = vec3<f32>(_e1455[1], _e1455[2], _e1455[0]);
                                             }
-                                            let _e2035 = phi_3698_;
-                                            phi_3699_ = _e2035;
+                                            let _e2035 = phi_3699_;
+                                            phi_3700_ = _e2035;
                                         }
-                                        let _e2038 = phi_3699_;
+                                        let _e2038 = phi_3700_;
                                         if _e224 {
-                                            phi_3717_ = vec3<f32>(_e1463[0], _e1463[1], _e1463[2]);
+                                            phi_3718_ = vec3<f32>(_e1463[0], _e1463[1], _e1463[2]);
                                         } else {
                                             if (_e219 == 1u) {
-                                                phi_3716_ = vec3<f32>(_e1463[2], _e1463[0], _e1463[1]);
+                                                phi_3717_ = vec3<f32>(_e1463[2], _e1463[0], _e1463[1]);
                                             } else {
-                                                phi_3716_ = vec3<f32>(_e1463[1], _e1463[2], _e1463[0]);
+                                                phi_3717_ = vec3<f32>(_e1463[1], _e1463[2], _e1463[0]);
                                             }
-                                            let _e2043 = phi_3716_;
-                                            phi_3717_ = _e2043;
+                                            let _e2043 = phi_3717_;
+                                            phi_3718_ = _e2043;
                                         }
-                                        let _e2046 = phi_3717_;
+                                        let _e2046 = phi_3718_;
                                         let _e2049 = (_e2038.x - _e2030.x);
                                         let _e2052 = (_e2038.y - _e2030.y);
                                         let _e2055 = (_e2038.z - _e2030.z);
@@ -1046,11 +1046,11 @@ fn slimbvh_trace_in_group() {
                                         let _e2059 = (_e2046.y - _e2030.y);
                                         let _e2061 = (_e2046.z - _e2030.z);
                                         if (_e2005.member_1 == 1u) {
-                                            phi_3753_ = (vec3<f32>(_e2005.member[0], _e2005.member[1], _e2005.member[2]) - _e2030);
+                                            phi_3754_ = (vec3<f32>(_e2005.member[0], _e2005.member[1], _e2005.member[2]) - _e2030);
                                         } else {
-                                            phi_3753_ = vec3<f32>(_e2005.member[0], _e2005.member[1], _e2005.member[2]);
+                                            phi_3754_ = vec3<f32>(_e2005.member[0], _e2005.member[1], _e2005.member[2]);
                                         }
-                                        let _e2076 = phi_3753_;
+                                        let _e2076 = phi_3754_;
                                         let _e2082 = bitcast<f32>((bitcast<u32>((_e2049 * _e2059)) ^ _e2005.member_3[0]));
                                         let _e2086 = bitcast<f32>((bitcast<u32>((_e2052 * _e2057)) ^ _e2005.member_3[0]));
                                         let _e2090 = bitcast<f32>((bitcast<u32>((_e2052 * _e2061)) ^ _e2005.member_3[0]));
@@ -1064,7 +1064,7 @@ fn slimbvh_trace_in_group() {
                                         let _e2136 = (bitcast<f32>((bitcast<u32>(_e2098) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2102) & 2147483647u)));
                                         let _e2143 = (bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2086) & 2147483647u)));
                                         if (_e2005.member_2 == 0f) {
-                                            phi_3935_ = 0f;
+                                            phi_3936_ = 0f;
                                         } else {
                                             let _e2173 = bitcast<f32>((bitcast<u32>(_e2103) & 2147483647u));
                                             let _e2176 = bitcast<f32>((bitcast<u32>(_e2104) & 2147483647u));
@@ -1074,59 +1074,59 @@ fn slimbvh_trace_in_group() {
                                             let _e2189 = select(_e2176, _e2173, (_e2173 < _e2176));
                                             let _e2191 = select(_e2176, _e2173, (_e2173 > _e2176));
                                             let _e2193 = select(_e2179, _e2191, (_e2191 < _e2179));
-                                            phi_3935_ = bitcast<f32>((bitcast<u32>((_e2005.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2181, _e2173, (_e2173 > _e2181)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2193, _e2189, (_e2189 > _e2193)))) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2185, _e2173, (_e2173 < _e2185)))) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2129 + _e2136) + _e2143))) ^ _e2005.member_3[0]))) * 1.0000005f)) ^ _e2005.member_3[0])))) ^ _e2005.member_3[0]));
+                                            phi_3936_ = bitcast<f32>((bitcast<u32>((_e2005.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2181, _e2173, (_e2173 > _e2181)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2193, _e2189, (_e2189 > _e2193)))) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2185, _e2173, (_e2173 < _e2185)))) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2129 + _e2136) + _e2143))) ^ _e2005.member_3[0]))) * 1.0000005f)) ^ _e2005.member_3[0])))) ^ _e2005.member_3[0]));
                                         }
-                                        let _e2220 = phi_3935_;
-                                        phi_3953_ = (_e2022 || !(((((bitcast<f32>((bitcast<u32>((_e2076.x * _e2103)) ^ _e2005.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2076.y * _e2104)) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2076.z * _e2105)) ^ _e2005.member_3[0]))) * f32(-(_e2021))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2076.x) & 2147483647u)) * _e2129)) ^ _e2005.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2076.y) & 2147483647u)) * _e2136)) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2076.z) & 2147483647u)) * _e2143)) ^ _e2005.member_3[0]))))) ^ _e2005.member_3[0])) + _e2220) + 0.0000000000000000000000000000000000001880791f))));
+                                        let _e2220 = phi_3936_;
+                                        phi_3954_ = (_e2022 || !(((((bitcast<f32>((bitcast<u32>((_e2076.x * _e2103)) ^ _e2005.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2076.y * _e2104)) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2076.z * _e2105)) ^ _e2005.member_3[0]))) * f32(-(_e2021))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2076.x) & 2147483647u)) * _e2129)) ^ _e2005.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2076.y) & 2147483647u)) * _e2136)) ^ _e2005.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2076.z) & 2147483647u)) * _e2143)) ^ _e2005.member_3[0]))))) ^ _e2005.member_3[0])) + _e2220) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e2234 = phi_3953_;
-                                    phi_3954_ = _e2234;
+                                    let _e2234 = phi_3954_;
+                                    phi_3955_ = _e2234;
                                 }
-                                let _e2236 = phi_3954_;
+                                let _e2236 = phi_3955_;
                                 if _e2236 {
                                     if (_e1875.member < _e1323.member.member.member) {
-                                        phi_3974_ = true;
+                                        phi_3975_ = true;
                                     } else {
                                         if (_e1875.member == _e1323.member.member.member) {
-                                            phi_3973_ = (_e1875.member_3 < _e1323.member.member.member_3);
+                                            phi_3974_ = (_e1875.member_3 < _e1323.member.member.member_3);
                                         } else {
-                                            phi_3973_ = false;
+                                            phi_3974_ = false;
                                         }
-                                        let _e2248 = phi_3973_;
-                                        phi_3974_ = _e2248;
+                                        let _e2248 = phi_3974_;
+                                        phi_3975_ = _e2248;
                                     }
-                                    let _e2250 = phi_3974_;
+                                    let _e2250 = phi_3975_;
                                     if _e2250 {
-                                        phi_3981_ = SlimbvhTypeP(SlimbvhTypeJ(_e1875, _e1875.member), _e1323.member_1);
+                                        phi_3982_ = SlimbvhTypeP(SlimbvhTypeJ(_e1875, _e1875.member), _e1323.member_1);
                                     } else {
-                                        phi_3981_ = _e1323;
+                                        phi_3982_ = _e1323;
                                     }
-                                    let _e2256 = phi_3981_;
+                                    let _e2256 = phi_3982_;
                                     if _e2256.member_1 {
-                                        phi_3987_ = SlimbvhTypeP(SlimbvhTypeJ(_e2256.member.member, bitcast<f32>(4286578687u)), _e2256.member_1);
+                                        phi_3988_ = SlimbvhTypeP(SlimbvhTypeJ(_e2256.member.member, bitcast<f32>(4286578687u)), _e2256.member_1);
                                     } else {
-                                        phi_3987_ = _e2256;
+                                        phi_3988_ = _e2256;
                                     }
-                                    let _e2265 = phi_3987_;
-                                    phi_3988_ = _e2265;
+                                    let _e2265 = phi_3988_;
+                                    phi_3989_ = _e2265;
                                 } else {
-                                    phi_3988_ = _e1323;
+                                    phi_3989_ = _e1323;
                                 }
-                                let _e2267 = phi_3988_;
-                                phi_3989_ = _e2267;
+                                let _e2267 = phi_3989_;
+                                phi_3990_ = _e2267;
                             } else {
-                                phi_3989_ = _e1323;
+                                phi_3990_ = _e1323;
                             }
-                            let _e2269 = phi_3989_;
-                            phi_2605_ = _e2269;
+                            let _e2269 = phi_3990_;
+                            phi_2606_ = _e2269;
                         } else {
-                            phi_2605_ = SlimbvhTypeP();
+                            phi_2606_ = SlimbvhTypeP();
                         }
-                        let _e2271 = phi_2605_;
+                        let _e2271 = phi_2606_;
                         continue;
                         continuing {
-                            phi_2604_ = _e2271;
-                            phi_2607_ = _e1338;
+                            phi_2605_ = _e2271;
+                            phi_2608_ = _e1338;
                             break if !(_e1344);
                         }
                     }
@@ -1145,26 +1145,26 @@ fn slimbvh_trace_in_group() {
                     let _e2303 = (_e2301 >> bitcast<u32>(2i));
                     if (_e2303 < _e103) {
                         let _e2309 = slimbvh_nodes.member[_e2303].member_1[(_e2301 & 3u)];
-                        phi_4050_ = _e2309;
+                        phi_4051_ = _e2309;
                     } else {
-                        phi_4050_ = 2147483648u;
+                        phi_4051_ = 2147483648u;
                     }
-                    let _e2311 = phi_4050_;
+                    let _e2311 = phi_4051_;
                     let _e2313 = local_5;
                     let _e2598 = local_8;
-                    phi_4059_ = _e2598;
-                    phi_4060_ = select(select(_e2293, _e2275, _e2286), 4294967295u, (_e674 > _e2313.member.member_1));
-                    phi_4061_ = _e2311;
+                    phi_4060_ = _e2598;
+                    phi_4061_ = select(select(_e2293, _e2275, _e2286), 4294967295u, (_e674 > _e2313.member.member_1));
+                    phi_4062_ = _e2311;
                 } else {
-                    phi_4059_ = _e790;
+                    phi_4060_ = _e790;
                     let _e2601 = local_9;
-                    phi_4060_ = _e2601;
+                    phi_4061_ = _e2601;
                     let _e2604 = local_10;
-                    phi_4061_ = _e2604;
+                    phi_4062_ = _e2604;
                 }
-                let _e2319 = phi_4059_;
-                let _e2321 = phi_4060_;
-                let _e2323 = phi_4061_;
+                let _e2319 = phi_4060_;
+                let _e2321 = phi_4061_;
+                let _e2323 = phi_4062_;
                 phi_1703_ = _e2319;
                 phi_1706_ = _e2321;
                 phi_1708_ = _e2323;
@@ -1198,122 +1198,122 @@ fn slimbvh_trace_in_group() {
             let _e2348 = (bitcast<i32>((_e2344 >> bitcast<u32>(23i))) & 255i);
             let _e2349 = (_e2348 + _e2343);
             if (_e2348 == 255i) {
-                phi_4119_ = _e2337.member.member.member;
+                phi_4120_ = _e2337.member.member.member;
             } else {
                 if (_e2348 > 0i) {
                     if (_e2349 > 0i) {
                         let _e2353 = (_e2349 < 255i);
                         if _e2353 {
-                            phi_4098_ = bitcast<f32>((_e2344 + bitcast<u32>((_e2343 << bitcast<u32>(23i)))));
+                            phi_4099_ = bitcast<f32>((_e2344 + bitcast<u32>((_e2343 << bitcast<u32>(23i)))));
                         } else {
-                            phi_4098_ = f32();
+                            phi_4099_ = f32();
                         }
-                        let _e2360 = phi_4098_;
-                        phi_4100_ = _e2360;
-                        phi_4101_ = select(true, false, _e2353);
+                        let _e2360 = phi_4099_;
+                        phi_4101_ = _e2360;
+                        phi_4102_ = select(true, false, _e2353);
                     } else {
-                        phi_4100_ = f32();
-                        phi_4101_ = true;
+                        phi_4101_ = f32();
+                        phi_4102_ = true;
                     }
-                    let _e2363 = phi_4100_;
-                    let _e2365 = phi_4101_;
-                    phi_4102_ = _e2363;
-                    phi_4103_ = _e2365;
+                    let _e2363 = phi_4101_;
+                    let _e2365 = phi_4102_;
+                    phi_4103_ = _e2363;
+                    phi_4104_ = _e2365;
                 } else {
-                    phi_4102_ = f32();
-                    phi_4103_ = true;
+                    phi_4103_ = f32();
+                    phi_4104_ = true;
                 }
-                let _e2367 = phi_4102_;
-                let _e2369 = phi_4103_;
+                let _e2367 = phi_4103_;
+                let _e2369 = phi_4104_;
                 if _e2369 {
                     let _e2370 = (_e2344 & 2147483648u);
                     let _e2377 = ((_e2344 & 8388607u) | (select(0u, 1u, ((_e2344 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                     let _e2381 = (_e2377 == 0u);
                     if _e2381 {
-                        phi_4801_ = bitcast<f32>(_e2370);
+                        phi_4802_ = bitcast<f32>(_e2370);
                     } else {
                         let _e2386 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2377)), 32u, _e2381) - 8u);
                         let _e2389 = (_e2377 << bitcast<u32>((_e2386 & 31u)));
                         let _e2391 = ((_e2349 + select(0i, 1i, (_e2348 == 0i))) - bitcast<i32>(_e2386));
                         if (_e2391 >= 255i) {
-                            phi_4791_ = bitcast<f32>((_e2370 | 2139095040u));
-                            phi_4792_ = f32();
-                            phi_4793_ = true;
+                            phi_4792_ = bitcast<f32>((_e2370 | 2139095040u));
+                            phi_4793_ = f32();
+                            phi_4794_ = true;
                         } else {
                             let _e2393 = (_e2391 > 0i);
                             if _e2393 {
-                                phi_4785_ = bitcast<f32>(((_e2370 | (bitcast<u32>(_e2391) << bitcast<u32>(23i))) | (_e2389 & 8388607u)));
-                                phi_4786_ = f32();
+                                phi_4786_ = bitcast<f32>(((_e2370 | (bitcast<u32>(_e2391) << bitcast<u32>(23i))) | (_e2389 & 8388607u)));
+                                phi_4787_ = f32();
                             } else {
                                 if (_e2391 < -24i) {
-                                    phi_4751_ = 26u;
+                                    phi_4752_ = 26u;
                                 } else {
-                                    phi_4751_ = bitcast<u32>((1i - _e2391));
+                                    phi_4752_ = bitcast<u32>((1i - _e2391));
                                 }
-                                let _e2398 = phi_4751_;
+                                let _e2398 = phi_4752_;
                                 let _e2399 = (_e2398 & 31u);
                                 let _e2401 = (_e2389 >> bitcast<u32>(_e2399));
                                 let _e2405 = (_e2389 & ((1u << bitcast<u32>(_e2399)) - 1u));
                                 let _e2409 = (1u << bitcast<u32>(((_e2398 - 1u) & 31u)));
                                 if (_e2405 > _e2409) {
-                                    phi_4772_ = true;
+                                    phi_4773_ = true;
                                 } else {
                                     if (_e2405 == _e2409) {
-                                        phi_4769_ = ((_e2401 & 1u) == 1u);
+                                        phi_4770_ = ((_e2401 & 1u) == 1u);
                                     } else {
-                                        phi_4769_ = false;
+                                        phi_4770_ = false;
                                     }
-                                    let _e2415 = phi_4769_;
-                                    phi_4772_ = _e2415;
+                                    let _e2415 = phi_4770_;
+                                    phi_4773_ = _e2415;
                                 }
-                                let _e2417 = phi_4772_;
-                                phi_4785_ = f32();
-                                phi_4786_ = bitcast<f32>((_e2370 | (_e2401 + select(0u, 1u, _e2417))));
+                                let _e2417 = phi_4773_;
+                                phi_4786_ = f32();
+                                phi_4787_ = bitcast<f32>((_e2370 | (_e2401 + select(0u, 1u, _e2417))));
                             }
-                            let _e2430 = phi_4785_;
-                            let _e2432 = phi_4786_;
-                            phi_4791_ = _e2430;
-                            phi_4792_ = _e2432;
-                            phi_4793_ = _e2393;
+                            let _e2430 = phi_4786_;
+                            let _e2432 = phi_4787_;
+                            phi_4792_ = _e2430;
+                            phi_4793_ = _e2432;
+                            phi_4794_ = _e2393;
                         }
-                        let _e2436 = phi_4791_;
-                        let _e2438 = phi_4792_;
-                        let _e2440 = phi_4793_;
-                        phi_4801_ = select(_e2438, _e2436, _e2440);
+                        let _e2436 = phi_4792_;
+                        let _e2438 = phi_4793_;
+                        let _e2440 = phi_4794_;
+                        phi_4802_ = select(_e2438, _e2436, _e2440);
                     }
-                    let _e2444 = phi_4801_;
-                    phi_4118_ = _e2444;
+                    let _e2444 = phi_4802_;
+                    phi_4119_ = _e2444;
                 } else {
-                    phi_4118_ = _e2367;
+                    phi_4119_ = _e2367;
                 }
-                let _e2446 = phi_4118_;
-                phi_4119_ = _e2446;
+                let _e2446 = phi_4119_;
+                phi_4120_ = _e2446;
             }
-            let _e2448 = phi_4119_;
+            let _e2448 = phi_4120_;
             let _e2449 = bitcast<u32>(_e2448);
             if ((_e2449 & 2147483647u) >= 2139095040u) {
-                phi_4131_ = bitcast<f32>(((_e2449 & 2147483648u) | 2139095039u));
+                phi_4132_ = bitcast<f32>(((_e2449 & 2147483648u) | 2139095039u));
             } else {
-                phi_4131_ = _e2448;
+                phi_4132_ = _e2448;
             }
-            let _e2456 = phi_4131_;
-            phi_4136_ = SlimbvhTypeG(_e2456, _e2337.member.member.member_1, _e2337.member.member.member_2, _e2337.member.member.member_3);
+            let _e2456 = phi_4132_;
+            phi_4137_ = SlimbvhTypeG(_e2456, _e2337.member.member.member_1, _e2337.member.member.member_2, _e2337.member.member.member_3);
         } else {
-            phi_4136_ = _e99;
+            phi_4137_ = _e99;
         }
-        let _e2461 = phi_4136_;
+        let _e2461 = phi_4137_;
         slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2461.member), bitcast<u32>(_e2461.member_1), bitcast<u32>(_e2461.member_2), _e2461.member_3);
-        phi_4149_ = _e2335;
         phi_4150_ = _e2335;
-        phi_4151_ = select(true, false, _e2335);
+        phi_4151_ = _e2335;
+        phi_4152_ = select(true, false, _e2335);
     } else {
-        phi_4149_ = bool();
-        phi_4150_ = false;
-        phi_4151_ = true;
+        phi_4150_ = bool();
+        phi_4151_ = false;
+        phi_4152_ = true;
     }
-    let _e2472 = phi_4149_;
-    let _e2474 = phi_4150_;
-    let _e2476 = phi_4151_;
+    let _e2472 = phi_4150_;
+    let _e2474 = phi_4151_;
+    let _e2476 = phi_4152_;
     if _e2476 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }

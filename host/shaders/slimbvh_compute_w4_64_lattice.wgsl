@@ -66,142 +66,142 @@ fn slimbvh_trace_in_group() {
     var phi_1740_: u32;
     var phi_1743_: u32;
     var phi_1745_: u32;
-    var phi_1851_: SlimbvhTypeL;
     var phi_1852_: SlimbvhTypeL;
-    var phi_1911_: SlimbvhTypeL;
+    var phi_1853_: SlimbvhTypeL;
     var phi_1912_: SlimbvhTypeL;
-    var phi_1971_: SlimbvhTypeL;
+    var phi_1913_: SlimbvhTypeL;
     var phi_1972_: SlimbvhTypeL;
-    var phi_2456_: u32;
-    var phi_2469_: u32;
-    var phi_2482_: u32;
-    var phi_2495_: u32;
-    var phi_5158_: SlimbvhTypeD;
-    var phi_5170_: SlimbvhTypeD;
-    var phi_5182_: SlimbvhTypeD;
-    var phi_5194_: SlimbvhTypeD;
-    var phi_5206_: SlimbvhTypeD;
-    var phi_2579_: u32;
-    var phi_2584_: u32;
+    var phi_1973_: SlimbvhTypeL;
+    var phi_2457_: u32;
+    var phi_2470_: u32;
+    var phi_2483_: u32;
+    var phi_2496_: u32;
+    var phi_5159_: SlimbvhTypeD;
+    var phi_5171_: SlimbvhTypeD;
+    var phi_5183_: SlimbvhTypeD;
+    var phi_5195_: SlimbvhTypeD;
+    var phi_5207_: SlimbvhTypeD;
+    var phi_2580_: u32;
     var phi_2585_: u32;
-    var phi_2615_: u32;
+    var phi_2586_: u32;
     var phi_2616_: u32;
+    var phi_2617_: u32;
     var phi_1741_: u32;
     var phi_1744_: u32;
     var phi_1746_: u32;
     var local: bool;
     var local_1: u32;
-    var phi_2766_: u32;
-    var phi_2827_: u32;
-    var phi_2830_: SlimbvhTypeN;
-    var phi_2837_: SlimbvhTypeQ;
-    var phi_2840_: SlimbvhTypeD;
+    var phi_2767_: u32;
+    var phi_2828_: u32;
+    var phi_2831_: SlimbvhTypeN;
+    var phi_2838_: SlimbvhTypeQ;
     var phi_2841_: SlimbvhTypeD;
-    var phi_2863_: SlimbvhTypeD;
-    var phi_2878_: u32;
-    var phi_2889_: u32;
-    var phi_2905_: u32;
-    var phi_2918_: u32;
-    var phi_2929_: u32;
-    var phi_3373_: u32;
-    var phi_3386_: u32;
-    var phi_3399_: u32;
-    var phi_3425_: u32;
-    var phi_3438_: u32;
-    var phi_3451_: u32;
-    var phi_3477_: u32;
-    var phi_3490_: u32;
-    var phi_3503_: u32;
-    var phi_3095_: u32;
-    var phi_3108_: u32;
-    var phi_3118_: u32;
-    var phi_3139_: u32;
-    var phi_3160_: u32;
-    var phi_3187_: u32;
-    var phi_3200_: u32;
-    var phi_3210_: u32;
-    var phi_3231_: u32;
-    var phi_3252_: u32;
-    var phi_3279_: u32;
-    var phi_3292_: u32;
-    var phi_3302_: u32;
-    var phi_3323_: u32;
-    var phi_3344_: u32;
-    var phi_2956_: u32;
-    var phi_3002_: u32;
-    var phi_3048_: u32;
-    var phi_3515_: array<array<f32, 3>, 3>;
-    var phi_3880_: f32;
+    var phi_2842_: SlimbvhTypeD;
+    var phi_2864_: SlimbvhTypeD;
+    var phi_2879_: u32;
+    var phi_2890_: u32;
+    var phi_2906_: u32;
+    var phi_2919_: u32;
+    var phi_2930_: u32;
+    var phi_3374_: u32;
+    var phi_3387_: u32;
+    var phi_3400_: u32;
+    var phi_3426_: u32;
+    var phi_3439_: u32;
+    var phi_3452_: u32;
+    var phi_3478_: u32;
+    var phi_3491_: u32;
+    var phi_3504_: u32;
+    var phi_3096_: u32;
+    var phi_3109_: u32;
+    var phi_3119_: u32;
+    var phi_3140_: u32;
+    var phi_3161_: u32;
+    var phi_3188_: u32;
+    var phi_3201_: u32;
+    var phi_3211_: u32;
+    var phi_3232_: u32;
+    var phi_3253_: u32;
+    var phi_3280_: u32;
+    var phi_3293_: u32;
+    var phi_3303_: u32;
+    var phi_3324_: u32;
+    var phi_3345_: u32;
+    var phi_2957_: u32;
+    var phi_3003_: u32;
+    var phi_3049_: u32;
+    var phi_3516_: array<array<f32, 3>, 3>;
     var phi_3881_: f32;
     var phi_3882_: f32;
     var phi_3883_: f32;
-    var phi_3884_: vec3<f32>;
+    var phi_3884_: f32;
     var phi_3885_: vec3<f32>;
     var phi_3886_: vec3<f32>;
     var phi_3887_: vec3<f32>;
-    var phi_4066_: f32;
-    var phi_4092_: SlimbvhTypeE;
+    var phi_3888_: vec3<f32>;
+    var phi_4067_: f32;
     var phi_4093_: SlimbvhTypeE;
-    var phi_4096_: SlimbvhTypeE;
+    var phi_4094_: SlimbvhTypeE;
     var phi_4097_: SlimbvhTypeE;
-    var phi_4098_: bool;
-    var phi_4102_: SlimbvhTypeE;
-    var phi_4111_: SlimbvhTypeF;
-    var phi_4164_: i32;
-    var phi_4304_: SlimbvhTypeH;
-    var phi_4328_: u32;
-    var phi_4357_: vec3<f32>;
+    var phi_4098_: SlimbvhTypeE;
+    var phi_4099_: bool;
+    var phi_4103_: SlimbvhTypeE;
+    var phi_4112_: SlimbvhTypeF;
+    var phi_4165_: i32;
+    var phi_4305_: SlimbvhTypeH;
+    var phi_4329_: u32;
     var phi_4358_: vec3<f32>;
-    var phi_4376_: vec3<f32>;
+    var phi_4359_: vec3<f32>;
     var phi_4377_: vec3<f32>;
-    var phi_4395_: vec3<f32>;
+    var phi_4378_: vec3<f32>;
     var phi_4396_: vec3<f32>;
-    var phi_4432_: vec3<f32>;
-    var phi_4614_: f32;
-    var phi_4632_: bool;
+    var phi_4397_: vec3<f32>;
+    var phi_4433_: vec3<f32>;
+    var phi_4615_: f32;
     var phi_4633_: bool;
-    var phi_4652_: bool;
+    var phi_4634_: bool;
     var phi_4653_: bool;
-    var phi_4660_: SlimbvhTypeQ;
-    var phi_4666_: SlimbvhTypeQ;
+    var phi_4654_: bool;
+    var phi_4661_: SlimbvhTypeQ;
     var phi_4667_: SlimbvhTypeQ;
     var phi_4668_: SlimbvhTypeQ;
-    var phi_2838_: SlimbvhTypeQ;
+    var phi_4669_: SlimbvhTypeQ;
+    var phi_2839_: SlimbvhTypeQ;
     var local_2: u32;
     var local_3: u32;
-    var phi_4735_: u32;
     var phi_4736_: u32;
+    var phi_4737_: u32;
     var local_4: SlimbvhTypeQ;
-    var phi_4745_: SlimbvhTypeQ;
-    var phi_4746_: u32;
+    var phi_4746_: SlimbvhTypeQ;
     var phi_4747_: u32;
+    var phi_4748_: u32;
     var phi_1725_: SlimbvhTypeQ;
     var phi_1728_: u32;
     var phi_1730_: u32;
     var phi_1732_: u32;
     var local_5: u32;
     var local_6: SlimbvhTypeQ;
-    var phi_4784_: f32;
-    var phi_4786_: f32;
-    var phi_4787_: bool;
-    var phi_4788_: f32;
-    var phi_4789_: bool;
-    var phi_5437_: u32;
-    var phi_5455_: bool;
-    var phi_5458_: bool;
-    var phi_5471_: f32;
+    var phi_4785_: f32;
+    var phi_4787_: f32;
+    var phi_4788_: bool;
+    var phi_4789_: f32;
+    var phi_4790_: bool;
+    var phi_5438_: u32;
+    var phi_5456_: bool;
+    var phi_5459_: bool;
     var phi_5472_: f32;
-    var phi_5477_: f32;
+    var phi_5473_: f32;
     var phi_5478_: f32;
-    var phi_5479_: bool;
-    var phi_5487_: f32;
-    var phi_4804_: f32;
+    var phi_5479_: f32;
+    var phi_5480_: bool;
+    var phi_5488_: f32;
     var phi_4805_: f32;
-    var phi_4817_: f32;
-    var phi_4822_: SlimbvhTypeF;
-    var phi_4835_: bool;
+    var phi_4806_: f32;
+    var phi_4818_: f32;
+    var phi_4823_: SlimbvhTypeF;
     var phi_4836_: bool;
     var phi_4837_: bool;
+    var phi_4838_: bool;
     var local_7: SlimbvhTypeQ;
     var local_8: u32;
     var local_9: u32;
@@ -568,38 +568,38 @@ fn slimbvh_trace_in_group() {
                         let _e847 = bitcast<f32>(_e827.x);
                         let _e852 = (_e847 + (f32((_e827.w >> bitcast<u32>(5u))) * _e164));
                         if (_e712 == 0u) {
-                            phi_1851_ = SlimbvhTypeL(_e827.z, _e852);
-                            phi_1852_ = SlimbvhTypeL(_e827.y, _e847);
-                        } else {
-                            phi_1851_ = SlimbvhTypeL(_e827.y, _e847);
                             phi_1852_ = SlimbvhTypeL(_e827.z, _e852);
+                            phi_1853_ = SlimbvhTypeL(_e827.y, _e847);
+                        } else {
+                            phi_1852_ = SlimbvhTypeL(_e827.y, _e847);
+                            phi_1853_ = SlimbvhTypeL(_e827.z, _e852);
                         }
-                        let _e863 = phi_1851_;
-                        let _e865 = phi_1852_;
+                        let _e863 = phi_1852_;
+                        let _e865 = phi_1853_;
                         let _e869 = bitcast<f32>(((_e842 + ((_e827.w & 31u) << bitcast<u32>(23i))) ^ (_e712 << bitcast<u32>(31i))));
                         let _e909 = bitcast<f32>(_e833.x);
                         let _e914 = (_e909 + (f32((_e833.w >> bitcast<u32>(5u))) * _e164));
                         if (_e715 == 0u) {
-                            phi_1911_ = SlimbvhTypeL(_e833.z, _e914);
-                            phi_1912_ = SlimbvhTypeL(_e833.y, _e909);
-                        } else {
-                            phi_1911_ = SlimbvhTypeL(_e833.y, _e909);
                             phi_1912_ = SlimbvhTypeL(_e833.z, _e914);
+                            phi_1913_ = SlimbvhTypeL(_e833.y, _e909);
+                        } else {
+                            phi_1912_ = SlimbvhTypeL(_e833.y, _e909);
+                            phi_1913_ = SlimbvhTypeL(_e833.z, _e914);
                         }
-                        let _e925 = phi_1911_;
-                        let _e927 = phi_1912_;
+                        let _e925 = phi_1912_;
+                        let _e927 = phi_1913_;
                         let _e931 = bitcast<f32>(((_e842 + ((_e833.w & 31u) << bitcast<u32>(23i))) ^ (_e715 << bitcast<u32>(31i))));
                         let _e971 = bitcast<f32>(_e839.x);
                         let _e976 = (_e971 + (f32((_e839.w >> bitcast<u32>(5u))) * _e164));
                         if (_e718 == 0u) {
-                            phi_1971_ = SlimbvhTypeL(_e839.z, _e976);
-                            phi_1972_ = SlimbvhTypeL(_e839.y, _e971);
-                        } else {
-                            phi_1971_ = SlimbvhTypeL(_e839.y, _e971);
                             phi_1972_ = SlimbvhTypeL(_e839.z, _e976);
+                            phi_1973_ = SlimbvhTypeL(_e839.y, _e971);
+                        } else {
+                            phi_1972_ = SlimbvhTypeL(_e839.y, _e971);
+                            phi_1973_ = SlimbvhTypeL(_e839.z, _e976);
                         }
-                        let _e987 = phi_1971_;
-                        let _e989 = phi_1972_;
+                        let _e987 = phi_1972_;
+                        let _e989 = phi_1973_;
                         let _e993 = bitcast<f32>(((_e842 + ((_e839.w & 31u) << bitcast<u32>(23i))) ^ (_e718 << bitcast<u32>(31i))));
                         let _e1029 = (_e869 * _e645);
                         let _e1036 = (((_e865.member_1 - _e642) * _e645) + (bitcast<f32>((bitcast<u32>(_e1029) & 2147483647u)) * -0.00012207031f));
@@ -627,59 +627,59 @@ fn slimbvh_trace_in_group() {
                         let _e1160 = max(max(max(((f32(((_e865.member >> bitcast<u32>(24u)) & 255u)) * _e1029) + _e1036), ((f32(((_e927.member >> bitcast<u32>(24u)) & 255u)) * _e1061) + _e1068)), _e1108), _e685);
                         let _e1165 = (_e801.member.member_1 + (bitcast<f32>((bitcast<u32>(_e801.member.member_1) & 2147483647u)) * 0.0000004768374f));
                         if (_e1157 <= min((min(min(((f32((_e863.member & 255u)) * _e1045) + _e1052), ((f32((_e925.member & 255u)) * _e1077) + _e1084)), _e1121) + (max(_e1121, -(_e1105)) * 0.0000023841915f)), _e1165)) {
-                            phi_2456_ = (((bitcast<u32>(_e1157) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u);
+                            phi_2457_ = (((bitcast<u32>(_e1157) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u);
                         } else {
-                            phi_2456_ = 4294967288u;
+                            phi_2457_ = 4294967288u;
                         }
-                        let _e1180 = phi_2456_;
+                        let _e1180 = phi_2457_;
                         if (_e1158 <= min((min(min(((f32(((_e863.member >> bitcast<u32>(8u)) & 255u)) * _e1045) + _e1052), ((f32(((_e925.member >> bitcast<u32>(8u)) & 255u)) * _e1077) + _e1084)), _e1122) + (max(_e1122, -(_e1106)) * 0.0000023841915f)), _e1165)) {
-                            phi_2469_ = ((((bitcast<u32>(_e1158) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 1u);
+                            phi_2470_ = ((((bitcast<u32>(_e1158) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 1u);
                         } else {
-                            phi_2469_ = 4294967288u;
+                            phi_2470_ = 4294967288u;
                         }
-                        let _e1188 = phi_2469_;
+                        let _e1188 = phi_2470_;
                         if (_e1159 <= min((min(min(((f32(((_e863.member >> bitcast<u32>(16u)) & 255u)) * _e1045) + _e1052), ((f32(((_e925.member >> bitcast<u32>(16u)) & 255u)) * _e1077) + _e1084)), _e1123) + (max(_e1123, -(_e1107)) * 0.0000023841915f)), _e1165)) {
-                            phi_2482_ = ((((bitcast<u32>(_e1159) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 2u);
+                            phi_2483_ = ((((bitcast<u32>(_e1159) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 2u);
                         } else {
-                            phi_2482_ = 4294967288u;
+                            phi_2483_ = 4294967288u;
                         }
-                        let _e1196 = phi_2482_;
+                        let _e1196 = phi_2483_;
                         if (_e1160 <= min((min(min(((f32(((_e863.member >> bitcast<u32>(24u)) & 255u)) * _e1045) + _e1052), ((f32(((_e925.member >> bitcast<u32>(24u)) & 255u)) * _e1077) + _e1084)), _e1124) + (max(_e1124, -(_e1108)) * 0.0000023841915f)), _e1165)) {
-                            phi_2495_ = ((((bitcast<u32>(_e1160) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 3u);
+                            phi_2496_ = ((((bitcast<u32>(_e1160) ^ select(0u, 4294967288u, _e702.member_1)) & 2147483640u) | 4u) | 3u);
                         } else {
-                            phi_2495_ = 4294967288u;
+                            phi_2496_ = 4294967288u;
                         }
-                        let _e1204 = phi_2495_;
+                        let _e1204 = phi_2496_;
                         if (_e1180 < _e1188) {
-                            phi_5158_ = SlimbvhTypeD(_e1180, _e1188);
+                            phi_5159_ = SlimbvhTypeD(_e1180, _e1188);
                         } else {
-                            phi_5158_ = SlimbvhTypeD(_e1188, _e1180);
+                            phi_5159_ = SlimbvhTypeD(_e1188, _e1180);
                         }
-                        let _e1209 = phi_5158_;
+                        let _e1209 = phi_5159_;
                         if (_e1196 < _e1204) {
-                            phi_5170_ = SlimbvhTypeD(_e1196, _e1204);
+                            phi_5171_ = SlimbvhTypeD(_e1196, _e1204);
                         } else {
-                            phi_5170_ = SlimbvhTypeD(_e1204, _e1196);
+                            phi_5171_ = SlimbvhTypeD(_e1204, _e1196);
                         }
-                        let _e1216 = phi_5170_;
+                        let _e1216 = phi_5171_;
                         if (_e1209.member < _e1216.member) {
-                            phi_5182_ = SlimbvhTypeD(_e1209.member, _e1216.member);
+                            phi_5183_ = SlimbvhTypeD(_e1209.member, _e1216.member);
                         } else {
-                            phi_5182_ = SlimbvhTypeD(_e1216.member, _e1209.member);
+                            phi_5183_ = SlimbvhTypeD(_e1216.member, _e1209.member);
                         }
-                        let _e1223 = phi_5182_;
+                        let _e1223 = phi_5183_;
                         if (_e1209.member_1 < _e1216.member_1) {
-                            phi_5194_ = SlimbvhTypeD(_e1209.member_1, _e1216.member_1);
+                            phi_5195_ = SlimbvhTypeD(_e1209.member_1, _e1216.member_1);
                         } else {
-                            phi_5194_ = SlimbvhTypeD(_e1216.member_1, _e1209.member_1);
+                            phi_5195_ = SlimbvhTypeD(_e1216.member_1, _e1209.member_1);
                         }
-                        let _e1230 = phi_5194_;
+                        let _e1230 = phi_5195_;
                         if (_e1230.member < _e1223.member_1) {
-                            phi_5206_ = SlimbvhTypeD(_e1230.member, _e1223.member_1);
+                            phi_5207_ = SlimbvhTypeD(_e1230.member, _e1223.member_1);
                         } else {
-                            phi_5206_ = SlimbvhTypeD(_e1223.member_1, _e1230.member);
+                            phi_5207_ = SlimbvhTypeD(_e1223.member_1, _e1230.member);
                         }
-                        let _e1237 = phi_5206_;
+                        let _e1237 = phi_5207_;
                         let _e1252 = (((_e1223.member & 7u) | ((_e1237.member & 7u) << bitcast<u32>(3u))) | (((_e1237.member_1 & 7u) | ((_e1230.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                         if (_e1252 == 0u) {
                             let _e1272 = (_e810 - 1u);
@@ -691,36 +691,36 @@ fn slimbvh_trace_in_group() {
                             } else {
                                 slimbvh_stacks[(((_e1272 % 32u) * 64u) + _e692)] = (((_e1277 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1280);
                             }
-                            phi_2584_ = select(_e810, _e1272, _e1283);
-                            phi_2585_ = (((_e1277 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1278 & 3u) & 3u));
+                            phi_2585_ = select(_e810, _e1272, _e1283);
+                            phi_2586_ = (((_e1277 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1278 & 3u) & 3u));
                         } else {
                             let _e1255 = (_e1252 >> bitcast<u32>(3u));
                             if (_e1255 == 0u) {
-                                phi_2579_ = _e810;
+                                phi_2580_ = _e810;
                             } else {
                                 slimbvh_stacks[(((_e810 % 32u) * 64u) + _e692)] = ((_e817 << bitcast<u32>(9u)) | _e1255);
-                                phi_2579_ = (_e810 + 1u);
+                                phi_2580_ = (_e810 + 1u);
                             }
-                            let _e1266 = phi_2579_;
-                            phi_2584_ = _e1266;
-                            phi_2585_ = ((_e817 << bitcast<u32>(2i)) | ((_e1252 & 3u) & 3u));
+                            let _e1266 = phi_2580_;
+                            phi_2585_ = _e1266;
+                            phi_2586_ = ((_e817 << bitcast<u32>(2i)) | ((_e1252 & 3u) & 3u));
                         }
-                        let _e1298 = phi_2584_;
-                        let _e1300 = phi_2585_;
+                        let _e1298 = phi_2585_;
+                        let _e1300 = phi_2586_;
                         let _e1302 = (_e1300 >> bitcast<u32>(2i));
                         if (_e1302 < _e113) {
                             let _e1308 = slimbvh_nodes.member[_e1302].member_1[(_e1300 & 3u)];
                             if ((_e1308 & 2147483648u) != 0u) {
-                                phi_2615_ = (2147483648u | _e1300);
+                                phi_2616_ = (2147483648u | _e1300);
                             } else {
-                                phi_2615_ = _e1308;
+                                phi_2616_ = _e1308;
                             }
-                            let _e1313 = phi_2615_;
-                            phi_2616_ = _e1313;
+                            let _e1313 = phi_2616_;
+                            phi_2617_ = _e1313;
                         } else {
-                            phi_2616_ = 4294967295u;
+                            phi_2617_ = 4294967295u;
                         }
-                        let _e1315 = phi_2616_;
+                        let _e1315 = phi_2617_;
                         let _e1316 = (_e814 - 1u);
                         phi_1741_ = select(_e1298, 4294967295u, (_e1316 == 0u));
                         phi_1744_ = _e1315;
@@ -747,7 +747,7 @@ fn slimbvh_trace_in_group() {
                     let _e1330 = (_e1329 & 2147483647u);
                     let _e1332 = (_e1330 >> bitcast<u32>(2i));
                     if (_e1332 >= _e113) {
-                        phi_2830_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+                        phi_2831_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                     } else {
                         let _e1339 = slimbvh_nodes.member[_e1332].member[select(_e707, 2u, (2u < _e707))];
                         let _e1350 = slimbvh_nodes.member[_e1332].member[select(_e708, 2u, (2u < _e708))];
@@ -762,344 +762,344 @@ fn slimbvh_trace_in_group() {
                         let _e1412 = (((_e1361.y >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1410));
                         let _e1420 = (((((_e1339.w >> bitcast<u32>(5u)) - (((_e1339.z >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1378))) - _e1380) | (((_e1350.w >> bitcast<u32>(5u)) - (((_e1350.z >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1394))) - _e1396)) | (((_e1361.w >> bitcast<u32>(5u)) - (((_e1361.z >> bitcast<u32>(_e1370)) & 255u) << bitcast<u32>(_e1410))) - _e1412));
                         if (_e1420 < 1024u) {
-                            phi_2766_ = 0u;
+                            phi_2767_ = 0u;
                         } else {
-                            phi_2766_ = select(2u, 1u, (_e1420 < 2097152u));
+                            phi_2767_ = select(2u, 1u, (_e1420 < 2097152u));
                         }
-                        let _e1425 = phi_2766_;
+                        let _e1425 = phi_2767_;
                         let _e1440 = slimbvh_nodes.member[_e1332].member_1[_e1367];
                         if ((_e1440 & 2147483648u) != 0u) {
-                            phi_2827_ = ((_e1440 >> bitcast<u32>(28u)) & 7u);
+                            phi_2828_ = ((_e1440 >> bitcast<u32>(28u)) & 7u);
                         } else {
-                            phi_2827_ = 0u;
+                            phi_2828_ = 0u;
                         }
-                        let _e1447 = phi_2827_;
-                        phi_2830_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1339.x) + (f32(_e1380) * _e164)), (bitcast<f32>(_e1350.x) + (f32(_e1396) * _e164)), (bitcast<f32>(_e1361.x) + (f32(_e1412) * _e164)), 0f), _e1425), (_e1440 & 268435455u), _e1447);
+                        let _e1447 = phi_2828_;
+                        phi_2831_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1339.x) + (f32(_e1380) * _e164)), (bitcast<f32>(_e1350.x) + (f32(_e1396) * _e164)), (bitcast<f32>(_e1361.x) + (f32(_e1412) * _e164)), 0f), _e1425), (_e1440 & 268435455u), _e1447);
                     }
-                    let _e1451 = phi_2830_;
+                    let _e1451 = phi_2831_;
                     let _e1453 = (_e1451.member_1 + _e170);
-                    phi_2837_ = _e801;
-                    phi_2840_ = SlimbvhTypeD(0u, _e1451.member_2);
+                    phi_2838_ = _e801;
+                    phi_2841_ = SlimbvhTypeD(0u, _e1451.member_2);
                     loop {
-                        let _e1458 = phi_2837_;
-                        let _e1460 = phi_2840_;
+                        let _e1458 = phi_2838_;
+                        let _e1460 = phi_2841_;
                         local_4 = _e1458;
                         local_7 = _e1458;
                         if (_e1460.member < _e1460.member_1) {
-                            phi_2841_ = SlimbvhTypeD((_e1460.member + 1u), _e1460.member_1);
-                            phi_2863_ = SlimbvhTypeD(1u, _e1460.member);
+                            phi_2842_ = SlimbvhTypeD((_e1460.member + 1u), _e1460.member_1);
+                            phi_2864_ = SlimbvhTypeD(1u, _e1460.member);
                         } else {
-                            phi_2841_ = _e1460;
-                            phi_2863_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                            phi_2842_ = _e1460;
+                            phi_2864_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                         }
-                        let _e1473 = phi_2841_;
-                        let _e1475 = phi_2863_;
+                        let _e1473 = phi_2842_;
+                        let _e1475 = phi_2864_;
                         let _e1479 = (bitcast<i32>(_e1475.member) != 0i);
                         if _e1479 {
                             switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
-                                    phi_2878_ = 1u;
+                                    phi_2879_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2878_ = 2u;
+                                    phi_2879_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2878_ = 3u;
+                                    phi_2879_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2878_ = u32();
+                                    phi_2879_ = u32();
                                     break;
                                 }
                             }
-                            let _e1483 = phi_2878_;
+                            let _e1483 = phi_2879_;
                             switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
-                                    phi_2889_ = 1u;
+                                    phi_2890_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2889_ = 2u;
+                                    phi_2890_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2889_ = 3u;
+                                    phi_2890_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2889_ = u32();
+                                    phi_2890_ = u32();
                                     break;
                                 }
                             }
-                            let _e1490 = phi_2889_;
+                            let _e1490 = phi_2890_;
                             let _e1492 = ((_e1453 + (_e1475.member_1 * ((3u * _e1483) + 1u))) + (3u * _e1490));
                             if (_e1492 < _e116) {
                                 let _e1495 = slimbvh_triangles.member[_e1492];
-                                phi_2905_ = _e1495;
+                                phi_2906_ = _e1495;
                             } else {
-                                phi_2905_ = 4294967295u;
+                                phi_2906_ = 4294967295u;
                             }
-                            let _e1497 = phi_2905_;
+                            let _e1497 = phi_2906_;
                             switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
-                                    phi_2918_ = 1u;
+                                    phi_2919_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2918_ = 2u;
+                                    phi_2919_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2918_ = 3u;
+                                    phi_2919_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2918_ = u32();
+                                    phi_2919_ = u32();
                                     break;
                                 }
                             }
-                            let _e1500 = phi_2918_;
+                            let _e1500 = phi_2919_;
                             let _e1504 = (_e1453 + (_e1475.member_1 * ((3u * _e1500) + 1u)));
                             switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
-                                    phi_2929_ = 1u;
+                                    phi_2930_ = 1u;
                                     break;
                                 }
                                 case 1: {
-                                    phi_2929_ = 2u;
+                                    phi_2930_ = 2u;
                                     break;
                                 }
                                 case 2: {
-                                    phi_2929_ = 3u;
+                                    phi_2930_ = 3u;
                                     break;
                                 }
                                 default: {
-                                    phi_2929_ = u32();
+                                    phi_2930_ = u32();
                                     break;
                                 }
                             }
-                            let _e1507 = phi_2929_;
+                            let _e1507 = phi_2930_;
                             let _e1508 = (_e1504 + _e1507);
                             let _e1510 = (_e1504 + (2u * _e1507));
                             switch bitcast<i32>(_e1451.member.member_1) {
                                 case 0: {
                                     if (_e1504 < _e116) {
                                         let _e1787 = slimbvh_triangles.member[_e1504];
-                                        phi_2956_ = _e1787;
+                                        phi_2957_ = _e1787;
                                     } else {
-                                        phi_2956_ = 0u;
+                                        phi_2957_ = 0u;
                                     }
-                                    let _e1789 = phi_2956_;
+                                    let _e1789 = phi_2957_;
                                     let _e1792 = ((10u * _e230) & 31u);
                                     let _e1803 = ((10u * _e234) & 31u);
                                     let _e1814 = ((10u * _e226) & 31u);
                                     if (_e1508 < _e116) {
                                         let _e1826 = slimbvh_triangles.member[_e1508];
-                                        phi_3002_ = _e1826;
+                                        phi_3003_ = _e1826;
                                     } else {
-                                        phi_3002_ = 0u;
+                                        phi_3003_ = 0u;
                                     }
-                                    let _e1828 = phi_3002_;
+                                    let _e1828 = phi_3003_;
                                     if (_e1510 < _e116) {
                                         let _e1856 = slimbvh_triangles.member[_e1510];
-                                        phi_3048_ = _e1856;
+                                        phi_3049_ = _e1856;
                                     } else {
-                                        phi_3048_ = 0u;
+                                        phi_3049_ = 0u;
                                     }
-                                    let _e1858 = phi_3048_;
-                                    phi_3515_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))));
+                                    let _e1858 = phi_3049_;
+                                    phi_3516_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1789 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1828 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1792)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1803)) & 1023u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | ((_e1858 >> bitcast<u32>(_e1814)) & 1023u))) - 8388608f) * _e164))));
                                     break;
                                 }
                                 case 1: {
                                     if (_e1504 < _e116) {
                                         let _e1600 = slimbvh_triangles.member[_e1504];
-                                        phi_3095_ = _e1600;
+                                        phi_3096_ = _e1600;
                                     } else {
-                                        phi_3095_ = 0u;
+                                        phi_3096_ = 0u;
                                     }
-                                    let _e1602 = phi_3095_;
+                                    let _e1602 = phi_3096_;
                                     let _e1603 = (_e1504 + 1u);
                                     if (_e1603 < _e116) {
                                         let _e1606 = slimbvh_triangles.member[_e1603];
-                                        phi_3108_ = _e1606;
+                                        phi_3109_ = _e1606;
                                     } else {
-                                        phi_3108_ = 0u;
+                                        phi_3109_ = 0u;
                                     }
-                                    let _e1608 = phi_3108_;
+                                    let _e1608 = phi_3109_;
                                     let _e1610 = (_e230 == 1u);
                                     if _e1610 {
-                                        phi_3118_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
+                                        phi_3119_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3118_ = (_e1608 >> bitcast<u32>(10i));
+                                        phi_3119_ = (_e1608 >> bitcast<u32>(10i));
                                     }
-                                    let _e1619 = phi_3118_;
+                                    let _e1619 = phi_3119_;
                                     let _e1628 = (_e234 == 1u);
                                     if _e1628 {
-                                        phi_3139_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
+                                        phi_3140_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3139_ = (_e1608 >> bitcast<u32>(10i));
+                                        phi_3140_ = (_e1608 >> bitcast<u32>(10i));
                                     }
-                                    let _e1637 = phi_3139_;
+                                    let _e1637 = phi_3140_;
                                     let _e1646 = (_e226 == 1u);
                                     if _e1646 {
-                                        phi_3160_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
+                                        phi_3161_ = ((_e1602 >> bitcast<u32>(21i)) | (_e1608 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3160_ = (_e1608 >> bitcast<u32>(10i));
+                                        phi_3161_ = (_e1608 >> bitcast<u32>(10i));
                                     }
-                                    let _e1655 = phi_3160_;
+                                    let _e1655 = phi_3161_;
                                     if (_e1508 < _e116) {
                                         let _e1666 = slimbvh_triangles.member[_e1508];
-                                        phi_3187_ = _e1666;
+                                        phi_3188_ = _e1666;
                                     } else {
-                                        phi_3187_ = 0u;
+                                        phi_3188_ = 0u;
                                     }
-                                    let _e1668 = phi_3187_;
+                                    let _e1668 = phi_3188_;
                                     let _e1669 = (_e1508 + 1u);
                                     if (_e1669 < _e116) {
                                         let _e1672 = slimbvh_triangles.member[_e1669];
-                                        phi_3200_ = _e1672;
+                                        phi_3201_ = _e1672;
                                     } else {
-                                        phi_3200_ = 0u;
+                                        phi_3201_ = 0u;
                                     }
-                                    let _e1674 = phi_3200_;
+                                    let _e1674 = phi_3201_;
                                     if _e1610 {
-                                        phi_3210_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
+                                        phi_3211_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3210_ = (_e1674 >> bitcast<u32>(10i));
+                                        phi_3211_ = (_e1674 >> bitcast<u32>(10i));
                                     }
-                                    let _e1683 = phi_3210_;
+                                    let _e1683 = phi_3211_;
                                     if _e1628 {
-                                        phi_3231_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
+                                        phi_3232_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3231_ = (_e1674 >> bitcast<u32>(10i));
+                                        phi_3232_ = (_e1674 >> bitcast<u32>(10i));
                                     }
-                                    let _e1699 = phi_3231_;
+                                    let _e1699 = phi_3232_;
                                     if _e1646 {
-                                        phi_3252_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
+                                        phi_3253_ = ((_e1668 >> bitcast<u32>(21i)) | (_e1674 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3252_ = (_e1674 >> bitcast<u32>(10i));
+                                        phi_3253_ = (_e1674 >> bitcast<u32>(10i));
                                     }
-                                    let _e1715 = phi_3252_;
+                                    let _e1715 = phi_3253_;
                                     if (_e1510 < _e116) {
                                         let _e1726 = slimbvh_triangles.member[_e1510];
-                                        phi_3279_ = _e1726;
+                                        phi_3280_ = _e1726;
                                     } else {
-                                        phi_3279_ = 0u;
+                                        phi_3280_ = 0u;
                                     }
-                                    let _e1728 = phi_3279_;
+                                    let _e1728 = phi_3280_;
                                     let _e1729 = (_e1510 + 1u);
                                     if (_e1729 < _e116) {
                                         let _e1732 = slimbvh_triangles.member[_e1729];
-                                        phi_3292_ = _e1732;
+                                        phi_3293_ = _e1732;
                                     } else {
-                                        phi_3292_ = 0u;
+                                        phi_3293_ = 0u;
                                     }
-                                    let _e1734 = phi_3292_;
+                                    let _e1734 = phi_3293_;
                                     if _e1610 {
-                                        phi_3302_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
+                                        phi_3303_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3302_ = (_e1734 >> bitcast<u32>(10i));
+                                        phi_3303_ = (_e1734 >> bitcast<u32>(10i));
                                     }
-                                    let _e1743 = phi_3302_;
+                                    let _e1743 = phi_3303_;
                                     if _e1628 {
-                                        phi_3323_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
+                                        phi_3324_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3323_ = (_e1734 >> bitcast<u32>(10i));
+                                        phi_3324_ = (_e1734 >> bitcast<u32>(10i));
                                     }
-                                    let _e1759 = phi_3323_;
+                                    let _e1759 = phi_3324_;
                                     if _e1646 {
-                                        phi_3344_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
+                                        phi_3345_ = ((_e1728 >> bitcast<u32>(21i)) | (_e1734 << bitcast<u32>(11i)));
                                     } else {
-                                        phi_3344_ = (_e1734 >> bitcast<u32>(10i));
+                                        phi_3345_ = (_e1734 >> bitcast<u32>(10i));
                                     }
-                                    let _e1775 = phi_3344_;
-                                    phi_3515_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1619, _e1602, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1637, _e1602, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1655, _e1602, _e242) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1683, _e1668, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1699, _e1668, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1715, _e1668, _e242) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1743, _e1728, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1759, _e1728, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1775, _e1728, _e242) & 2097151u))) - 8388608f) * _e164))));
+                                    let _e1775 = phi_3345_;
+                                    phi_3516_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1619, _e1602, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1637, _e1602, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1655, _e1602, _e242) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1683, _e1668, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1699, _e1668, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1715, _e1668, _e242) & 2097151u))) - 8388608f) * _e164))), array<f32, 3>((_e1451.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1743, _e1728, _e235) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1759, _e1728, _e238) & 2097151u))) - 8388608f) * _e164)), (_e1451.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1775, _e1728, _e242) & 2097151u))) - 8388608f) * _e164))));
                                     break;
                                 }
                                 case 2: {
                                     let _e1513 = (_e1504 + _e230);
                                     if (_e1513 < _e116) {
                                         let _e1516 = slimbvh_triangles.member[_e1513];
-                                        phi_3373_ = _e1516;
+                                        phi_3374_ = _e1516;
                                     } else {
-                                        phi_3373_ = 0u;
+                                        phi_3374_ = 0u;
                                     }
-                                    let _e1518 = phi_3373_;
+                                    let _e1518 = phi_3374_;
                                     let _e1519 = (_e1504 + _e234);
                                     if (_e1519 < _e116) {
                                         let _e1522 = slimbvh_triangles.member[_e1519];
-                                        phi_3386_ = _e1522;
+                                        phi_3387_ = _e1522;
                                     } else {
-                                        phi_3386_ = 0u;
+                                        phi_3387_ = 0u;
                                     }
-                                    let _e1524 = phi_3386_;
+                                    let _e1524 = phi_3387_;
                                     let _e1525 = (_e1504 + _e226);
                                     if (_e1525 < _e116) {
                                         let _e1528 = slimbvh_triangles.member[_e1525];
-                                        phi_3399_ = _e1528;
+                                        phi_3400_ = _e1528;
                                     } else {
-                                        phi_3399_ = 0u;
+                                        phi_3400_ = 0u;
                                     }
-                                    let _e1530 = phi_3399_;
+                                    let _e1530 = phi_3400_;
                                     let _e1541 = (_e1508 + _e230);
                                     if (_e1541 < _e116) {
                                         let _e1544 = slimbvh_triangles.member[_e1541];
-                                        phi_3425_ = _e1544;
+                                        phi_3426_ = _e1544;
                                     } else {
-                                        phi_3425_ = 0u;
+                                        phi_3426_ = 0u;
                                     }
-                                    let _e1546 = phi_3425_;
+                                    let _e1546 = phi_3426_;
                                     let _e1547 = (_e1508 + _e234);
                                     if (_e1547 < _e116) {
                                         let _e1550 = slimbvh_triangles.member[_e1547];
-                                        phi_3438_ = _e1550;
+                                        phi_3439_ = _e1550;
                                     } else {
-                                        phi_3438_ = 0u;
+                                        phi_3439_ = 0u;
                                     }
-                                    let _e1552 = phi_3438_;
+                                    let _e1552 = phi_3439_;
                                     let _e1553 = (_e1508 + _e226);
                                     if (_e1553 < _e116) {
                                         let _e1556 = slimbvh_triangles.member[_e1553];
-                                        phi_3451_ = _e1556;
+                                        phi_3452_ = _e1556;
                                     } else {
-                                        phi_3451_ = 0u;
+                                        phi_3452_ = 0u;
                                     }
-                                    let _e1558 = phi_3451_;
+                                    let _e1558 = phi_3452_;
                                     let _e1569 = (_e1510 + _e230);
                                     if (_e1569 < _e116) {
                                         let _e1572 = slimbvh_triangles.member[_e1569];
-                                        phi_3477_ = _e1572;
+                                        phi_3478_ = _e1572;
                                     } else {
-                                        phi_3477_ = 0u;
+                                        phi_3478_ = 0u;
                                     }
-                                    let _e1574 = phi_3477_;
+                                    let _e1574 = phi_3478_;
                                     let _e1575 = (_e1510 + _e234);
                                     if (_e1575 < _e116) {
                                         let _e1578 = slimbvh_triangles.member[_e1575];
-                                        phi_3490_ = _e1578;
+                                        phi_3491_ = _e1578;
                                     } else {
-                                        phi_3490_ = 0u;
+                                        phi_3491_ = 0u;
                                     }
-                                    let _e1580 = phi_3490_;
+                                    let _e1580 = phi_3491_;
                                     let _e1581 = (_e1510 + _e226);
                                     if (_e1581 < _e116) {
                                         let _e1584 = slimbvh_triangles.member[_e1581];
-                                        phi_3503_ = _e1584;
+                                        phi_3504_ = _e1584;
                                     } else {
-                                        phi_3503_ = 0u;
+                                        phi_3504_ = 0u;
                                     }
-                                    let _e1586 = phi_3503_;
-                                    phi_3515_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1518)) * _e164), (f32(bitcast<i32>(_e1524)) * _e164), (f32(bitcast<i32>(_e1530)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1546)) * _e164), (f32(bitcast<i32>(_e1552)) * _e164), (f32(bitcast<i32>(_e1558)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1574)) * _e164), (f32(bitcast<i32>(_e1580)) * _e164), (f32(bitcast<i32>(_e1586)) * _e164)));
+                                    let _e1586 = phi_3504_;
+                                    phi_3516_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1518)) * _e164), (f32(bitcast<i32>(_e1524)) * _e164), (f32(bitcast<i32>(_e1530)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1546)) * _e164), (f32(bitcast<i32>(_e1552)) * _e164), (f32(bitcast<i32>(_e1558)) * _e164)), array<f32, 3>((f32(bitcast<i32>(_e1574)) * _e164), (f32(bitcast<i32>(_e1580)) * _e164), (f32(bitcast<i32>(_e1586)) * _e164)));
                                     break;
                                 }
                                 default: {
-                                    phi_3515_ = array<array<f32, 3>, 3>();
+                                    phi_3516_ = array<array<f32, 3>, 3>();
                                     break;
                                 }
                             }
-                            let _e1886 = phi_3515_;
+                            let _e1886 = phi_3516_;
                             let _e1903 = (_e1886[0][2] - _e618.member[2]);
                             let _e1906 = (((_e1886[0][0] - _e618.member[0]) * _e673) - (_e1903 * _e641));
                             let _e1909 = (((_e1886[0][1] - _e618.member[1]) * _e673) - (_e1903 * _e657));
@@ -1159,34 +1159,34 @@ fn slimbvh_trace_in_group() {
                                     let _e2071 = max(max(bitcast<f32>((bitcast<u32>(_e2042) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2043) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2044) & 2147483647u)));
                                     let _e2084 = max(max(_e2060, _e2071), max(max(bitcast<f32>((bitcast<u32>(_e2046) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2047) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2048) & 2147483647u))));
                                     if (_e2060 == _e2084) {
-                                        phi_3880_ = _e1918;
-                                        phi_3881_ = _e1915;
-                                        phi_3882_ = _e1909;
-                                        phi_3883_ = _e1906;
-                                        phi_3884_ = vec3<f32>(_e1886[0][0], _e1886[0][1], _e1886[0][2]);
-                                        phi_3885_ = _e2049;
-                                        phi_3886_ = _e2045;
-                                        phi_3887_ = _e2041;
+                                        phi_3881_ = _e1918;
+                                        phi_3882_ = _e1915;
+                                        phi_3883_ = _e1909;
+                                        phi_3884_ = _e1906;
+                                        phi_3885_ = vec3<f32>(_e1886[0][0], _e1886[0][1], _e1886[0][2]);
+                                        phi_3886_ = _e2049;
+                                        phi_3887_ = _e2045;
+                                        phi_3888_ = _e2041;
                                     } else {
                                         let _e2086 = (_e2071 == _e2084);
                                         let _e2091 = vec3(_e2086);
-                                        phi_3880_ = select(_e1909, _e1927, _e2086);
-                                        phi_3881_ = select(_e1906, _e1924, _e2086);
-                                        phi_3882_ = select(_e1927, _e1918, _e2086);
-                                        phi_3883_ = select(_e1924, _e1915, _e2086);
-                                        phi_3884_ = select(vec3<f32>(_e1886[2][0], _e1886[2][1], _e1886[2][2]), vec3<f32>(_e1886[1][0], _e1886[1][1], _e1886[1][2]), _e2091);
-                                        phi_3885_ = select(_e2045, _e2041, _e2091);
-                                        phi_3886_ = select(_e2041, _e2049, _e2091);
-                                        phi_3887_ = select(_e2049, _e2045, _e2091);
+                                        phi_3881_ = select(_e1909, _e1927, _e2086);
+                                        phi_3882_ = select(_e1906, _e1924, _e2086);
+                                        phi_3883_ = select(_e1927, _e1918, _e2086);
+                                        phi_3884_ = select(_e1924, _e1915, _e2086);
+                                        phi_3885_ = select(vec3<f32>(_e1886[2][0], _e1886[2][1], _e1886[2][2]), vec3<f32>(_e1886[1][0], _e1886[1][1], _e1886[1][2]), _e2091);
+                                        phi_3886_ = select(_e2045, _e2041, _e2091);
+                                        phi_3887_ = select(_e2041, _e2049, _e2091);
+                                        phi_3888_ = select(_e2049, _e2045, _e2091);
                                     }
-                                    let _e2097 = phi_3880_;
-                                    let _e2099 = phi_3881_;
-                                    let _e2101 = phi_3882_;
-                                    let _e2103 = phi_3883_;
-                                    let _e2105 = phi_3884_;
-                                    let _e2107 = phi_3885_;
-                                    let _e2109 = phi_3886_;
-                                    let _e2111 = phi_3887_;
+                                    let _e2097 = phi_3881_;
+                                    let _e2099 = phi_3882_;
+                                    let _e2101 = phi_3883_;
+                                    let _e2103 = phi_3884_;
+                                    let _e2105 = phi_3885_;
+                                    let _e2107 = phi_3886_;
+                                    let _e2109 = phi_3887_;
+                                    let _e2111 = phi_3888_;
                                     let _e2118 = ((_e2109.y * _e2107.z) - (_e2107.y * _e2109.z));
                                     let _e2123 = ((_e2109.z * _e2107.x) - (_e2107.z * _e2109.x));
                                     let _e2126 = ((_e2109.x * _e2107.y) - (_e2107.x * _e2109.y));
@@ -1208,46 +1208,46 @@ fn slimbvh_trace_in_group() {
                                     if (_e2033 && !(_e2245)) {
                                         let _e2249 = (_e2180 / _e673);
                                         let _e2257 = (((_e2118 * (_e2174 - (_e641 * _e2249))) + (_e2123 * (_e2177 - (_e657 * _e2249)))) / _e2149);
-                                        phi_4066_ = select(select(_e2249, (_e2249 + _e2257), (bitcast<f32>((bitcast<u32>(_e2257) & 2147483647u)) <= _e2084)), _e2246, _e2245);
+                                        phi_4067_ = select(select(_e2249, (_e2249 + _e2257), (bitcast<f32>((bitcast<u32>(_e2257) & 2147483647u)) <= _e2084)), _e2246, _e2245);
                                     } else {
-                                        phi_4066_ = _e2246;
+                                        phi_4067_ = _e2246;
                                     }
-                                    let _e2266 = phi_4066_;
+                                    let _e2266 = phi_4067_;
                                     let _e2268 = select(_e2006, _e2266, (_e2266 < _e2006));
                                     let _e2270 = select(_e2001, _e2268, (_e2268 > _e2001));
                                     let _e2273 = select(_e2270, 0f, (bitcast<u32>(_e2270) == 2147483648u));
                                     let _e2274 = (1f / _e1960);
-                                    phi_4092_ = SlimbvhTypeE(_e2273, (_e1954 * _e2274), (_e1958 * _e2274), ((_e2033 && (_e2273 >= _e685)) && (_e2273 <= _e1458.member.member_1)));
-                                    phi_4093_ = SlimbvhTypeE();
+                                    phi_4093_ = SlimbvhTypeE(_e2273, (_e1954 * _e2274), (_e1958 * _e2274), ((_e2033 && (_e2273 >= _e685)) && (_e2273 <= _e1458.member.member_1)));
+                                    phi_4094_ = SlimbvhTypeE();
                                 } else {
-                                    phi_4092_ = SlimbvhTypeE();
-                                    phi_4093_ = SlimbvhTypeE(0f, 0f, 0f, _e2033);
+                                    phi_4093_ = SlimbvhTypeE();
+                                    phi_4094_ = SlimbvhTypeE(0f, 0f, 0f, _e2033);
                                 }
-                                let _e2283 = phi_4092_;
-                                let _e2285 = phi_4093_;
-                                phi_4096_ = _e2283;
-                                phi_4097_ = _e2285;
-                                phi_4098_ = select(true, false, _e2033);
+                                let _e2283 = phi_4093_;
+                                let _e2285 = phi_4094_;
+                                phi_4097_ = _e2283;
+                                phi_4098_ = _e2285;
+                                phi_4099_ = select(true, false, _e2033);
                             } else {
-                                phi_4096_ = SlimbvhTypeE();
-                                phi_4097_ = SlimbvhTypeE(0f, 0f, 0f, _e1944);
-                                phi_4098_ = true;
+                                phi_4097_ = SlimbvhTypeE();
+                                phi_4098_ = SlimbvhTypeE(0f, 0f, 0f, _e1944);
+                                phi_4099_ = true;
                             }
-                            let _e2288 = phi_4096_;
-                            let _e2290 = phi_4097_;
-                            let _e2292 = phi_4098_;
+                            let _e2288 = phi_4097_;
+                            let _e2290 = phi_4098_;
+                            let _e2292 = phi_4099_;
                             if _e2292 {
-                                phi_4102_ = _e2290;
+                                phi_4103_ = _e2290;
                             } else {
-                                phi_4102_ = _e2288;
+                                phi_4103_ = _e2288;
                             }
-                            let _e2294 = phi_4102_;
+                            let _e2294 = phi_4103_;
                             if _e2294.member_3 {
-                                phi_4111_ = SlimbvhTypeF(_e2294.member, _e2294.member_1, _e2294.member_2, _e1497);
+                                phi_4112_ = SlimbvhTypeF(_e2294.member, _e2294.member_1, _e2294.member_2, _e1497);
                             } else {
-                                phi_4111_ = _e109;
+                                phi_4112_ = _e109;
                             }
-                            let _e2301 = phi_4111_;
+                            let _e2301 = phi_4112_;
                             if (_e2301.member_3 != 4294967295u) {
                                 let _e2307 = slimbvh_target.member[0u][0u];
                                 let _e2311 = slimbvh_target.member[0u][1u];
@@ -1263,15 +1263,15 @@ fn slimbvh_trace_in_group() {
                                 let _e2340 = bitcast<f32>(_e2323);
                                 let _e2341 = array<u32, 3>(_e2327, _e2331, _e2335);
                                 if (_e188 < -126i) {
-                                    phi_4164_ = -126i;
+                                    phi_4165_ = -126i;
                                 } else {
-                                    phi_4164_ = select(_e188, 127i, (_e188 > 127i));
+                                    phi_4165_ = select(_e188, 127i, (_e188 > 127i));
                                 }
-                                let _e2347 = phi_4164_;
+                                let _e2347 = phi_4165_;
                                 let _e2352 = bitcast<f32>((bitcast<u32>((_e2347 + 127i)) << bitcast<u32>(23i)));
                                 let _e2358 = bitcast<f32>((bitcast<u32>(((_e188 - _e2347) + 127i)) << bitcast<u32>(23i)));
                                 if (_e2319 == 0u) {
-                                    phi_4304_ = SlimbvhTypeH(array<f32, 3>(_e2336, _e2337, _e2338), _e2319, _e2340, _e2341);
+                                    phi_4305_ = SlimbvhTypeH(array<f32, 3>(_e2336, _e2337, _e2338), _e2319, _e2340, _e2341);
                                 } else {
                                     let _e2360 = bitcast<u32>(_e2336);
                                     let _e2362 = ((_e2360 & 2139095040u) != 0u);
@@ -1281,61 +1281,61 @@ fn slimbvh_trace_in_group() {
                                     let _e2396 = ((_e2394 & 2139095040u) != 0u);
                                     let _e2412 = bitcast<u32>(_e2340);
                                     let _e2414 = ((_e2412 & 2139095040u) != 0u);
-                                    phi_4304_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2360 & 2147483648u))), _e2336, _e2362) * _e2352) * select(0.00000011920929f, 1f, _e2362)) * _e2358), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2377 & 2147483648u))), _e2337, _e2379) * _e2352) * select(0.00000011920929f, 1f, _e2379)) * _e2358), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2394 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2394 & 2147483648u))), _e2338, _e2396) * _e2352) * select(0.00000011920929f, 1f, _e2396)) * _e2358)), _e2319, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2412 & 2147483648u))), _e2340, _e2414) * _e2352) * select(0.00000011920929f, 1f, _e2414)) * _e2358), _e2341);
+                                    phi_4305_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2360 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2360 & 2147483648u))), _e2336, _e2362) * _e2352) * select(0.00000011920929f, 1f, _e2362)) * _e2358), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2377 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2377 & 2147483648u))), _e2337, _e2379) * _e2352) * select(0.00000011920929f, 1f, _e2379)) * _e2358), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2394 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2394 & 2147483648u))), _e2338, _e2396) * _e2352) * select(0.00000011920929f, 1f, _e2396)) * _e2358)), _e2319, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2412 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2412 & 2147483648u))), _e2340, _e2414) * _e2352) * select(0.00000011920929f, 1f, _e2414)) * _e2358), _e2341);
                                 }
-                                let _e2431 = phi_4304_;
+                                let _e2431 = phi_4305_;
                                 if (_e1497 == _e689) {
-                                    phi_4633_ = false;
+                                    phi_4634_ = false;
                                 } else {
                                     let _e2433 = (_e1497 / 16u);
                                     if (_e2433 < arrayLength((&slimbvh_sides.member))) {
                                         let _e2436 = slimbvh_sides.member[_e2433];
-                                        phi_4328_ = _e2436;
+                                        phi_4329_ = _e2436;
                                     } else {
-                                        phi_4328_ = 0u;
+                                        phi_4329_ = 0u;
                                     }
-                                    let _e2438 = phi_4328_;
+                                    let _e2438 = phi_4329_;
                                     let _e2447 = (bitcast<i32>((_e2438 << bitcast<u32>(((30u - ((_e1497 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
                                     let _e2448 = (_e2447 == 0i);
                                     if _e2448 {
-                                        phi_4632_ = true;
+                                        phi_4633_ = true;
                                     } else {
                                         if _e235 {
-                                            phi_4358_ = vec3<f32>(_e1886[0][0], _e1886[0][1], _e1886[0][2]);
+                                            phi_4359_ = vec3<f32>(_e1886[0][0], _e1886[0][1], _e1886[0][2]);
                                         } else {
                                             if (_e230 == 1u) {
-                                                phi_4357_ = vec3<f32>(_e1886[0][2], _e1886[0][0], _e1886[0][1]);
+                                                phi_4358_ = vec3<f32>(_e1886[0][2], _e1886[0][0], _e1886[0][1]);
                                             } else {
-                                                phi_4357_ = vec3<f32>(_e1886[0][1], _e1886[0][2], _e1886[0][0]);
+                                                phi_4358_ = vec3<f32>(_e1886[0][1], _e1886[0][2], _e1886[0][0]);
                                             }
-                                            let _e2453 = phi_4357_;
-                                            phi_4358_ = _e2453;
+                                            let _e2453 = phi_4358_;
+                                            phi_4359_ = _e2453;
                                         }
-                                        let _e2456 = phi_4358_;
+                                        let _e2456 = phi_4359_;
                                         if _e235 {
-                                            phi_4377_ = vec3<f32>(_e1886[1][0], _e1886[1][1], _e1886[1][2]);
+                                            phi_4378_ = vec3<f32>(_e1886[1][0], _e1886[1][1], _e1886[1][2]);
                                         } else {
                                             if (_e230 == 1u) {
-                                                phi_4376_ = vec3<f32>(_e1886[1][2], _e1886[1][0], _e1886[1][1]);
+                                                phi_4377_ = vec3<f32>(_e1886[1][2], _e1886[1][0], _e1886[1][1]);
                                             } else {
-                                                phi_4376_ = vec3<f32>(_e1886[1][1], _e1886[1][2], _e1886[1][0]);
+                                                phi_4377_ = vec3<f32>(_e1886[1][1], _e1886[1][2], _e1886[1][0]);
                                             }
-                                            let _e2461 = phi_4376_;
-                                            phi_4377_ = _e2461;
+                                            let _e2461 = phi_4377_;
+                                            phi_4378_ = _e2461;
                                         }
-                                        let _e2464 = phi_4377_;
+                                        let _e2464 = phi_4378_;
                                         if _e235 {
-                                            phi_4396_ = vec3<f32>(_e1886[2][0], _e1886[2][1], _e1886[2][2]);
+                                            phi_4397_ = vec3<f32>(_e1886[2][0], _e1886[2][1], _e1886[2][2]);
                                         } else {
                                             if (_e230 == 1u) {
-                                                phi_4395_ = vec3<f32>(_e1886[2][2], _e1886[2][0], _e1886[2][1]);
+                                                phi_4396_ = vec3<f32>(_e1886[2][2], _e1886[2][0], _e1886[2][1]);
                                             } else {
-                                                phi_4395_ = vec3<f32>(_e1886[2][1], _e1886[2][2], _e1886[2][0]);
+                                                phi_4396_ = vec3<f32>(_e1886[2][1], _e1886[2][2], _e1886[2][0]);
                                             }
-                                            let _e2469 = phi_4395_;
-                                            phi_4396_ = _e2469;
+                                            let _e2469 = phi_4396_;
+                                            phi_4397_ = _e2469;
                                         }
-                                        let _e2472 = phi_4396_;
+                                        let _e2472 = phi_4397_;
                                         let _e2475 = (_e2464.x - _e2456.x);
                                         let _e2478 = (_e2464.y - _e2456.y);
                                         let _e2481 = (_e2464.z - _e2456.z);
@@ -1343,11 +1343,11 @@ fn slimbvh_trace_in_group() {
                                         let _e2485 = (_e2472.y - _e2456.y);
                                         let _e2487 = (_e2472.z - _e2456.z);
                                         if (_e2431.member_1 == 1u) {
-                                            phi_4432_ = (vec3<f32>(_e2431.member[0], _e2431.member[1], _e2431.member[2]) - _e2456);
+                                            phi_4433_ = (vec3<f32>(_e2431.member[0], _e2431.member[1], _e2431.member[2]) - _e2456);
                                         } else {
-                                            phi_4432_ = vec3<f32>(_e2431.member[0], _e2431.member[1], _e2431.member[2]);
+                                            phi_4433_ = vec3<f32>(_e2431.member[0], _e2431.member[1], _e2431.member[2]);
                                         }
-                                        let _e2502 = phi_4432_;
+                                        let _e2502 = phi_4433_;
                                         let _e2508 = bitcast<f32>((bitcast<u32>((_e2475 * _e2485)) ^ _e2431.member_3[0]));
                                         let _e2512 = bitcast<f32>((bitcast<u32>((_e2478 * _e2483)) ^ _e2431.member_3[0]));
                                         let _e2516 = bitcast<f32>((bitcast<u32>((_e2478 * _e2487)) ^ _e2431.member_3[0]));
@@ -1361,7 +1361,7 @@ fn slimbvh_trace_in_group() {
                                         let _e2562 = (bitcast<f32>((bitcast<u32>(_e2524) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2528) & 2147483647u)));
                                         let _e2569 = (bitcast<f32>((bitcast<u32>(_e2508) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2512) & 2147483647u)));
                                         if (_e2431.member_2 == 0f) {
-                                            phi_4614_ = 0f;
+                                            phi_4615_ = 0f;
                                         } else {
                                             let _e2599 = bitcast<f32>((bitcast<u32>(_e2529) & 2147483647u));
                                             let _e2602 = bitcast<f32>((bitcast<u32>(_e2530) & 2147483647u));
@@ -1371,59 +1371,59 @@ fn slimbvh_trace_in_group() {
                                             let _e2615 = select(_e2602, _e2599, (_e2599 < _e2602));
                                             let _e2617 = select(_e2602, _e2599, (_e2599 > _e2602));
                                             let _e2619 = select(_e2605, _e2617, (_e2617 < _e2605));
-                                            phi_4614_ = bitcast<f32>((bitcast<u32>((_e2431.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2607, _e2599, (_e2599 > _e2607)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2619, _e2615, (_e2615 > _e2619)))) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2611, _e2599, (_e2599 < _e2611)))) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2555 + _e2562) + _e2569))) ^ _e2431.member_3[0]))) * 1.0000005f)) ^ _e2431.member_3[0])))) ^ _e2431.member_3[0]));
+                                            phi_4615_ = bitcast<f32>((bitcast<u32>((_e2431.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2607, _e2599, (_e2599 > _e2607)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2619, _e2615, (_e2615 > _e2619)))) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2611, _e2599, (_e2599 < _e2611)))) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2555 + _e2562) + _e2569))) ^ _e2431.member_3[0]))) * 1.0000005f)) ^ _e2431.member_3[0])))) ^ _e2431.member_3[0]));
                                         }
-                                        let _e2646 = phi_4614_;
-                                        phi_4632_ = (_e2448 || !(((((bitcast<f32>((bitcast<u32>((_e2502.x * _e2529)) ^ _e2431.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2502.y * _e2530)) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2502.z * _e2531)) ^ _e2431.member_3[0]))) * f32(-(_e2447))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.x) & 2147483647u)) * _e2555)) ^ _e2431.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.y) & 2147483647u)) * _e2562)) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.z) & 2147483647u)) * _e2569)) ^ _e2431.member_3[0]))))) ^ _e2431.member_3[0])) + _e2646) + 0.0000000000000000000000000000000000001880791f))));
+                                        let _e2646 = phi_4615_;
+                                        phi_4633_ = (_e2448 || !(((((bitcast<f32>((bitcast<u32>((_e2502.x * _e2529)) ^ _e2431.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2502.y * _e2530)) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2502.z * _e2531)) ^ _e2431.member_3[0]))) * f32(-(_e2447))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.x) & 2147483647u)) * _e2555)) ^ _e2431.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.y) & 2147483647u)) * _e2562)) ^ _e2431.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2502.z) & 2147483647u)) * _e2569)) ^ _e2431.member_3[0]))))) ^ _e2431.member_3[0])) + _e2646) + 0.0000000000000000000000000000000000001880791f))));
                                     }
-                                    let _e2660 = phi_4632_;
-                                    phi_4633_ = _e2660;
+                                    let _e2660 = phi_4633_;
+                                    phi_4634_ = _e2660;
                                 }
-                                let _e2662 = phi_4633_;
+                                let _e2662 = phi_4634_;
                                 if _e2662 {
                                     if (_e2301.member < _e1458.member.member.member) {
-                                        phi_4653_ = true;
+                                        phi_4654_ = true;
                                     } else {
                                         if (_e2301.member == _e1458.member.member.member) {
-                                            phi_4652_ = (_e2301.member_3 < _e1458.member.member.member_3);
+                                            phi_4653_ = (_e2301.member_3 < _e1458.member.member.member_3);
                                         } else {
-                                            phi_4652_ = false;
+                                            phi_4653_ = false;
                                         }
-                                        let _e2674 = phi_4652_;
-                                        phi_4653_ = _e2674;
+                                        let _e2674 = phi_4653_;
+                                        phi_4654_ = _e2674;
                                     }
-                                    let _e2676 = phi_4653_;
+                                    let _e2676 = phi_4654_;
                                     if _e2676 {
-                                        phi_4660_ = SlimbvhTypeQ(SlimbvhTypeI(_e2301, _e2301.member), _e1458.member_1);
+                                        phi_4661_ = SlimbvhTypeQ(SlimbvhTypeI(_e2301, _e2301.member), _e1458.member_1);
                                     } else {
-                                        phi_4660_ = _e1458;
+                                        phi_4661_ = _e1458;
                                     }
-                                    let _e2682 = phi_4660_;
+                                    let _e2682 = phi_4661_;
                                     if _e2682.member_1 {
-                                        phi_4666_ = SlimbvhTypeQ(SlimbvhTypeI(_e2682.member.member, bitcast<f32>(4286578687u)), _e2682.member_1);
+                                        phi_4667_ = SlimbvhTypeQ(SlimbvhTypeI(_e2682.member.member, bitcast<f32>(4286578687u)), _e2682.member_1);
                                     } else {
-                                        phi_4666_ = _e2682;
+                                        phi_4667_ = _e2682;
                                     }
-                                    let _e2691 = phi_4666_;
-                                    phi_4667_ = _e2691;
+                                    let _e2691 = phi_4667_;
+                                    phi_4668_ = _e2691;
                                 } else {
-                                    phi_4667_ = _e1458;
+                                    phi_4668_ = _e1458;
                                 }
-                                let _e2693 = phi_4667_;
-                                phi_4668_ = _e2693;
+                                let _e2693 = phi_4668_;
+                                phi_4669_ = _e2693;
                             } else {
-                                phi_4668_ = _e1458;
+                                phi_4669_ = _e1458;
                             }
-                            let _e2695 = phi_4668_;
-                            phi_2838_ = _e2695;
+                            let _e2695 = phi_4669_;
+                            phi_2839_ = _e2695;
                         } else {
-                            phi_2838_ = SlimbvhTypeQ();
+                            phi_2839_ = SlimbvhTypeQ();
                         }
-                        let _e2697 = phi_2838_;
+                        let _e2697 = phi_2839_;
                         continue;
                         continuing {
-                            phi_2837_ = _e2697;
-                            phi_2840_ = _e1473;
+                            phi_2838_ = _e2697;
+                            phi_2841_ = _e1473;
                             break if !(_e1479);
                         }
                     }
@@ -1443,31 +1443,31 @@ fn slimbvh_trace_in_group() {
                     if (_e2729 < _e113) {
                         let _e2735 = slimbvh_nodes.member[_e2729].member_1[(_e2727 & 3u)];
                         if ((_e2735 & 2147483648u) != 0u) {
-                            phi_4735_ = (2147483648u | _e2727);
+                            phi_4736_ = (2147483648u | _e2727);
                         } else {
-                            phi_4735_ = _e2735;
+                            phi_4736_ = _e2735;
                         }
-                        let _e2740 = phi_4735_;
-                        phi_4736_ = _e2740;
+                        let _e2740 = phi_4736_;
+                        phi_4737_ = _e2740;
                     } else {
-                        phi_4736_ = 4294967295u;
+                        phi_4737_ = 4294967295u;
                     }
-                    let _e2742 = phi_4736_;
+                    let _e2742 = phi_4737_;
                     let _e2744 = local_4;
                     let _e3056 = local_7;
-                    phi_4745_ = _e3056;
-                    phi_4746_ = select(select(_e2719, _e2701, _e2712), 4294967295u, (_e685 > _e2744.member.member_1));
-                    phi_4747_ = _e2742;
+                    phi_4746_ = _e3056;
+                    phi_4747_ = select(select(_e2719, _e2701, _e2712), 4294967295u, (_e685 > _e2744.member.member_1));
+                    phi_4748_ = _e2742;
                 } else {
-                    phi_4745_ = _e801;
+                    phi_4746_ = _e801;
                     let _e3059 = local_8;
-                    phi_4746_ = _e3059;
+                    phi_4747_ = _e3059;
                     let _e3062 = local_9;
-                    phi_4747_ = _e3062;
+                    phi_4748_ = _e3062;
                 }
-                let _e2750 = phi_4745_;
-                let _e2752 = phi_4746_;
-                let _e2754 = phi_4747_;
+                let _e2750 = phi_4746_;
+                let _e2752 = phi_4747_;
+                let _e2754 = phi_4748_;
                 phi_1725_ = _e2750;
                 phi_1728_ = _e2752;
                 phi_1730_ = _e2754;
@@ -1501,122 +1501,122 @@ fn slimbvh_trace_in_group() {
             let _e2779 = (bitcast<i32>((_e2775 >> bitcast<u32>(23i))) & 255i);
             let _e2780 = (_e2779 + _e2774);
             if (_e2779 == 255i) {
-                phi_4805_ = _e2768.member.member.member;
+                phi_4806_ = _e2768.member.member.member;
             } else {
                 if (_e2779 > 0i) {
                     if (_e2780 > 0i) {
                         let _e2784 = (_e2780 < 255i);
                         if _e2784 {
-                            phi_4784_ = bitcast<f32>((_e2775 + bitcast<u32>((_e2774 << bitcast<u32>(23i)))));
+                            phi_4785_ = bitcast<f32>((_e2775 + bitcast<u32>((_e2774 << bitcast<u32>(23i)))));
                         } else {
-                            phi_4784_ = f32();
+                            phi_4785_ = f32();
                         }
-                        let _e2791 = phi_4784_;
-                        phi_4786_ = _e2791;
-                        phi_4787_ = select(true, false, _e2784);
+                        let _e2791 = phi_4785_;
+                        phi_4787_ = _e2791;
+                        phi_4788_ = select(true, false, _e2784);
                     } else {
-                        phi_4786_ = f32();
-                        phi_4787_ = true;
+                        phi_4787_ = f32();
+                        phi_4788_ = true;
                     }
-                    let _e2794 = phi_4786_;
-                    let _e2796 = phi_4787_;
-                    phi_4788_ = _e2794;
-                    phi_4789_ = _e2796;
+                    let _e2794 = phi_4787_;
+                    let _e2796 = phi_4788_;
+                    phi_4789_ = _e2794;
+                    phi_4790_ = _e2796;
                 } else {
-                    phi_4788_ = f32();
-                    phi_4789_ = true;
+                    phi_4789_ = f32();
+                    phi_4790_ = true;
                 }
-                let _e2798 = phi_4788_;
-                let _e2800 = phi_4789_;
+                let _e2798 = phi_4789_;
+                let _e2800 = phi_4790_;
                 if _e2800 {
                     let _e2801 = (_e2775 & 2147483648u);
                     let _e2808 = ((_e2775 & 8388607u) | (select(0u, 1u, ((_e2775 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                     let _e2812 = (_e2808 == 0u);
                     if _e2812 {
-                        phi_5487_ = bitcast<f32>(_e2801);
+                        phi_5488_ = bitcast<f32>(_e2801);
                     } else {
                         let _e2817 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2808)), 32u, _e2812) - 8u);
                         let _e2820 = (_e2808 << bitcast<u32>((_e2817 & 31u)));
                         let _e2822 = ((_e2780 + select(0i, 1i, (_e2779 == 0i))) - bitcast<i32>(_e2817));
                         if (_e2822 >= 255i) {
-                            phi_5477_ = bitcast<f32>((_e2801 | 2139095040u));
-                            phi_5478_ = f32();
-                            phi_5479_ = true;
+                            phi_5478_ = bitcast<f32>((_e2801 | 2139095040u));
+                            phi_5479_ = f32();
+                            phi_5480_ = true;
                         } else {
                             let _e2824 = (_e2822 > 0i);
                             if _e2824 {
-                                phi_5471_ = bitcast<f32>(((_e2801 | (bitcast<u32>(_e2822) << bitcast<u32>(23i))) | (_e2820 & 8388607u)));
-                                phi_5472_ = f32();
+                                phi_5472_ = bitcast<f32>(((_e2801 | (bitcast<u32>(_e2822) << bitcast<u32>(23i))) | (_e2820 & 8388607u)));
+                                phi_5473_ = f32();
                             } else {
                                 if (_e2822 < -24i) {
-                                    phi_5437_ = 26u;
+                                    phi_5438_ = 26u;
                                 } else {
-                                    phi_5437_ = bitcast<u32>((1i - _e2822));
+                                    phi_5438_ = bitcast<u32>((1i - _e2822));
                                 }
-                                let _e2829 = phi_5437_;
+                                let _e2829 = phi_5438_;
                                 let _e2830 = (_e2829 & 31u);
                                 let _e2832 = (_e2820 >> bitcast<u32>(_e2830));
                                 let _e2836 = (_e2820 & ((1u << bitcast<u32>(_e2830)) - 1u));
                                 let _e2840 = (1u << bitcast<u32>(((_e2829 - 1u) & 31u)));
                                 if (_e2836 > _e2840) {
-                                    phi_5458_ = true;
+                                    phi_5459_ = true;
                                 } else {
                                     if (_e2836 == _e2840) {
-                                        phi_5455_ = ((_e2832 & 1u) == 1u);
+                                        phi_5456_ = ((_e2832 & 1u) == 1u);
                                     } else {
-                                        phi_5455_ = false;
+                                        phi_5456_ = false;
                                     }
-                                    let _e2846 = phi_5455_;
-                                    phi_5458_ = _e2846;
+                                    let _e2846 = phi_5456_;
+                                    phi_5459_ = _e2846;
                                 }
-                                let _e2848 = phi_5458_;
-                                phi_5471_ = f32();
-                                phi_5472_ = bitcast<f32>((_e2801 | (_e2832 + select(0u, 1u, _e2848))));
+                                let _e2848 = phi_5459_;
+                                phi_5472_ = f32();
+                                phi_5473_ = bitcast<f32>((_e2801 | (_e2832 + select(0u, 1u, _e2848))));
                             }
-                            let _e2861 = phi_5471_;
-                            let _e2863 = phi_5472_;
-                            phi_5477_ = _e2861;
-                            phi_5478_ = _e2863;
-                            phi_5479_ = _e2824;
+                            let _e2861 = phi_5472_;
+                            let _e2863 = phi_5473_;
+                            phi_5478_ = _e2861;
+                            phi_5479_ = _e2863;
+                            phi_5480_ = _e2824;
                         }
-                        let _e2867 = phi_5477_;
-                        let _e2869 = phi_5478_;
-                        let _e2871 = phi_5479_;
-                        phi_5487_ = select(_e2869, _e2867, _e2871);
+                        let _e2867 = phi_5478_;
+                        let _e2869 = phi_5479_;
+                        let _e2871 = phi_5480_;
+                        phi_5488_ = select(_e2869, _e2867, _e2871);
                     }
-                    let _e2875 = phi_5487_;
-                    phi_4804_ = _e2875;
+                    let _e2875 = phi_5488_;
+                    phi_4805_ = _e2875;
                 } else {
-                    phi_4804_ = _e2798;
+                    phi_4805_ = _e2798;
                 }
-                let _e2877 = phi_4804_;
-                phi_4805_ = _e2877;
+                let _e2877 = phi_4805_;
+                phi_4806_ = _e2877;
             }
-            let _e2879 = phi_4805_;
+            let _e2879 = phi_4806_;
             let _e2880 = bitcast<u32>(_e2879);
             if ((_e2880 & 2147483647u) >= 2139095040u) {
-                phi_4817_ = bitcast<f32>(((_e2880 & 2147483648u) | 2139095039u));
+                phi_4818_ = bitcast<f32>(((_e2880 & 2147483648u) | 2139095039u));
             } else {
-                phi_4817_ = _e2879;
+                phi_4818_ = _e2879;
             }
-            let _e2887 = phi_4817_;
-            phi_4822_ = SlimbvhTypeF(_e2887, _e2768.member.member.member_1, _e2768.member.member.member_2, _e2768.member.member.member_3);
+            let _e2887 = phi_4818_;
+            phi_4823_ = SlimbvhTypeF(_e2887, _e2768.member.member.member_1, _e2768.member.member.member_2, _e2768.member.member.member_3);
         } else {
-            phi_4822_ = _e109;
+            phi_4823_ = _e109;
         }
-        let _e2892 = phi_4822_;
+        let _e2892 = phi_4823_;
         slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2892.member), bitcast<u32>(_e2892.member_1), bitcast<u32>(_e2892.member_2), _e2892.member_3);
-        phi_4835_ = _e2766;
         phi_4836_ = _e2766;
-        phi_4837_ = select(true, false, _e2766);
+        phi_4837_ = _e2766;
+        phi_4838_ = select(true, false, _e2766);
     } else {
-        phi_4835_ = bool();
-        phi_4836_ = false;
-        phi_4837_ = true;
+        phi_4836_ = bool();
+        phi_4837_ = false;
+        phi_4838_ = true;
     }
-    let _e2903 = phi_4835_;
-    let _e2905 = phi_4836_;
-    let _e2907 = phi_4837_;
+    let _e2903 = phi_4836_;
+    let _e2905 = phi_4837_;
+    let _e2907 = phi_4838_;
     if _e2907 {
         slimbvh_hit.member = vec4<u32>(2139095039u, 0u, 0u, 4294967295u);
     }

@@ -29,39 +29,39 @@ var<private> slimbvh_lane: SlimbvhTypeS;
 var<private> slimbvh_overflowed: SlimbvhTypeS;
 
 fn slimbvh_trace_in_group() {
-    var phi_497_: u32;
-    var phi_503_: u32;
-    var phi_509_: u32;
-    var phi_774_: i32;
-    var phi_785_: i32;
-    var phi_899_: i32;
-    var phi_1028_: i32;
+    var phi_496_: u32;
+    var phi_502_: u32;
+    var phi_508_: u32;
+    var phi_773_: i32;
+    var phi_784_: i32;
+    var phi_898_: i32;
+    var phi_1027_: i32;
+    var phi_1049_: u32;
     var phi_1050_: u32;
-    var phi_1051_: u32;
-    var phi_1052_: bool;
-    var phi_1086_: i32;
+    var phi_1051_: bool;
+    var phi_1085_: i32;
+    var phi_1107_: u32;
     var phi_1108_: u32;
-    var phi_1109_: u32;
-    var phi_1110_: bool;
-    var phi_671_: i32;
-    var phi_677_: u32;
+    var phi_1109_: bool;
+    var phi_670_: i32;
+    var phi_676_: u32;
+    var phi_695_: u32;
     var phi_696_: u32;
-    var phi_697_: u32;
-    var phi_698_: bool;
-    var phi_716_: i32;
-    var phi_722_: u32;
+    var phi_697_: bool;
+    var phi_715_: i32;
+    var phi_721_: u32;
+    var phi_740_: u32;
     var phi_741_: u32;
-    var phi_742_: u32;
-    var phi_743_: bool;
-    var phi_1120_: SlimbvhTypeF;
-    var phi_1366_: SlimbvhTypeO;
-    var phi_1407_: SlimbvhTypeO;
-    var phi_1410_: u32;
-    var phi_1412_: u32;
-    var phi_1414_: u32;
-    var phi_1423_: u32;
-    var phi_1426_: u32;
-    var phi_1428_: u32;
+    var phi_742_: bool;
+    var phi_1119_: SlimbvhTypeF;
+    var phi_1365_: SlimbvhTypeO;
+    var phi_1406_: SlimbvhTypeO;
+    var phi_1409_: u32;
+    var phi_1411_: u32;
+    var phi_1413_: u32;
+    var phi_1422_: u32;
+    var phi_1425_: u32;
+    var phi_1427_: u32;
     var phi_1884_: u32;
     var phi_1897_: u32;
     var phi_1910_: u32;
@@ -75,9 +75,9 @@ fn slimbvh_trace_in_group() {
     var phi_2012_: u32;
     var phi_2013_: u32;
     var phi_2037_: u32;
-    var phi_1424_: u32;
-    var phi_1427_: u32;
-    var phi_1429_: u32;
+    var phi_1423_: u32;
+    var phi_1426_: u32;
+    var phi_1428_: u32;
     var local: bool;
     var local_1: u32;
     var local_2: u32;
@@ -138,10 +138,10 @@ fn slimbvh_trace_in_group() {
     var phi_3509_: SlimbvhTypeO;
     var phi_3510_: u32;
     var phi_3511_: u32;
-    var phi_1408_: SlimbvhTypeO;
-    var phi_1411_: u32;
-    var phi_1413_: u32;
-    var phi_1415_: u32;
+    var phi_1407_: SlimbvhTypeO;
+    var phi_1410_: u32;
+    var phi_1412_: u32;
+    var phi_1414_: u32;
     var local_6: u32;
     var local_7: SlimbvhTypeO;
     var phi_3548_: f32;
@@ -197,25 +197,25 @@ fn slimbvh_trace_in_group() {
     let _e157 = select(_e137, _e155, (_e137 < _e155));
     let _e164 = (((select(_e139, _e157, (_e139 < _e157)) < 2139095040u) && (_e147 <= 2139095040u)) && (_e151 > 0u));
     if (_e141 == _e151) {
-        phi_497_ = 0u;
+        phi_496_ = 0u;
     } else {
-        phi_497_ = select(2u, 1u, (_e143 == _e151));
+        phi_496_ = select(2u, 1u, (_e143 == _e151));
     }
-    let _e169 = phi_497_;
+    let _e169 = phi_496_;
     let _e170 = (_e169 == 2u);
     if _e170 {
-        phi_503_ = 0u;
+        phi_502_ = 0u;
     } else {
-        phi_503_ = (_e169 + 1u);
+        phi_502_ = (_e169 + 1u);
     }
-    let _e173 = phi_503_;
+    let _e173 = phi_502_;
     let _e174 = (_e173 == 2u);
     if _e174 {
-        phi_509_ = 0u;
+        phi_508_ = 0u;
     } else {
-        phi_509_ = (_e173 + 1u);
+        phi_508_ = (_e173 + 1u);
     }
-    let _e177 = phi_509_;
+    let _e177 = phi_508_;
     let _e178 = (_e173 == 0u);
     let _e180 = select(select(_e114.y, _e114.x, _e178), _e114.z, _e174);
     let _e181 = (_e177 == 0u);
@@ -247,77 +247,77 @@ fn slimbvh_trace_in_group() {
         let _e485 = bitcast<f32>((bitcast<u32>((_e131 + 127i)) << bitcast<u32>(23i)));
         let _e490 = bitcast<f32>((bitcast<u32>((254i - _e478)) << bitcast<u32>(23i)));
         if (_e139 >= 2139095040u) {
-            phi_671_ = 255i;
+            phi_670_ = 255i;
         } else {
-            phi_671_ = (bitcast<i32>((_e139 >> bitcast<u32>(23i))) + _e480);
+            phi_670_ = (bitcast<i32>((_e139 >> bitcast<u32>(23i))) + _e480);
         }
-        let _e505 = phi_671_;
+        let _e505 = phi_670_;
         if (_e139 == 0u) {
-            phi_677_ = 0u;
+            phi_676_ = 0u;
         } else {
-            phi_677_ = (_e139 | 8388608u);
+            phi_676_ = (_e139 | 8388608u);
         }
-        let _e509 = phi_677_;
+        let _e509 = phi_676_;
         if (_e505 <= 0i) {
-            phi_697_ = u32();
-            phi_698_ = true;
+            phi_696_ = u32();
+            phi_697_ = true;
         } else {
             let _e516 = (_e509 == 0u);
             if _e516 {
-                phi_696_ = u32();
+                phi_695_ = u32();
             } else {
-                phi_696_ = select(((bitcast<u32>(_e505) << bitcast<u32>(23i)) | (_e509 & 8388607u)), 2139095039u, (_e505 >= 255i));
+                phi_695_ = select(((bitcast<u32>(_e505) << bitcast<u32>(23i)) | (_e509 & 8388607u)), 2139095039u, (_e505 >= 255i));
             }
-            let _e520 = phi_696_;
-            phi_697_ = _e520;
-            phi_698_ = _e516;
+            let _e520 = phi_695_;
+            phi_696_ = _e520;
+            phi_697_ = _e516;
         }
-        let _e522 = phi_697_;
-        let _e524 = phi_698_;
+        let _e522 = phi_696_;
+        let _e524 = phi_697_;
         if (_e147 >= 2139095040u) {
-            phi_716_ = 255i;
+            phi_715_ = 255i;
         } else {
-            phi_716_ = (bitcast<i32>((_e147 >> bitcast<u32>(23i))) + _e480);
+            phi_715_ = (bitcast<i32>((_e147 >> bitcast<u32>(23i))) + _e480);
         }
-        let _e535 = phi_716_;
+        let _e535 = phi_715_;
         if (_e147 == 0u) {
-            phi_722_ = 0u;
+            phi_721_ = 0u;
         } else {
-            phi_722_ = (_e147 | 8388608u);
+            phi_721_ = (_e147 | 8388608u);
         }
-        let _e539 = phi_722_;
+        let _e539 = phi_721_;
         if (_e535 <= 0i) {
-            phi_742_ = u32();
-            phi_743_ = true;
+            phi_741_ = u32();
+            phi_742_ = true;
         } else {
             let _e546 = (_e539 == 0u);
             if _e546 {
-                phi_741_ = u32();
+                phi_740_ = u32();
             } else {
-                phi_741_ = select(((bitcast<u32>(_e535) << bitcast<u32>(23i)) | (_e539 & 8388607u)), 2139095039u, (_e535 >= 255i));
+                phi_740_ = select(((bitcast<u32>(_e535) << bitcast<u32>(23i)) | (_e539 & 8388607u)), 2139095039u, (_e535 >= 255i));
             }
-            let _e550 = phi_741_;
-            phi_742_ = _e550;
-            phi_743_ = _e546;
+            let _e550 = phi_740_;
+            phi_741_ = _e550;
+            phi_742_ = _e546;
         }
-        let _e552 = phi_742_;
-        let _e554 = phi_743_;
-        phi_1120_ = SlimbvhTypeF(array<f32, 3>((_e180 * _e485), (_e184 * _e485), (_e187 * _e485)), array<f32, 3>((_e189 * _e490), (_e191 * _e490), (_e193 * _e490)), bitcast<f32>(((_e138 & 2147483648u) | select(_e522, 0u, _e524))), bitcast<f32>(((_e146 & 2147483648u) | select(_e552, 0u, _e554))), _e479);
+        let _e552 = phi_741_;
+        let _e554 = phi_742_;
+        phi_1119_ = SlimbvhTypeF(array<f32, 3>((_e180 * _e485), (_e184 * _e485), (_e187 * _e485)), array<f32, 3>((_e189 * _e490), (_e191 * _e490), (_e193 * _e490)), bitcast<f32>(((_e138 & 2147483648u) | select(_e522, 0u, _e524))), bitcast<f32>(((_e146 & 2147483648u) | select(_e552, 0u, _e554))), _e479);
     } else {
         let _e226 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e151, _e164))) & 2147483647u);
         if (_e226 >= 8388608u) {
-            phi_774_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+            phi_773_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_774_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+            phi_773_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
         }
-        let _e240 = phi_774_;
+        let _e240 = phi_773_;
         let _e241 = (_e131 + _e240);
         if (_e131 < -126i) {
-            phi_785_ = -126i;
+            phi_784_ = -126i;
         } else {
-            phi_785_ = select(_e131, 127i, (_e131 > 127i));
+            phi_784_ = select(_e131, 127i, (_e131 > 127i));
         }
-        let _e246 = phi_785_;
+        let _e246 = phi_784_;
         let _e251 = bitcast<f32>((bitcast<u32>((_e246 + 127i)) << bitcast<u32>(23i)));
         let _e257 = bitcast<f32>((bitcast<u32>(((_e131 - _e246) + 127i)) << bitcast<u32>(23i)));
         let _e258 = bitcast<u32>(_e180);
@@ -328,11 +328,11 @@ fn slimbvh_trace_in_group() {
         let _e294 = ((_e292 & 2139095040u) != 0u);
         let _e310 = -(_e240);
         if (_e310 < -126i) {
-            phi_899_ = -126i;
+            phi_898_ = -126i;
         } else {
-            phi_899_ = select(_e310, 127i, (_e310 > 127i));
+            phi_898_ = select(_e310, 127i, (_e310 > 127i));
         }
-        let _e315 = phi_899_;
+        let _e315 = phi_898_;
         let _e320 = bitcast<f32>((bitcast<u32>((_e315 + 127i)) << bitcast<u32>(23i)));
         let _e326 = bitcast<f32>((bitcast<u32>(((_e310 - _e315) + 127i)) << bitcast<u32>(23i)));
         let _e327 = bitcast<u32>(_e189);
@@ -345,57 +345,57 @@ fn slimbvh_trace_in_group() {
         let _e388 = bitcast<i32>((_e139 >> bitcast<u32>(23i)));
         let _e395 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e385)), 32u, (_e385 == 0u))) - 8i);
         if (_e388 == 255i) {
-            phi_1028_ = 255i;
+            phi_1027_ = 255i;
         } else {
-            phi_1028_ = (((_e388 + select(0i, 1i, (_e388 == 0i))) - _e395) + _e241);
+            phi_1027_ = (((_e388 + select(0i, 1i, (_e388 == 0i))) - _e395) + _e241);
         }
-        let _e403 = phi_1028_;
+        let _e403 = phi_1027_;
         let _e407 = (_e385 << bitcast<u32>(((_e395 & 31i) & 31i)));
         if (_e403 <= 0i) {
-            phi_1051_ = u32();
-            phi_1052_ = true;
+            phi_1050_ = u32();
+            phi_1051_ = true;
         } else {
             let _e414 = (_e407 == 0u);
             if _e414 {
-                phi_1050_ = u32();
+                phi_1049_ = u32();
             } else {
-                phi_1050_ = select(((bitcast<u32>(_e403) << bitcast<u32>(23i)) | (_e407 & 8388607u)), 2139095039u, (_e403 >= 255i));
+                phi_1049_ = select(((bitcast<u32>(_e403) << bitcast<u32>(23i)) | (_e407 & 8388607u)), 2139095039u, (_e403 >= 255i));
             }
-            let _e418 = phi_1050_;
-            phi_1051_ = _e418;
-            phi_1052_ = _e414;
+            let _e418 = phi_1049_;
+            phi_1050_ = _e418;
+            phi_1051_ = _e414;
         }
-        let _e420 = phi_1051_;
-        let _e422 = phi_1052_;
+        let _e420 = phi_1050_;
+        let _e422 = phi_1051_;
         let _e433 = ((_e147 & 8388607u) | (select(0u, 1u, ((_e147 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
         let _e436 = bitcast<i32>((_e147 >> bitcast<u32>(23i)));
         let _e443 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e433)), 32u, (_e433 == 0u))) - 8i);
         if (_e436 == 255i) {
-            phi_1086_ = 255i;
+            phi_1085_ = 255i;
         } else {
-            phi_1086_ = (((_e436 + select(0i, 1i, (_e436 == 0i))) - _e443) + _e241);
+            phi_1085_ = (((_e436 + select(0i, 1i, (_e436 == 0i))) - _e443) + _e241);
         }
-        let _e451 = phi_1086_;
+        let _e451 = phi_1085_;
         let _e455 = (_e433 << bitcast<u32>(((_e443 & 31i) & 31i)));
         if (_e451 <= 0i) {
-            phi_1109_ = u32();
-            phi_1110_ = true;
+            phi_1108_ = u32();
+            phi_1109_ = true;
         } else {
             let _e462 = (_e455 == 0u);
             if _e462 {
-                phi_1108_ = u32();
+                phi_1107_ = u32();
             } else {
-                phi_1108_ = select(((bitcast<u32>(_e451) << bitcast<u32>(23i)) | (_e455 & 8388607u)), 2139095039u, (_e451 >= 255i));
+                phi_1107_ = select(((bitcast<u32>(_e451) << bitcast<u32>(23i)) | (_e455 & 8388607u)), 2139095039u, (_e451 >= 255i));
             }
-            let _e466 = phi_1108_;
-            phi_1109_ = _e466;
-            phi_1110_ = _e462;
+            let _e466 = phi_1107_;
+            phi_1108_ = _e466;
+            phi_1109_ = _e462;
         }
-        let _e468 = phi_1109_;
-        let _e470 = phi_1110_;
-        phi_1120_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e258 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e258 & 2147483648u))), _e180, _e260) * _e251) * select(0.00000011920929f, 1f, _e260)) * _e257), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e275 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e275 & 2147483648u))), _e184, _e277) * _e251) * select(0.00000011920929f, 1f, _e277)) * _e257), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e187, _e294) * _e251) * select(0.00000011920929f, 1f, _e294)) * _e257)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e327 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e327 & 2147483648u))), _e189, _e329) * _e320) * select(0.00000011920929f, 1f, _e329)) * _e326), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e191, _e346) * _e320) * select(0.00000011920929f, 1f, _e346)) * _e326), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e193, _e363) * _e320) * select(0.00000011920929f, 1f, _e363)) * _e326)), bitcast<f32>(((_e138 & 2147483648u) | select(_e420, 0u, _e422))), bitcast<f32>(((_e146 & 2147483648u) | select(_e468, 0u, _e470))), _e240);
+        let _e468 = phi_1108_;
+        let _e470 = phi_1109_;
+        phi_1119_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e258 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e258 & 2147483648u))), _e180, _e260) * _e251) * select(0.00000011920929f, 1f, _e260)) * _e257), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e275 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e275 & 2147483648u))), _e184, _e277) * _e251) * select(0.00000011920929f, 1f, _e277)) * _e257), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e292 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e292 & 2147483648u))), _e187, _e294) * _e251) * select(0.00000011920929f, 1f, _e294)) * _e257)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e327 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e327 & 2147483648u))), _e189, _e329) * _e320) * select(0.00000011920929f, 1f, _e329)) * _e326), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e344 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e344 & 2147483648u))), _e191, _e346) * _e320) * select(0.00000011920929f, 1f, _e346)) * _e326), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e361 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e361 & 2147483648u))), _e193, _e363) * _e320) * select(0.00000011920929f, 1f, _e363)) * _e326)), bitcast<f32>(((_e138 & 2147483648u) | select(_e420, 0u, _e422))), bitcast<f32>(((_e146 & 2147483648u) | select(_e468, 0u, _e470))), _e240);
     }
-    let _e561 = phi_1120_;
+    let _e561 = phi_1119_;
     let _e576 = (bitcast<f32>((bitcast<u32>(_e561.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
     let _e579 = bitcast<f32>((bitcast<u32>(_e561.member[0]) & 2147483647u));
     let _e580 = (_e579 * 0.00000011920929f);
@@ -430,31 +430,31 @@ fn slimbvh_trace_in_group() {
         let _e635 = (_e633 % 64u);
         let _e638 = slimbvh_question.member[0u];
         if (_e638 == 1u) {
-            phi_1366_ = SlimbvhTypeO(SlimbvhTypeL(_e93, _e627), true);
+            phi_1365_ = SlimbvhTypeO(SlimbvhTypeL(_e93, _e627), true);
         } else {
-            phi_1366_ = SlimbvhTypeO(SlimbvhTypeL(_e93, _e627), false);
+            phi_1365_ = SlimbvhTypeO(SlimbvhTypeL(_e93, _e627), false);
         }
-        let _e645 = phi_1366_;
-        phi_1407_ = _e645;
-        phi_1410_ = select(4294967295u, 0u, (_e628 <= _e627));
-        phi_1412_ = 0u;
-        phi_1414_ = (_e97 + 1u);
+        let _e645 = phi_1365_;
+        phi_1406_ = _e645;
+        phi_1409_ = select(4294967295u, 0u, (_e628 <= _e627));
+        phi_1411_ = 0u;
+        phi_1413_ = (_e97 + 1u);
         loop {
-            let _e663 = phi_1407_;
-            let _e665 = phi_1410_;
-            let _e667 = phi_1412_;
-            let _e669 = phi_1414_;
+            let _e663 = phi_1406_;
+            let _e665 = phi_1409_;
+            let _e667 = phi_1411_;
+            let _e669 = phi_1413_;
             local_6 = _e665;
             local_7 = _e663;
             let _e670 = (_e665 <= 32u);
             if _e670 {
-                phi_1423_ = _e665;
-                phi_1426_ = _e667;
-                phi_1428_ = _e669;
+                phi_1422_ = _e665;
+                phi_1425_ = _e667;
+                phi_1427_ = _e669;
                 loop {
-                    let _e672 = phi_1423_;
-                    let _e674 = phi_1426_;
-                    let _e676 = phi_1428_;
+                    let _e672 = phi_1422_;
+                    let _e674 = phi_1425_;
+                    let _e676 = phi_1427_;
                     local_1 = _e674;
                     local_2 = _e674;
                     local_3 = _e672;
@@ -581,22 +581,22 @@ fn slimbvh_trace_in_group() {
                         }
                         let _e983 = phi_2037_;
                         let _e984 = (_e676 - 1u);
-                        phi_1424_ = select(_e971, 4294967295u, (_e984 == 0u));
-                        phi_1427_ = _e983;
-                        phi_1429_ = _e984;
+                        phi_1423_ = select(_e971, 4294967295u, (_e984 == 0u));
+                        phi_1426_ = _e983;
+                        phi_1428_ = _e984;
                     } else {
-                        phi_1424_ = u32();
-                        phi_1427_ = u32();
-                        phi_1429_ = u32();
+                        phi_1423_ = u32();
+                        phi_1426_ = u32();
+                        phi_1428_ = u32();
                     }
-                    let _e988 = phi_1424_;
-                    let _e990 = phi_1427_;
-                    let _e992 = phi_1429_;
+                    let _e988 = phi_1423_;
+                    let _e990 = phi_1426_;
+                    let _e992 = phi_1428_;
                     continue;
                     continuing {
-                        phi_1423_ = _e988;
-                        phi_1426_ = _e990;
-                        phi_1428_ = _e992;
+                        phi_1422_ = _e988;
+                        phi_1425_ = _e990;
+                        phi_1427_ = _e992;
                         break if !(_e683);
                     }
                 }
@@ -1057,27 +1057,27 @@ fn slimbvh_trace_in_group() {
                 let _e2003 = phi_3509_;
                 let _e2005 = phi_3510_;
                 let _e2007 = phi_3511_;
-                phi_1408_ = _e2003;
-                phi_1411_ = _e2005;
-                phi_1413_ = _e2007;
+                phi_1407_ = _e2003;
+                phi_1410_ = _e2005;
+                phi_1412_ = _e2007;
                 let _e2284 = local_11;
-                phi_1415_ = _e2284;
+                phi_1414_ = _e2284;
             } else {
-                phi_1408_ = SlimbvhTypeO();
-                phi_1411_ = u32();
-                phi_1413_ = u32();
-                phi_1415_ = u32();
+                phi_1407_ = SlimbvhTypeO();
+                phi_1410_ = u32();
+                phi_1412_ = u32();
+                phi_1414_ = u32();
             }
-            let _e2009 = phi_1408_;
-            let _e2011 = phi_1411_;
-            let _e2013 = phi_1413_;
-            let _e2015 = phi_1415_;
+            let _e2009 = phi_1407_;
+            let _e2011 = phi_1410_;
+            let _e2013 = phi_1412_;
+            let _e2015 = phi_1414_;
             continue;
             continuing {
-                phi_1407_ = _e2009;
-                phi_1410_ = _e2011;
-                phi_1412_ = _e2013;
-                phi_1414_ = _e2015;
+                phi_1406_ = _e2009;
+                phi_1409_ = _e2011;
+                phi_1411_ = _e2013;
+                phi_1413_ = _e2015;
                 break if !(_e670);
             }
         }

@@ -163,137 +163,137 @@ fn slimbvh_trace() {
     var phi_1878_: u32;
     var phi_1881_: u32;
     var phi_1883_: u32;
-    var phi_1989_: SlimbvhTypeJ;
     var phi_1990_: SlimbvhTypeJ;
-    var phi_2049_: SlimbvhTypeJ;
+    var phi_1991_: SlimbvhTypeJ;
     var phi_2050_: SlimbvhTypeJ;
-    var phi_2109_: SlimbvhTypeJ;
+    var phi_2051_: SlimbvhTypeJ;
     var phi_2110_: SlimbvhTypeJ;
-    var phi_2600_: u32;
-    var phi_2613_: u32;
-    var phi_2626_: u32;
-    var phi_2639_: u32;
-    var phi_5357_: SlimbvhTypeD;
-    var phi_5369_: SlimbvhTypeD;
-    var phi_5381_: SlimbvhTypeD;
-    var phi_5393_: SlimbvhTypeD;
-    var phi_5405_: SlimbvhTypeD;
-    var phi_2720_: u32;
-    var phi_2725_: u32;
+    var phi_2111_: SlimbvhTypeJ;
+    var phi_2601_: u32;
+    var phi_2614_: u32;
+    var phi_2627_: u32;
+    var phi_2640_: u32;
+    var phi_5358_: SlimbvhTypeD;
+    var phi_5370_: SlimbvhTypeD;
+    var phi_5382_: SlimbvhTypeD;
+    var phi_5394_: SlimbvhTypeD;
+    var phi_5406_: SlimbvhTypeD;
+    var phi_2721_: u32;
     var phi_2726_: u32;
-    var phi_2780_: u32;
+    var phi_2727_: u32;
     var phi_2781_: u32;
+    var phi_2782_: u32;
     var phi_1879_: u32;
     var phi_1882_: u32;
     var phi_1884_: u32;
     var local_1: bool;
     var local_2: u32;
-    var phi_2966_: u32;
-    var phi_2971_: u32;
-    var phi_3014_: SlimbvhTypeM;
-    var phi_3021_: SlimbvhTypeP;
-    var phi_3024_: SlimbvhTypeD;
+    var phi_2967_: u32;
+    var phi_2972_: u32;
+    var phi_3015_: SlimbvhTypeM;
+    var phi_3022_: SlimbvhTypeP;
     var phi_3025_: SlimbvhTypeD;
-    var phi_3047_: SlimbvhTypeD;
-    var phi_3072_: u32;
-    var phi_3095_: u32;
-    var phi_3104_: u32;
-    var phi_3114_: u32;
-    var phi_3573_: u32;
-    var phi_3586_: u32;
-    var phi_3599_: u32;
-    var phi_3625_: u32;
-    var phi_3638_: u32;
-    var phi_3651_: u32;
-    var phi_3677_: u32;
-    var phi_3690_: u32;
-    var phi_3703_: u32;
-    var phi_3295_: u32;
-    var phi_3308_: u32;
-    var phi_3318_: u32;
-    var phi_3339_: u32;
-    var phi_3360_: u32;
-    var phi_3387_: u32;
-    var phi_3400_: u32;
-    var phi_3410_: u32;
-    var phi_3431_: u32;
-    var phi_3452_: u32;
-    var phi_3479_: u32;
-    var phi_3492_: u32;
-    var phi_3502_: u32;
-    var phi_3523_: u32;
-    var phi_3544_: u32;
-    var phi_3156_: u32;
-    var phi_3202_: u32;
-    var phi_3248_: u32;
-    var phi_3715_: array<array<f32, 3>, 3>;
-    var phi_4080_: f32;
+    var phi_3026_: SlimbvhTypeD;
+    var phi_3048_: SlimbvhTypeD;
+    var phi_3073_: u32;
+    var phi_3096_: u32;
+    var phi_3105_: u32;
+    var phi_3115_: u32;
+    var phi_3574_: u32;
+    var phi_3587_: u32;
+    var phi_3600_: u32;
+    var phi_3626_: u32;
+    var phi_3639_: u32;
+    var phi_3652_: u32;
+    var phi_3678_: u32;
+    var phi_3691_: u32;
+    var phi_3704_: u32;
+    var phi_3296_: u32;
+    var phi_3309_: u32;
+    var phi_3319_: u32;
+    var phi_3340_: u32;
+    var phi_3361_: u32;
+    var phi_3388_: u32;
+    var phi_3401_: u32;
+    var phi_3411_: u32;
+    var phi_3432_: u32;
+    var phi_3453_: u32;
+    var phi_3480_: u32;
+    var phi_3493_: u32;
+    var phi_3503_: u32;
+    var phi_3524_: u32;
+    var phi_3545_: u32;
+    var phi_3157_: u32;
+    var phi_3203_: u32;
+    var phi_3249_: u32;
+    var phi_3716_: array<array<f32, 3>, 3>;
     var phi_4081_: f32;
     var phi_4082_: f32;
     var phi_4083_: f32;
-    var phi_4084_: vec3<f32>;
+    var phi_4084_: f32;
     var phi_4085_: vec3<f32>;
     var phi_4086_: vec3<f32>;
     var phi_4087_: vec3<f32>;
-    var phi_4266_: f32;
-    var phi_4292_: SlimbvhTypeE;
+    var phi_4088_: vec3<f32>;
+    var phi_4267_: f32;
     var phi_4293_: SlimbvhTypeE;
-    var phi_4296_: SlimbvhTypeE;
+    var phi_4294_: SlimbvhTypeE;
     var phi_4297_: SlimbvhTypeE;
-    var phi_4298_: bool;
-    var phi_4302_: SlimbvhTypeE;
-    var phi_4311_: SlimbvhTypeF;
-    var phi_4364_: i32;
-    var phi_4504_: SlimbvhTypeH;
-    var phi_4528_: u32;
-    var phi_4557_: vec3<f32>;
+    var phi_4298_: SlimbvhTypeE;
+    var phi_4299_: bool;
+    var phi_4303_: SlimbvhTypeE;
+    var phi_4312_: SlimbvhTypeF;
+    var phi_4365_: i32;
+    var phi_4505_: SlimbvhTypeH;
+    var phi_4529_: u32;
     var phi_4558_: vec3<f32>;
-    var phi_4576_: vec3<f32>;
+    var phi_4559_: vec3<f32>;
     var phi_4577_: vec3<f32>;
-    var phi_4595_: vec3<f32>;
+    var phi_4578_: vec3<f32>;
     var phi_4596_: vec3<f32>;
-    var phi_4632_: vec3<f32>;
-    var phi_4814_: f32;
-    var phi_4832_: bool;
+    var phi_4597_: vec3<f32>;
+    var phi_4633_: vec3<f32>;
+    var phi_4815_: f32;
     var phi_4833_: bool;
-    var phi_4852_: bool;
+    var phi_4834_: bool;
     var phi_4853_: bool;
-    var phi_4860_: SlimbvhTypeP;
-    var phi_4866_: SlimbvhTypeP;
+    var phi_4854_: bool;
+    var phi_4861_: SlimbvhTypeP;
     var phi_4867_: SlimbvhTypeP;
     var phi_4868_: SlimbvhTypeP;
-    var phi_3022_: SlimbvhTypeP;
+    var phi_4869_: SlimbvhTypeP;
+    var phi_3023_: SlimbvhTypeP;
     var local_3: u32;
     var local_4: u32;
-    var phi_4957_: u32;
     var phi_4958_: u32;
+    var phi_4959_: u32;
     var local_5: SlimbvhTypeP;
-    var phi_4967_: SlimbvhTypeP;
-    var phi_4968_: u32;
+    var phi_4968_: SlimbvhTypeP;
     var phi_4969_: u32;
+    var phi_4970_: u32;
     var phi_1863_: SlimbvhTypeP;
     var phi_1866_: u32;
     var phi_1868_: u32;
     var phi_1870_: u32;
     var local_6: SlimbvhTypeP;
-    var phi_5005_: f32;
-    var phi_5007_: f32;
-    var phi_5008_: bool;
-    var phi_5009_: f32;
-    var phi_5010_: bool;
-    var phi_5636_: u32;
-    var phi_5654_: bool;
-    var phi_5657_: bool;
-    var phi_5670_: f32;
+    var phi_5006_: f32;
+    var phi_5008_: f32;
+    var phi_5009_: bool;
+    var phi_5010_: f32;
+    var phi_5011_: bool;
+    var phi_5637_: u32;
+    var phi_5655_: bool;
+    var phi_5658_: bool;
     var phi_5671_: f32;
-    var phi_5676_: f32;
+    var phi_5672_: f32;
     var phi_5677_: f32;
-    var phi_5678_: bool;
-    var phi_5686_: f32;
-    var phi_5025_: f32;
+    var phi_5678_: f32;
+    var phi_5679_: bool;
+    var phi_5687_: f32;
     var phi_5026_: f32;
-    var phi_5038_: f32;
-    var phi_5043_: SlimbvhTypeF;
+    var phi_5027_: f32;
+    var phi_5039_: f32;
+    var phi_5044_: SlimbvhTypeF;
     var local_7: SlimbvhTypeP;
     var local_8: u32;
     var local_9: u32;
@@ -655,38 +655,38 @@ fn slimbvh_trace() {
                     let _e850 = bitcast<f32>((_e844 + ((_e831.w & 31u) << bitcast<u32>(23i))));
                     let _e851 = (_e849 + _e850);
                     if ((bitcast<u32>(_e653) >> bitcast<u32>(31i)) == 0u) {
-                        phi_1989_ = SlimbvhTypeJ(_e831.z, _e851);
-                        phi_1990_ = SlimbvhTypeJ(_e831.y, _e849);
-                    } else {
-                        phi_1989_ = SlimbvhTypeJ(_e831.y, _e849);
                         phi_1990_ = SlimbvhTypeJ(_e831.z, _e851);
+                        phi_1991_ = SlimbvhTypeJ(_e831.y, _e849);
+                    } else {
+                        phi_1990_ = SlimbvhTypeJ(_e831.y, _e849);
+                        phi_1991_ = SlimbvhTypeJ(_e831.z, _e851);
                     }
-                    let _e862 = phi_1989_;
-                    let _e864 = phi_1990_;
+                    let _e862 = phi_1990_;
+                    let _e864 = phi_1991_;
                     let _e903 = bitcast<f32>(_e836.x);
                     let _e904 = bitcast<f32>((_e844 + ((_e836.w & 31u) << bitcast<u32>(23i))));
                     let _e905 = (_e903 + _e904);
                     if ((bitcast<u32>(_e669) >> bitcast<u32>(31i)) == 0u) {
-                        phi_2049_ = SlimbvhTypeJ(_e836.z, _e905);
-                        phi_2050_ = SlimbvhTypeJ(_e836.y, _e903);
-                    } else {
-                        phi_2049_ = SlimbvhTypeJ(_e836.y, _e903);
                         phi_2050_ = SlimbvhTypeJ(_e836.z, _e905);
+                        phi_2051_ = SlimbvhTypeJ(_e836.y, _e903);
+                    } else {
+                        phi_2050_ = SlimbvhTypeJ(_e836.y, _e903);
+                        phi_2051_ = SlimbvhTypeJ(_e836.z, _e905);
                     }
-                    let _e916 = phi_2049_;
-                    let _e918 = phi_2050_;
+                    let _e916 = phi_2050_;
+                    let _e918 = phi_2051_;
                     let _e957 = bitcast<f32>(_e841.x);
                     let _e958 = bitcast<f32>((_e844 + ((_e841.w & 31u) << bitcast<u32>(23i))));
                     let _e959 = (_e957 + _e958);
                     if ((bitcast<u32>(_e685) >> bitcast<u32>(31i)) == 0u) {
-                        phi_2109_ = SlimbvhTypeJ(_e841.z, _e959);
-                        phi_2110_ = SlimbvhTypeJ(_e841.y, _e957);
-                    } else {
-                        phi_2109_ = SlimbvhTypeJ(_e841.y, _e957);
                         phi_2110_ = SlimbvhTypeJ(_e841.z, _e959);
+                        phi_2111_ = SlimbvhTypeJ(_e841.y, _e957);
+                    } else {
+                        phi_2110_ = SlimbvhTypeJ(_e841.y, _e957);
+                        phi_2111_ = SlimbvhTypeJ(_e841.z, _e959);
                     }
-                    let _e970 = phi_2109_;
-                    let _e972 = phi_2110_;
+                    let _e970 = phi_2110_;
+                    let _e972 = phi_2111_;
                     let _e1007 = (_e850 * _e653);
                     let _e1010 = bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u));
                     let _e1014 = (((_e864.member_1 - _e650) * _e653) + (_e1010 * -0.00012207031f));
@@ -713,59 +713,59 @@ fn slimbvh_trace() {
                     let _e1126 = max(max(max(((f32(((_e864.member >> bitcast<u32>(24u)) & 255u)) * _e1007) + _e1014), ((f32(((_e918.member >> bitcast<u32>(24u)) & 255u)) * _e1035) + _e1042)), _e1078), _e693);
                     let _e1131 = (_e806.member.member_1 + (bitcast<f32>((bitcast<u32>(_e806.member.member_1) & 2147483647u)) * 0.0000004768374f));
                     if (_e1123 <= min((min(min(((f32((_e862.member & 255u)) * _e1007) + _e1026), ((f32((_e916.member & 255u)) * _e1035) + _e1054)), _e1087) + (max(_e1087, -(_e1075)) * 0.0000023841915f)), _e1131)) {
-                        phi_2600_ = (((bitcast<u32>(_e1123) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u);
+                        phi_2601_ = (((bitcast<u32>(_e1123) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2600_ = 4294967288u;
+                        phi_2601_ = 4294967288u;
                     }
-                    let _e1146 = phi_2600_;
+                    let _e1146 = phi_2601_;
                     if (_e1124 <= min((min(min(((f32(((_e862.member >> bitcast<u32>(8u)) & 255u)) * _e1007) + _e1026), ((f32(((_e916.member >> bitcast<u32>(8u)) & 255u)) * _e1035) + _e1054)), _e1088) + (max(_e1088, -(_e1076)) * 0.0000023841915f)), _e1131)) {
-                        phi_2613_ = ((((bitcast<u32>(_e1124) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 1u);
+                        phi_2614_ = ((((bitcast<u32>(_e1124) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2613_ = 4294967288u;
+                        phi_2614_ = 4294967288u;
                     }
-                    let _e1154 = phi_2613_;
+                    let _e1154 = phi_2614_;
                     if (_e1125 <= min((min(min(((f32(((_e862.member >> bitcast<u32>(16u)) & 255u)) * _e1007) + _e1026), ((f32(((_e916.member >> bitcast<u32>(16u)) & 255u)) * _e1035) + _e1054)), _e1089) + (max(_e1089, -(_e1077)) * 0.0000023841915f)), _e1131)) {
-                        phi_2626_ = ((((bitcast<u32>(_e1125) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 2u);
+                        phi_2627_ = ((((bitcast<u32>(_e1125) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_2626_ = 4294967288u;
+                        phi_2627_ = 4294967288u;
                     }
-                    let _e1162 = phi_2626_;
+                    let _e1162 = phi_2627_;
                     if (_e1126 <= min((min(min(((f32(((_e862.member >> bitcast<u32>(24u)) & 255u)) * _e1007) + _e1026), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1035) + _e1054)), _e1090) + (max(_e1090, -(_e1078)) * 0.0000023841915f)), _e1131)) {
-                        phi_2639_ = ((((bitcast<u32>(_e1126) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 3u);
+                        phi_2640_ = ((((bitcast<u32>(_e1126) ^ select(0u, 4294967288u, _e707.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_2639_ = 4294967288u;
+                        phi_2640_ = 4294967288u;
                     }
-                    let _e1170 = phi_2639_;
+                    let _e1170 = phi_2640_;
                     if (_e1146 < _e1154) {
-                        phi_5357_ = SlimbvhTypeD(_e1146, _e1154);
+                        phi_5358_ = SlimbvhTypeD(_e1146, _e1154);
                     } else {
-                        phi_5357_ = SlimbvhTypeD(_e1154, _e1146);
+                        phi_5358_ = SlimbvhTypeD(_e1154, _e1146);
                     }
-                    let _e1175 = phi_5357_;
+                    let _e1175 = phi_5358_;
                     if (_e1162 < _e1170) {
-                        phi_5369_ = SlimbvhTypeD(_e1162, _e1170);
+                        phi_5370_ = SlimbvhTypeD(_e1162, _e1170);
                     } else {
-                        phi_5369_ = SlimbvhTypeD(_e1170, _e1162);
+                        phi_5370_ = SlimbvhTypeD(_e1170, _e1162);
                     }
-                    let _e1182 = phi_5369_;
+                    let _e1182 = phi_5370_;
                     if (_e1175.member < _e1182.member) {
-                        phi_5381_ = SlimbvhTypeD(_e1175.member, _e1182.member);
+                        phi_5382_ = SlimbvhTypeD(_e1175.member, _e1182.member);
                     } else {
-                        phi_5381_ = SlimbvhTypeD(_e1182.member, _e1175.member);
+                        phi_5382_ = SlimbvhTypeD(_e1182.member, _e1175.member);
                     }
-                    let _e1189 = phi_5381_;
+                    let _e1189 = phi_5382_;
                     if (_e1175.member_1 < _e1182.member_1) {
-                        phi_5393_ = SlimbvhTypeD(_e1175.member_1, _e1182.member_1);
+                        phi_5394_ = SlimbvhTypeD(_e1175.member_1, _e1182.member_1);
                     } else {
-                        phi_5393_ = SlimbvhTypeD(_e1182.member_1, _e1175.member_1);
+                        phi_5394_ = SlimbvhTypeD(_e1182.member_1, _e1175.member_1);
                     }
-                    let _e1196 = phi_5393_;
+                    let _e1196 = phi_5394_;
                     if (_e1196.member < _e1189.member_1) {
-                        phi_5405_ = SlimbvhTypeD(_e1196.member, _e1189.member_1);
+                        phi_5406_ = SlimbvhTypeD(_e1196.member, _e1189.member_1);
                     } else {
-                        phi_5405_ = SlimbvhTypeD(_e1189.member_1, _e1196.member);
+                        phi_5406_ = SlimbvhTypeD(_e1189.member_1, _e1196.member);
                     }
-                    let _e1203 = phi_5405_;
+                    let _e1203 = phi_5406_;
                     let _e1218 = (((_e1189.member & 7u) | ((_e1203.member & 7u) << bitcast<u32>(3u))) | (((_e1203.member_1 & 7u) | ((_e1196.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                     if (_e1218 == 0u) {
                         let _e1236 = (_e815 - 1u);
@@ -777,22 +777,22 @@ fn slimbvh_trace() {
                         } else {
                             local[(_e1236 % 128u)] = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1242);
                         }
-                        phi_2725_ = select(_e815, _e1236, _e1245);
-                        phi_2726_ = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1240 & 3u) & 3u));
+                        phi_2726_ = select(_e815, _e1236, _e1245);
+                        phi_2727_ = (((_e1239 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1240 & 3u) & 3u));
                     } else {
                         let _e1221 = (_e1218 >> bitcast<u32>(3u));
                         if (_e1221 == 0u) {
-                            phi_2720_ = _e815;
+                            phi_2721_ = _e815;
                         } else {
                             local[(_e815 % 128u)] = ((_e822 << bitcast<u32>(9u)) | _e1221);
-                            phi_2720_ = (_e815 + 1u);
+                            phi_2721_ = (_e815 + 1u);
                         }
-                        let _e1230 = phi_2720_;
-                        phi_2725_ = _e1230;
-                        phi_2726_ = ((_e822 << bitcast<u32>(2i)) | ((_e1218 & 3u) & 3u));
+                        let _e1230 = phi_2721_;
+                        phi_2726_ = _e1230;
+                        phi_2727_ = ((_e822 << bitcast<u32>(2i)) | ((_e1218 & 3u) & 3u));
                     }
-                    let _e1260 = phi_2725_;
-                    let _e1262 = phi_2726_;
+                    let _e1260 = phi_2726_;
+                    let _e1262 = phi_2727_;
                     let _e1264 = (_e1262 >> bitcast<u32>(2i));
                     if (_e1264 < _e123) {
                         let _e1269 = slimbvh_nodes.member[_e1264][1u][3u];
@@ -801,16 +801,16 @@ fn slimbvh_trace() {
                         let _e1279 = (_e1262 & 3u);
                         if (((_e1278 >> bitcast<u32>((((3u * _e1279) & 31u) & 31u))) & 7u) == 7u) {
                             let _e1291 = ((_e1278 | (_e1278 << bitcast<u32>(10i))) & 4128831u);
-                            phi_2780_ = (((_e1269 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1291 | (_e1291 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1279) & 31u) & 31u))) & 255u));
+                            phi_2781_ = (((_e1269 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1291 | (_e1291 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1279) & 31u) & 31u))) & 255u));
                         } else {
-                            phi_2780_ = (2147483648u | _e1262);
+                            phi_2781_ = (2147483648u | _e1262);
                         }
-                        let _e1309 = phi_2780_;
-                        phi_2781_ = _e1309;
+                        let _e1309 = phi_2781_;
+                        phi_2782_ = _e1309;
                     } else {
-                        phi_2781_ = 4294967295u;
+                        phi_2782_ = 4294967295u;
                     }
-                    let _e1311 = phi_2781_;
+                    let _e1311 = phi_2782_;
                     let _e1312 = (_e819 - 1u);
                     phi_1879_ = select(_e1260, 4294967295u, (_e1312 == 0u));
                     phi_1882_ = _e1311;
@@ -837,7 +837,7 @@ fn slimbvh_trace() {
                 let _e1326 = (_e1325 & 2147483647u);
                 let _e1328 = (_e1326 >> bitcast<u32>(2i));
                 if (_e1328 >= _e123) {
-                    phi_3014_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+                    phi_3015_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                 } else {
                     let _e1334 = slimbvh_nodes.member[_e1328][select(_e712, 2u, (2u < _e712))];
                     let _e1343 = slimbvh_nodes.member[_e1328][select(_e713, 2u, (2u < _e713))];
@@ -852,97 +852,97 @@ fn slimbvh_trace() {
                     let _e1399 = ((_e1381 >> bitcast<u32>((((3u * _e1393) & 31u) & 31u))) & 7u);
                     if (_e1399 == 7u) {
                         let _e1452 = ((_e1381 | (_e1381 << bitcast<u32>(10i))) & 4128831u);
-                        phi_2966_ = (((_e1364 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1452 | (_e1452 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1393) & 31u) & 31u))) & 255u));
+                        phi_2967_ = (((_e1364 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e1452 | (_e1452 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e1393) & 31u) & 31u))) & 255u));
                     } else {
                         let _e1404 = ((_e1381 | (_e1381 << bitcast<u32>(10i))) & 4128831u);
                         let _e1408 = ((_e1404 | (_e1404 << bitcast<u32>(5i))) & 117901063u);
                         let _e1414 = (_e1408 - (7u * (((_e1408 + 16843009u) >> bitcast<u32>(3i)) & 16843009u)));
                         let _e1422 = ((_e1389 | (_e1389 << bitcast<u32>(8i))) & 16711935u);
-                        phi_2966_ = ((2147483648u | (_e1399 << bitcast<u32>(28u))) | ((((_e1360 >> bitcast<u32>(5u)) | (((_e1364 >> bitcast<u32>(28u)) & 1u) << bitcast<u32>(27u))) + (((((((((_e1422 | (_e1422 << bitcast<u32>(4i))) & 252645135u) + (3u * (((_e1414 + 117901063u) >> bitcast<u32>(3i)) & 16843009u))) * (_e1392 + 1u)) + _e1414) + ((_e1414 >> bitcast<u32>(1i)) & 50529027u)) * 16843008u) >> bitcast<u32>((((8u * _e1393) & 31u) & 31u))) & 255u)) & 268435455u));
+                        phi_2967_ = ((2147483648u | (_e1399 << bitcast<u32>(28u))) | ((((_e1360 >> bitcast<u32>(5u)) | (((_e1364 >> bitcast<u32>(28u)) & 1u) << bitcast<u32>(27u))) + (((((((((_e1422 | (_e1422 << bitcast<u32>(4i))) & 252645135u) + (3u * (((_e1414 + 117901063u) >> bitcast<u32>(3i)) & 16843009u))) * (_e1392 + 1u)) + _e1414) + ((_e1414 >> bitcast<u32>(1i)) & 50529027u)) * 16843008u) >> bitcast<u32>((((8u * _e1393) & 31u) & 31u))) & 255u)) & 268435455u));
                     }
-                    let _e1470 = phi_2966_;
+                    let _e1470 = phi_2967_;
                     switch bitcast<i32>(_e1392) {
                         case 0: {
-                            phi_2971_ = 0u;
+                            phi_2972_ = 0u;
                             break;
                         }
                         case 1: {
-                            phi_2971_ = 1u;
+                            phi_2972_ = 1u;
                             break;
                         }
                         default: {
-                            phi_2971_ = 2u;
+                            phi_2972_ = 2u;
                             break;
                         }
                     }
-                    let _e1473 = phi_2971_;
+                    let _e1473 = phi_2972_;
                     let _e1476 = (((8u * _e1393) & 31u) & 31u);
-                    phi_3014_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1334.x) + (f32((((_e1334.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1334.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1343.x) + (f32((((_e1343.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1343.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1352.x) + (f32((((_e1352.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1352.w & 31u) & 31u)))) * _e172)), 0f), _e1473), (_e1470 & 268435455u), ((_e1470 >> bitcast<u32>(28u)) & 7u));
+                    phi_3015_ = SlimbvhTypeM(SlimbvhTypeL(vec4<f32>((bitcast<f32>(_e1334.x) + (f32((((_e1334.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1334.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1343.x) + (f32((((_e1343.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1343.w & 31u) & 31u)))) * _e172)), (bitcast<f32>(_e1352.x) + (f32((((_e1352.y >> bitcast<u32>(_e1476)) & 255u) << bitcast<u32>(((_e1352.w & 31u) & 31u)))) * _e172)), 0f), _e1473), (_e1470 & 268435455u), ((_e1470 >> bitcast<u32>(28u)) & 7u));
                 }
-                let _e1515 = phi_3014_;
+                let _e1515 = phi_3015_;
                 let _e1517 = (_e1515.member_1 + _e178);
-                phi_3021_ = _e806;
-                phi_3024_ = SlimbvhTypeD(0u, _e1515.member_2);
+                phi_3022_ = _e806;
+                phi_3025_ = SlimbvhTypeD(0u, _e1515.member_2);
                 loop {
-                    let _e1522 = phi_3021_;
-                    let _e1524 = phi_3024_;
+                    let _e1522 = phi_3022_;
+                    let _e1524 = phi_3025_;
                     local_5 = _e1522;
                     local_7 = _e1522;
                     if (_e1524.member < _e1524.member_1) {
-                        phi_3025_ = SlimbvhTypeD((_e1524.member + 1u), _e1524.member_1);
-                        phi_3047_ = SlimbvhTypeD(1u, _e1524.member);
+                        phi_3026_ = SlimbvhTypeD((_e1524.member + 1u), _e1524.member_1);
+                        phi_3048_ = SlimbvhTypeD(1u, _e1524.member);
                     } else {
-                        phi_3025_ = _e1524;
-                        phi_3047_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                        phi_3026_ = _e1524;
+                        phi_3048_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                     }
-                    let _e1537 = phi_3025_;
-                    let _e1539 = phi_3047_;
+                    let _e1537 = phi_3026_;
+                    let _e1539 = phi_3048_;
                     let _e1543 = (bitcast<i32>(_e1539.member) != 0i);
                     if _e1543 {
                         let _e1545 = (_e1517 + (_e1515.member_2 / 2u));
                         let _e1546 = (_e1545 + _e1539.member_1);
                         if (_e1546 < _e126) {
                             let _e1549 = slimbvh_triangles.member[_e1546];
-                            phi_3072_ = _e1549;
+                            phi_3073_ = _e1549;
                         } else {
-                            phi_3072_ = 4294967295u;
+                            phi_3073_ = 4294967295u;
                         }
-                        let _e1551 = phi_3072_;
+                        let _e1551 = phi_3073_;
                         let _e1552 = (_e1539.member_1 - 1u);
                         let _e1555 = (_e1517 + (_e1552 >> bitcast<u32>(1i)));
                         if (_e1555 < _e126) {
                             let _e1558 = slimbvh_triangles.member[_e1555];
-                            phi_3095_ = _e1558;
+                            phi_3096_ = _e1558;
                         } else {
-                            phi_3095_ = 0u;
+                            phi_3096_ = 0u;
                         }
-                        let _e1560 = phi_3095_;
+                        let _e1560 = phi_3096_;
                         if (_e1539.member_1 == 0u) {
-                            phi_3104_ = 2080u;
+                            phi_3105_ = 2080u;
                         } else {
-                            phi_3104_ = (_e1560 >> bitcast<u32>(((16u * (_e1552 & 1u)) & 31u)));
+                            phi_3105_ = (_e1560 >> bitcast<u32>(((16u * (_e1552 & 1u)) & 31u)));
                         }
-                        let _e1568 = phi_3104_;
+                        let _e1568 = phi_3105_;
                         let _e1569 = (_e1545 + _e1515.member_2);
                         switch bitcast<i32>(_e1515.member.member_1) {
                             case 0: {
-                                phi_3114_ = 1u;
+                                phi_3115_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3114_ = 2u;
+                                phi_3115_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3114_ = 3u;
+                                phi_3115_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3114_ = u32();
+                                phi_3115_ = u32();
                                 break;
                             }
                         }
-                        let _e1573 = phi_3114_;
+                        let _e1573 = phi_3115_;
                         let _e1576 = (_e1569 + ((_e1568 & 31u) * _e1573));
                         let _e1581 = (_e1569 + (((_e1568 >> bitcast<u32>(5u)) & 31u) * _e1573));
                         let _e1586 = (_e1569 + (((_e1568 >> bitcast<u32>(10u)) & 31u) * _e1573));
@@ -950,219 +950,219 @@ fn slimbvh_trace() {
                             case 0: {
                                 if (_e1576 < _e126) {
                                     let _e1863 = slimbvh_triangles.member[_e1576];
-                                    phi_3156_ = _e1863;
+                                    phi_3157_ = _e1863;
                                 } else {
-                                    phi_3156_ = 0u;
+                                    phi_3157_ = 0u;
                                 }
-                                let _e1865 = phi_3156_;
+                                let _e1865 = phi_3157_;
                                 let _e1868 = ((10u * _e238) & 31u);
                                 let _e1879 = ((10u * _e242) & 31u);
                                 let _e1890 = ((10u * _e234) & 31u);
                                 if (_e1581 < _e126) {
                                     let _e1902 = slimbvh_triangles.member[_e1581];
-                                    phi_3202_ = _e1902;
+                                    phi_3203_ = _e1902;
                                 } else {
-                                    phi_3202_ = 0u;
+                                    phi_3203_ = 0u;
                                 }
-                                let _e1904 = phi_3202_;
+                                let _e1904 = phi_3203_;
                                 if (_e1586 < _e126) {
                                     let _e1932 = slimbvh_triangles.member[_e1586];
-                                    phi_3248_ = _e1932;
+                                    phi_3249_ = _e1932;
                                 } else {
-                                    phi_3248_ = 0u;
+                                    phi_3249_ = 0u;
                                 }
-                                let _e1934 = phi_3248_;
-                                phi_3715_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))));
+                                let _e1934 = phi_3249_;
+                                phi_3716_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1865 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1904 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1868)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1879)) & 1023u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | ((_e1934 >> bitcast<u32>(_e1890)) & 1023u))) - 8388608f) * _e172))));
                                 break;
                             }
                             case 1: {
                                 if (_e1576 < _e126) {
                                     let _e1676 = slimbvh_triangles.member[_e1576];
-                                    phi_3295_ = _e1676;
+                                    phi_3296_ = _e1676;
                                 } else {
-                                    phi_3295_ = 0u;
+                                    phi_3296_ = 0u;
                                 }
-                                let _e1678 = phi_3295_;
+                                let _e1678 = phi_3296_;
                                 let _e1679 = (_e1576 + 1u);
                                 if (_e1679 < _e126) {
                                     let _e1682 = slimbvh_triangles.member[_e1679];
-                                    phi_3308_ = _e1682;
+                                    phi_3309_ = _e1682;
                                 } else {
-                                    phi_3308_ = 0u;
+                                    phi_3309_ = 0u;
                                 }
-                                let _e1684 = phi_3308_;
+                                let _e1684 = phi_3309_;
                                 let _e1686 = (_e238 == 1u);
                                 if _e1686 {
-                                    phi_3318_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
+                                    phi_3319_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3318_ = (_e1684 >> bitcast<u32>(10i));
+                                    phi_3319_ = (_e1684 >> bitcast<u32>(10i));
                                 }
-                                let _e1695 = phi_3318_;
+                                let _e1695 = phi_3319_;
                                 let _e1704 = (_e242 == 1u);
                                 if _e1704 {
-                                    phi_3339_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
+                                    phi_3340_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3339_ = (_e1684 >> bitcast<u32>(10i));
+                                    phi_3340_ = (_e1684 >> bitcast<u32>(10i));
                                 }
-                                let _e1713 = phi_3339_;
+                                let _e1713 = phi_3340_;
                                 let _e1722 = (_e234 == 1u);
                                 if _e1722 {
-                                    phi_3360_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
+                                    phi_3361_ = ((_e1678 >> bitcast<u32>(21i)) | (_e1684 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3360_ = (_e1684 >> bitcast<u32>(10i));
+                                    phi_3361_ = (_e1684 >> bitcast<u32>(10i));
                                 }
-                                let _e1731 = phi_3360_;
+                                let _e1731 = phi_3361_;
                                 if (_e1581 < _e126) {
                                     let _e1742 = slimbvh_triangles.member[_e1581];
-                                    phi_3387_ = _e1742;
+                                    phi_3388_ = _e1742;
                                 } else {
-                                    phi_3387_ = 0u;
+                                    phi_3388_ = 0u;
                                 }
-                                let _e1744 = phi_3387_;
+                                let _e1744 = phi_3388_;
                                 let _e1745 = (_e1581 + 1u);
                                 if (_e1745 < _e126) {
                                     let _e1748 = slimbvh_triangles.member[_e1745];
-                                    phi_3400_ = _e1748;
+                                    phi_3401_ = _e1748;
                                 } else {
-                                    phi_3400_ = 0u;
+                                    phi_3401_ = 0u;
                                 }
-                                let _e1750 = phi_3400_;
+                                let _e1750 = phi_3401_;
                                 if _e1686 {
-                                    phi_3410_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
+                                    phi_3411_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3410_ = (_e1750 >> bitcast<u32>(10i));
+                                    phi_3411_ = (_e1750 >> bitcast<u32>(10i));
                                 }
-                                let _e1759 = phi_3410_;
+                                let _e1759 = phi_3411_;
                                 if _e1704 {
-                                    phi_3431_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
+                                    phi_3432_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3431_ = (_e1750 >> bitcast<u32>(10i));
+                                    phi_3432_ = (_e1750 >> bitcast<u32>(10i));
                                 }
-                                let _e1775 = phi_3431_;
+                                let _e1775 = phi_3432_;
                                 if _e1722 {
-                                    phi_3452_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
+                                    phi_3453_ = ((_e1744 >> bitcast<u32>(21i)) | (_e1750 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3452_ = (_e1750 >> bitcast<u32>(10i));
+                                    phi_3453_ = (_e1750 >> bitcast<u32>(10i));
                                 }
-                                let _e1791 = phi_3452_;
+                                let _e1791 = phi_3453_;
                                 if (_e1586 < _e126) {
                                     let _e1802 = slimbvh_triangles.member[_e1586];
-                                    phi_3479_ = _e1802;
+                                    phi_3480_ = _e1802;
                                 } else {
-                                    phi_3479_ = 0u;
+                                    phi_3480_ = 0u;
                                 }
-                                let _e1804 = phi_3479_;
+                                let _e1804 = phi_3480_;
                                 let _e1805 = (_e1586 + 1u);
                                 if (_e1805 < _e126) {
                                     let _e1808 = slimbvh_triangles.member[_e1805];
-                                    phi_3492_ = _e1808;
+                                    phi_3493_ = _e1808;
                                 } else {
-                                    phi_3492_ = 0u;
+                                    phi_3493_ = 0u;
                                 }
-                                let _e1810 = phi_3492_;
+                                let _e1810 = phi_3493_;
                                 if _e1686 {
-                                    phi_3502_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
+                                    phi_3503_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3502_ = (_e1810 >> bitcast<u32>(10i));
+                                    phi_3503_ = (_e1810 >> bitcast<u32>(10i));
                                 }
-                                let _e1819 = phi_3502_;
+                                let _e1819 = phi_3503_;
                                 if _e1704 {
-                                    phi_3523_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
+                                    phi_3524_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3523_ = (_e1810 >> bitcast<u32>(10i));
+                                    phi_3524_ = (_e1810 >> bitcast<u32>(10i));
                                 }
-                                let _e1835 = phi_3523_;
+                                let _e1835 = phi_3524_;
                                 if _e1722 {
-                                    phi_3544_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
+                                    phi_3545_ = ((_e1804 >> bitcast<u32>(21i)) | (_e1810 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3544_ = (_e1810 >> bitcast<u32>(10i));
+                                    phi_3545_ = (_e1810 >> bitcast<u32>(10i));
                                 }
-                                let _e1851 = phi_3544_;
-                                phi_3715_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1695, _e1678, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1713, _e1678, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1731, _e1678, _e250) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1759, _e1744, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1775, _e1744, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1791, _e1744, _e250) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1819, _e1804, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1835, _e1804, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1851, _e1804, _e250) & 2097151u))) - 8388608f) * _e172))));
+                                let _e1851 = phi_3545_;
+                                phi_3716_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1695, _e1678, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1713, _e1678, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1731, _e1678, _e250) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1759, _e1744, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1775, _e1744, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1791, _e1744, _e250) & 2097151u))) - 8388608f) * _e172))), array<f32, 3>((_e1515.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1819, _e1804, _e243) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1835, _e1804, _e246) & 2097151u))) - 8388608f) * _e172)), (_e1515.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1851, _e1804, _e250) & 2097151u))) - 8388608f) * _e172))));
                                 break;
                             }
                             case 2: {
                                 let _e1589 = (_e1576 + _e238);
                                 if (_e1589 < _e126) {
                                     let _e1592 = slimbvh_triangles.member[_e1589];
-                                    phi_3573_ = _e1592;
+                                    phi_3574_ = _e1592;
                                 } else {
-                                    phi_3573_ = 0u;
+                                    phi_3574_ = 0u;
                                 }
-                                let _e1594 = phi_3573_;
+                                let _e1594 = phi_3574_;
                                 let _e1595 = (_e1576 + _e242);
                                 if (_e1595 < _e126) {
                                     let _e1598 = slimbvh_triangles.member[_e1595];
-                                    phi_3586_ = _e1598;
+                                    phi_3587_ = _e1598;
                                 } else {
-                                    phi_3586_ = 0u;
+                                    phi_3587_ = 0u;
                                 }
-                                let _e1600 = phi_3586_;
+                                let _e1600 = phi_3587_;
                                 let _e1601 = (_e1576 + _e234);
                                 if (_e1601 < _e126) {
                                     let _e1604 = slimbvh_triangles.member[_e1601];
-                                    phi_3599_ = _e1604;
+                                    phi_3600_ = _e1604;
                                 } else {
-                                    phi_3599_ = 0u;
+                                    phi_3600_ = 0u;
                                 }
-                                let _e1606 = phi_3599_;
+                                let _e1606 = phi_3600_;
                                 let _e1617 = (_e1581 + _e238);
                                 if (_e1617 < _e126) {
                                     let _e1620 = slimbvh_triangles.member[_e1617];
-                                    phi_3625_ = _e1620;
+                                    phi_3626_ = _e1620;
                                 } else {
-                                    phi_3625_ = 0u;
+                                    phi_3626_ = 0u;
                                 }
-                                let _e1622 = phi_3625_;
+                                let _e1622 = phi_3626_;
                                 let _e1623 = (_e1581 + _e242);
                                 if (_e1623 < _e126) {
                                     let _e1626 = slimbvh_triangles.member[_e1623];
-                                    phi_3638_ = _e1626;
+                                    phi_3639_ = _e1626;
                                 } else {
-                                    phi_3638_ = 0u;
+                                    phi_3639_ = 0u;
                                 }
-                                let _e1628 = phi_3638_;
+                                let _e1628 = phi_3639_;
                                 let _e1629 = (_e1581 + _e234);
                                 if (_e1629 < _e126) {
                                     let _e1632 = slimbvh_triangles.member[_e1629];
-                                    phi_3651_ = _e1632;
+                                    phi_3652_ = _e1632;
                                 } else {
-                                    phi_3651_ = 0u;
+                                    phi_3652_ = 0u;
                                 }
-                                let _e1634 = phi_3651_;
+                                let _e1634 = phi_3652_;
                                 let _e1645 = (_e1586 + _e238);
                                 if (_e1645 < _e126) {
                                     let _e1648 = slimbvh_triangles.member[_e1645];
-                                    phi_3677_ = _e1648;
+                                    phi_3678_ = _e1648;
                                 } else {
-                                    phi_3677_ = 0u;
+                                    phi_3678_ = 0u;
                                 }
-                                let _e1650 = phi_3677_;
+                                let _e1650 = phi_3678_;
                                 let _e1651 = (_e1586 + _e242);
                                 if (_e1651 < _e126) {
                                     let _e1654 = slimbvh_triangles.member[_e1651];
-                                    phi_3690_ = _e1654;
+                                    phi_3691_ = _e1654;
                                 } else {
-                                    phi_3690_ = 0u;
+                                    phi_3691_ = 0u;
                                 }
-                                let _e1656 = phi_3690_;
+                                let _e1656 = phi_3691_;
                                 let _e1657 = (_e1586 + _e234);
                                 if (_e1657 < _e126) {
                                     let _e1660 = slimbvh_triangles.member[_e1657];
-                                    phi_3703_ = _e1660;
+                                    phi_3704_ = _e1660;
                                 } else {
-                                    phi_3703_ = 0u;
+                                    phi_3704_ = 0u;
                                 }
-                                let _e1662 = phi_3703_;
-                                phi_3715_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1594)) * _e172), (f32(bitcast<i32>(_e1600)) * _e172), (f32(bitcast<i32>(_e1606)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1622)) * _e172), (f32(bitcast<i32>(_e1628)) * _e172), (f32(bitcast<i32>(_e1634)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1650)) * _e172), (f32(bitcast<i32>(_e1656)) * _e172), (f32(bitcast<i32>(_e1662)) * _e172)));
+                                let _e1662 = phi_3704_;
+                                phi_3716_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1594)) * _e172), (f32(bitcast<i32>(_e1600)) * _e172), (f32(bitcast<i32>(_e1606)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1622)) * _e172), (f32(bitcast<i32>(_e1628)) * _e172), (f32(bitcast<i32>(_e1634)) * _e172)), array<f32, 3>((f32(bitcast<i32>(_e1650)) * _e172), (f32(bitcast<i32>(_e1656)) * _e172), (f32(bitcast<i32>(_e1662)) * _e172)));
                                 break;
                             }
                             default: {
-                                phi_3715_ = array<array<f32, 3>, 3>();
+                                phi_3716_ = array<array<f32, 3>, 3>();
                                 break;
                             }
                         }
-                        let _e1962 = phi_3715_;
+                        let _e1962 = phi_3716_;
                         let _e1979 = (_e1962[0][2] - _e626.member[2]);
                         let _e1982 = (((_e1962[0][0] - _e626.member[0]) * _e681) - (_e1979 * _e649));
                         let _e1985 = (((_e1962[0][1] - _e626.member[1]) * _e681) - (_e1979 * _e665));
@@ -1222,34 +1222,34 @@ fn slimbvh_trace() {
                                 let _e2147 = max(max(bitcast<f32>((bitcast<u32>(_e2118) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2119) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2120) & 2147483647u)));
                                 let _e2160 = max(max(_e2136, _e2147), max(max(bitcast<f32>((bitcast<u32>(_e2122) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2123) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2124) & 2147483647u))));
                                 if (_e2136 == _e2160) {
-                                    phi_4080_ = _e1994;
-                                    phi_4081_ = _e1991;
-                                    phi_4082_ = _e1985;
-                                    phi_4083_ = _e1982;
-                                    phi_4084_ = vec3<f32>(_e1962[0][0], _e1962[0][1], _e1962[0][2]);
-                                    phi_4085_ = _e2125;
-                                    phi_4086_ = _e2121;
-                                    phi_4087_ = _e2117;
+                                    phi_4081_ = _e1994;
+                                    phi_4082_ = _e1991;
+                                    phi_4083_ = _e1985;
+                                    phi_4084_ = _e1982;
+                                    phi_4085_ = vec3<f32>(_e1962[0][0], _e1962[0][1], _e1962[0][2]);
+                                    phi_4086_ = _e2125;
+                                    phi_4087_ = _e2121;
+                                    phi_4088_ = _e2117;
                                 } else {
                                     let _e2162 = (_e2147 == _e2160);
                                     let _e2167 = vec3(_e2162);
-                                    phi_4080_ = select(_e1985, _e2003, _e2162);
-                                    phi_4081_ = select(_e1982, _e2000, _e2162);
-                                    phi_4082_ = select(_e2003, _e1994, _e2162);
-                                    phi_4083_ = select(_e2000, _e1991, _e2162);
-                                    phi_4084_ = select(vec3<f32>(_e1962[2][0], _e1962[2][1], _e1962[2][2]), vec3<f32>(_e1962[1][0], _e1962[1][1], _e1962[1][2]), _e2167);
-                                    phi_4085_ = select(_e2121, _e2117, _e2167);
-                                    phi_4086_ = select(_e2117, _e2125, _e2167);
-                                    phi_4087_ = select(_e2125, _e2121, _e2167);
+                                    phi_4081_ = select(_e1985, _e2003, _e2162);
+                                    phi_4082_ = select(_e1982, _e2000, _e2162);
+                                    phi_4083_ = select(_e2003, _e1994, _e2162);
+                                    phi_4084_ = select(_e2000, _e1991, _e2162);
+                                    phi_4085_ = select(vec3<f32>(_e1962[2][0], _e1962[2][1], _e1962[2][2]), vec3<f32>(_e1962[1][0], _e1962[1][1], _e1962[1][2]), _e2167);
+                                    phi_4086_ = select(_e2121, _e2117, _e2167);
+                                    phi_4087_ = select(_e2117, _e2125, _e2167);
+                                    phi_4088_ = select(_e2125, _e2121, _e2167);
                                 }
-                                let _e2173 = phi_4080_;
-                                let _e2175 = phi_4081_;
-                                let _e2177 = phi_4082_;
-                                let _e2179 = phi_4083_;
-                                let _e2181 = phi_4084_;
-                                let _e2183 = phi_4085_;
-                                let _e2185 = phi_4086_;
-                                let _e2187 = phi_4087_;
+                                let _e2173 = phi_4081_;
+                                let _e2175 = phi_4082_;
+                                let _e2177 = phi_4083_;
+                                let _e2179 = phi_4084_;
+                                let _e2181 = phi_4085_;
+                                let _e2183 = phi_4086_;
+                                let _e2185 = phi_4087_;
+                                let _e2187 = phi_4088_;
                                 let _e2194 = ((_e2185.y * _e2183.z) - (_e2183.y * _e2185.z));
                                 let _e2199 = ((_e2185.z * _e2183.x) - (_e2183.z * _e2185.x));
                                 let _e2202 = ((_e2185.x * _e2183.y) - (_e2183.x * _e2185.y));
@@ -1271,46 +1271,46 @@ fn slimbvh_trace() {
                                 if (_e2109 && !(_e2321)) {
                                     let _e2325 = (_e2256 / _e681);
                                     let _e2333 = (((_e2194 * (_e2250 - (_e649 * _e2325))) + (_e2199 * (_e2253 - (_e665 * _e2325)))) / _e2225);
-                                    phi_4266_ = select(select(_e2325, (_e2325 + _e2333), (bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)) <= _e2160)), _e2322, _e2321);
+                                    phi_4267_ = select(select(_e2325, (_e2325 + _e2333), (bitcast<f32>((bitcast<u32>(_e2333) & 2147483647u)) <= _e2160)), _e2322, _e2321);
                                 } else {
-                                    phi_4266_ = _e2322;
+                                    phi_4267_ = _e2322;
                                 }
-                                let _e2342 = phi_4266_;
+                                let _e2342 = phi_4267_;
                                 let _e2344 = select(_e2082, _e2342, (_e2342 < _e2082));
                                 let _e2346 = select(_e2077, _e2344, (_e2344 > _e2077));
                                 let _e2349 = select(_e2346, 0f, (bitcast<u32>(_e2346) == 2147483648u));
                                 let _e2350 = (1f / _e2036);
-                                phi_4292_ = SlimbvhTypeE(_e2349, (_e2030 * _e2350), (_e2034 * _e2350), ((_e2109 && (_e2349 >= _e693)) && (_e2349 <= _e1522.member.member_1)));
-                                phi_4293_ = SlimbvhTypeE();
+                                phi_4293_ = SlimbvhTypeE(_e2349, (_e2030 * _e2350), (_e2034 * _e2350), ((_e2109 && (_e2349 >= _e693)) && (_e2349 <= _e1522.member.member_1)));
+                                phi_4294_ = SlimbvhTypeE();
                             } else {
-                                phi_4292_ = SlimbvhTypeE();
-                                phi_4293_ = SlimbvhTypeE(0f, 0f, 0f, _e2109);
+                                phi_4293_ = SlimbvhTypeE();
+                                phi_4294_ = SlimbvhTypeE(0f, 0f, 0f, _e2109);
                             }
-                            let _e2359 = phi_4292_;
-                            let _e2361 = phi_4293_;
-                            phi_4296_ = _e2359;
-                            phi_4297_ = _e2361;
-                            phi_4298_ = select(true, false, _e2109);
+                            let _e2359 = phi_4293_;
+                            let _e2361 = phi_4294_;
+                            phi_4297_ = _e2359;
+                            phi_4298_ = _e2361;
+                            phi_4299_ = select(true, false, _e2109);
                         } else {
-                            phi_4296_ = SlimbvhTypeE();
-                            phi_4297_ = SlimbvhTypeE(0f, 0f, 0f, _e2020);
-                            phi_4298_ = true;
+                            phi_4297_ = SlimbvhTypeE();
+                            phi_4298_ = SlimbvhTypeE(0f, 0f, 0f, _e2020);
+                            phi_4299_ = true;
                         }
-                        let _e2364 = phi_4296_;
-                        let _e2366 = phi_4297_;
-                        let _e2368 = phi_4298_;
+                        let _e2364 = phi_4297_;
+                        let _e2366 = phi_4298_;
+                        let _e2368 = phi_4299_;
                         if _e2368 {
-                            phi_4302_ = _e2366;
+                            phi_4303_ = _e2366;
                         } else {
-                            phi_4302_ = _e2364;
+                            phi_4303_ = _e2364;
                         }
-                        let _e2370 = phi_4302_;
+                        let _e2370 = phi_4303_;
                         if _e2370.member_3 {
-                            phi_4311_ = SlimbvhTypeF(_e2370.member, _e2370.member_1, _e2370.member_2, _e1551);
+                            phi_4312_ = SlimbvhTypeF(_e2370.member, _e2370.member_1, _e2370.member_2, _e1551);
                         } else {
-                            phi_4311_ = _e119;
+                            phi_4312_ = _e119;
                         }
-                        let _e2377 = phi_4311_;
+                        let _e2377 = phi_4312_;
                         if (_e2377.member_3 != 4294967295u) {
                             let _e2383 = slimbvh_target.member[0u][0u];
                             let _e2387 = slimbvh_target.member[0u][1u];
@@ -1326,15 +1326,15 @@ fn slimbvh_trace() {
                             let _e2416 = bitcast<f32>(_e2399);
                             let _e2417 = array<u32, 3>(_e2403, _e2407, _e2411);
                             if (_e196 < -126i) {
-                                phi_4364_ = -126i;
+                                phi_4365_ = -126i;
                             } else {
-                                phi_4364_ = select(_e196, 127i, (_e196 > 127i));
+                                phi_4365_ = select(_e196, 127i, (_e196 > 127i));
                             }
-                            let _e2423 = phi_4364_;
+                            let _e2423 = phi_4365_;
                             let _e2428 = bitcast<f32>((bitcast<u32>((_e2423 + 127i)) << bitcast<u32>(23i)));
                             let _e2434 = bitcast<f32>((bitcast<u32>(((_e196 - _e2423) + 127i)) << bitcast<u32>(23i)));
                             if (_e2395 == 0u) {
-                                phi_4504_ = SlimbvhTypeH(array<f32, 3>(_e2412, _e2413, _e2414), _e2395, _e2416, _e2417);
+                                phi_4505_ = SlimbvhTypeH(array<f32, 3>(_e2412, _e2413, _e2414), _e2395, _e2416, _e2417);
                             } else {
                                 let _e2436 = bitcast<u32>(_e2412);
                                 let _e2438 = ((_e2436 & 2139095040u) != 0u);
@@ -1344,61 +1344,61 @@ fn slimbvh_trace() {
                                 let _e2472 = ((_e2470 & 2139095040u) != 0u);
                                 let _e2488 = bitcast<u32>(_e2416);
                                 let _e2490 = ((_e2488 & 2139095040u) != 0u);
-                                phi_4504_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2436 & 2147483648u))), _e2412, _e2438) * _e2428) * select(0.00000011920929f, 1f, _e2438)) * _e2434), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2453 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2453 & 2147483648u))), _e2413, _e2455) * _e2428) * select(0.00000011920929f, 1f, _e2455)) * _e2434), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2470 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2470 & 2147483648u))), _e2414, _e2472) * _e2428) * select(0.00000011920929f, 1f, _e2472)) * _e2434)), _e2395, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2488 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2488 & 2147483648u))), _e2416, _e2490) * _e2428) * select(0.00000011920929f, 1f, _e2490)) * _e2434), _e2417);
+                                phi_4505_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2436 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2436 & 2147483648u))), _e2412, _e2438) * _e2428) * select(0.00000011920929f, 1f, _e2438)) * _e2434), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2453 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2453 & 2147483648u))), _e2413, _e2455) * _e2428) * select(0.00000011920929f, 1f, _e2455)) * _e2434), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2470 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2470 & 2147483648u))), _e2414, _e2472) * _e2428) * select(0.00000011920929f, 1f, _e2472)) * _e2434)), _e2395, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2488 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2488 & 2147483648u))), _e2416, _e2490) * _e2428) * select(0.00000011920929f, 1f, _e2490)) * _e2434), _e2417);
                             }
-                            let _e2507 = phi_4504_;
+                            let _e2507 = phi_4505_;
                             if (_e1551 == _e697) {
-                                phi_4833_ = false;
+                                phi_4834_ = false;
                             } else {
                                 let _e2509 = (_e1551 / 16u);
                                 if (_e2509 < arrayLength((&slimbvh_sides.member))) {
                                     let _e2512 = slimbvh_sides.member[_e2509];
-                                    phi_4528_ = _e2512;
+                                    phi_4529_ = _e2512;
                                 } else {
-                                    phi_4528_ = 0u;
+                                    phi_4529_ = 0u;
                                 }
-                                let _e2514 = phi_4528_;
+                                let _e2514 = phi_4529_;
                                 let _e2523 = (bitcast<i32>((_e2514 << bitcast<u32>(((30u - ((_e1551 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
                                 let _e2524 = (_e2523 == 0i);
                                 if _e2524 {
-                                    phi_4832_ = true;
+                                    phi_4833_ = true;
                                 } else {
                                     if _e243 {
-                                        phi_4558_ = vec3<f32>(_e1962[0][0], _e1962[0][1], _e1962[0][2]);
+                                        phi_4559_ = vec3<f32>(_e1962[0][0], _e1962[0][1], _e1962[0][2]);
                                     } else {
                                         if (_e238 == 1u) {
-                                            phi_4557_ = vec3<f32>(_e1962[0][2], _e1962[0][0], _e1962[0][1]);
+                                            phi_4558_ = vec3<f32>(_e1962[0][2], _e1962[0][0], _e1962[0][1]);
                                         } else {
-                                            phi_4557_ = vec3<f32>(_e1962[0][1], _e1962[0][2], _e1962[0][0]);
+                                            phi_4558_ = vec3<f32>(_e1962[0][1], _e1962[0][2], _e1962[0][0]);
                                         }
-                                        let _e2529 = phi_4557_;
-                                        phi_4558_ = _e2529;
+                                        let _e2529 = phi_4558_;
+                                        phi_4559_ = _e2529;
                                     }
-                                    let _e2532 = phi_4558_;
+                                    let _e2532 = phi_4559_;
                                     if _e243 {
-                                        phi_4577_ = vec3<f32>(_e1962[1][0], _e1962[1][1], _e1962[1][2]);
+                                        phi_4578_ = vec3<f32>(_e1962[1][0], _e1962[1][1], _e1962[1][2]);
                                     } else {
                                         if (_e238 == 1u) {
-                                            phi_4576_ = vec3<f32>(_e1962[1][2], _e1962[1][0], _e1962[1][1]);
+                                            phi_4577_ = vec3<f32>(_e1962[1][2], _e1962[1][0], _e1962[1][1]);
                                         } else {
-                                            phi_4576_ = vec3<f32>(_e1962[1][1], _e1962[1][2], _e1962[1][0]);
+                                            phi_4577_ = vec3<f32>(_e1962[1][1], _e1962[1][2], _e1962[1][0]);
                                         }
-                                        let _e2537 = phi_4576_;
-                                        phi_4577_ = _e2537;
+                                        let _e2537 = phi_4577_;
+                                        phi_4578_ = _e2537;
                                     }
-                                    let _e2540 = phi_4577_;
+                                    let _e2540 = phi_4578_;
                                     if _e243 {
-                                        phi_4596_ = vec3<f32>(_e1962[2][0], _e1962[2][1], _e1962[2][2]);
+                                        phi_4597_ = vec3<f32>(_e1962[2][0], _e1962[2][1], _e1962[2][2]);
                                     } else {
                                         if (_e238 == 1u) {
-                                            phi_4595_ = vec3<f32>(_e1962[2][2], _e1962[2][0], _e1962[2][1]);
+                                            phi_4596_ = vec3<f32>(_e1962[2][2], _e1962[2][0], _e1962[2][1]);
                                         } else {
-                                            phi_4595_ = vec3<f32>(_e1962[2][1], _e1962[2][2], _e1962[2][0]);
+                                            phi_4596_ = vec3<f32>(_e1962[2][1], _e1962[2][2], _e1962[2][0]);
                                         }
-                                        let _e2545 = phi_4595_;
-                                        phi_4596_ = _e2545;
+                                        let _e2545 = phi_4596_;
+                                        phi_4597_ = _e2545;
                                     }
-                                    let _e2548 = phi_4596_;
+                                    let _e2548 = phi_4597_;
                                     let _e2551 = (_e2540.x - _e2532.x);
                                     let _e2554 = (_e2540.y - _e2532.y);
                                     let _e2557 = (_e2540.z - _e2532.z);
@@ -1406,11 +1406,11 @@ fn slimbvh_trace() {
                                     let _e2561 = (_e2548.y - _e2532.y);
                                     let _e2563 = (_e2548.z - _e2532.z);
                                     if (_e2507.member_1 == 1u) {
-                                        phi_4632_ = (vec3<f32>(_e2507.member[0], _e2507.member[1], _e2507.member[2]) - _e2532);
+                                        phi_4633_ = (vec3<f32>(_e2507.member[0], _e2507.member[1], _e2507.member[2]) - _e2532);
                                     } else {
-                                        phi_4632_ = vec3<f32>(_e2507.member[0], _e2507.member[1], _e2507.member[2]);
+                                        phi_4633_ = vec3<f32>(_e2507.member[0], _e2507.member[1], _e2507.member[2]);
                                     }
-                                    let _e2578 = phi_4632_;
+                                    let _e2578 = phi_4633_;
                                     let _e2584 = bitcast<f32>((bitcast<u32>((_e2551 * _e2561)) ^ _e2507.member_3[0]));
                                     let _e2588 = bitcast<f32>((bitcast<u32>((_e2554 * _e2559)) ^ _e2507.member_3[0]));
                                     let _e2592 = bitcast<f32>((bitcast<u32>((_e2554 * _e2563)) ^ _e2507.member_3[0]));
@@ -1424,7 +1424,7 @@ fn slimbvh_trace() {
                                     let _e2638 = (bitcast<f32>((bitcast<u32>(_e2600) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2604) & 2147483647u)));
                                     let _e2645 = (bitcast<f32>((bitcast<u32>(_e2584) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2588) & 2147483647u)));
                                     if (_e2507.member_2 == 0f) {
-                                        phi_4814_ = 0f;
+                                        phi_4815_ = 0f;
                                     } else {
                                         let _e2675 = bitcast<f32>((bitcast<u32>(_e2605) & 2147483647u));
                                         let _e2678 = bitcast<f32>((bitcast<u32>(_e2606) & 2147483647u));
@@ -1434,59 +1434,59 @@ fn slimbvh_trace() {
                                         let _e2691 = select(_e2678, _e2675, (_e2675 < _e2678));
                                         let _e2693 = select(_e2678, _e2675, (_e2675 > _e2678));
                                         let _e2695 = select(_e2681, _e2693, (_e2693 < _e2681));
-                                        phi_4814_ = bitcast<f32>((bitcast<u32>((_e2507.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2683, _e2675, (_e2675 > _e2683)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2695, _e2691, (_e2691 > _e2695)))) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2687, _e2675, (_e2675 < _e2687)))) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2631 + _e2638) + _e2645))) ^ _e2507.member_3[0]))) * 1.0000005f)) ^ _e2507.member_3[0])))) ^ _e2507.member_3[0]));
+                                        phi_4815_ = bitcast<f32>((bitcast<u32>((_e2507.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2683, _e2675, (_e2675 > _e2683)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2695, _e2691, (_e2691 > _e2695)))) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2687, _e2675, (_e2675 < _e2687)))) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2631 + _e2638) + _e2645))) ^ _e2507.member_3[0]))) * 1.0000005f)) ^ _e2507.member_3[0])))) ^ _e2507.member_3[0]));
                                     }
-                                    let _e2722 = phi_4814_;
-                                    phi_4832_ = (_e2524 || !(((((bitcast<f32>((bitcast<u32>((_e2578.x * _e2605)) ^ _e2507.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2578.y * _e2606)) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2578.z * _e2607)) ^ _e2507.member_3[0]))) * f32(-(_e2523))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.x) & 2147483647u)) * _e2631)) ^ _e2507.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.y) & 2147483647u)) * _e2638)) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.z) & 2147483647u)) * _e2645)) ^ _e2507.member_3[0]))))) ^ _e2507.member_3[0])) + _e2722) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e2722 = phi_4815_;
+                                    phi_4833_ = (_e2524 || !(((((bitcast<f32>((bitcast<u32>((_e2578.x * _e2605)) ^ _e2507.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2578.y * _e2606)) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2578.z * _e2607)) ^ _e2507.member_3[0]))) * f32(-(_e2523))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.x) & 2147483647u)) * _e2631)) ^ _e2507.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.y) & 2147483647u)) * _e2638)) ^ _e2507.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2578.z) & 2147483647u)) * _e2645)) ^ _e2507.member_3[0]))))) ^ _e2507.member_3[0])) + _e2722) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e2736 = phi_4832_;
-                                phi_4833_ = _e2736;
+                                let _e2736 = phi_4833_;
+                                phi_4834_ = _e2736;
                             }
-                            let _e2738 = phi_4833_;
+                            let _e2738 = phi_4834_;
                             if _e2738 {
                                 if (_e2377.member < _e1522.member.member.member) {
-                                    phi_4853_ = true;
+                                    phi_4854_ = true;
                                 } else {
                                     if (_e2377.member == _e1522.member.member.member) {
-                                        phi_4852_ = (_e2377.member_3 < _e1522.member.member.member_3);
+                                        phi_4853_ = (_e2377.member_3 < _e1522.member.member.member_3);
                                     } else {
-                                        phi_4852_ = false;
+                                        phi_4853_ = false;
                                     }
-                                    let _e2750 = phi_4852_;
-                                    phi_4853_ = _e2750;
+                                    let _e2750 = phi_4853_;
+                                    phi_4854_ = _e2750;
                                 }
-                                let _e2752 = phi_4853_;
+                                let _e2752 = phi_4854_;
                                 if _e2752 {
-                                    phi_4860_ = SlimbvhTypeP(SlimbvhTypeI(_e2377, _e2377.member), _e1522.member_1);
+                                    phi_4861_ = SlimbvhTypeP(SlimbvhTypeI(_e2377, _e2377.member), _e1522.member_1);
                                 } else {
-                                    phi_4860_ = _e1522;
+                                    phi_4861_ = _e1522;
                                 }
-                                let _e2758 = phi_4860_;
+                                let _e2758 = phi_4861_;
                                 if _e2758.member_1 {
-                                    phi_4866_ = SlimbvhTypeP(SlimbvhTypeI(_e2758.member.member, bitcast<f32>(4286578687u)), _e2758.member_1);
+                                    phi_4867_ = SlimbvhTypeP(SlimbvhTypeI(_e2758.member.member, bitcast<f32>(4286578687u)), _e2758.member_1);
                                 } else {
-                                    phi_4866_ = _e2758;
+                                    phi_4867_ = _e2758;
                                 }
-                                let _e2767 = phi_4866_;
-                                phi_4867_ = _e2767;
+                                let _e2767 = phi_4867_;
+                                phi_4868_ = _e2767;
                             } else {
-                                phi_4867_ = _e1522;
+                                phi_4868_ = _e1522;
                             }
-                            let _e2769 = phi_4867_;
-                            phi_4868_ = _e2769;
+                            let _e2769 = phi_4868_;
+                            phi_4869_ = _e2769;
                         } else {
-                            phi_4868_ = _e1522;
+                            phi_4869_ = _e1522;
                         }
-                        let _e2771 = phi_4868_;
-                        phi_3022_ = _e2771;
+                        let _e2771 = phi_4869_;
+                        phi_3023_ = _e2771;
                     } else {
-                        phi_3022_ = SlimbvhTypeP();
+                        phi_3023_ = SlimbvhTypeP();
                     }
-                    let _e2773 = phi_3022_;
+                    let _e2773 = phi_3023_;
                     continue;
                     continuing {
-                        phi_3021_ = _e2773;
-                        phi_3024_ = _e1537;
+                        phi_3022_ = _e2773;
+                        phi_3025_ = _e1537;
                         break if !(_e1543);
                     }
                 }
@@ -1510,31 +1510,31 @@ fn slimbvh_trace() {
                     let _e2818 = (_e2801 & 3u);
                     if (((_e2817 >> bitcast<u32>((((3u * _e2818) & 31u) & 31u))) & 7u) == 7u) {
                         let _e2830 = ((_e2817 | (_e2817 << bitcast<u32>(10i))) & 4128831u);
-                        phi_4957_ = (((_e2808 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2830 | (_e2830 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2818) & 31u) & 31u))) & 255u));
+                        phi_4958_ = (((_e2808 >> bitcast<u32>(5u)) & 8388607u) + ((((((((_e2830 | (_e2830 << bitcast<u32>(5i))) & 117901063u) + 16843009u) >> bitcast<u32>(3i)) & 16843009u) * 16843008u) >> bitcast<u32>((((8u * _e2818) & 31u) & 31u))) & 255u));
                     } else {
-                        phi_4957_ = (2147483648u | _e2801);
+                        phi_4958_ = (2147483648u | _e2801);
                     }
-                    let _e2848 = phi_4957_;
-                    phi_4958_ = _e2848;
+                    let _e2848 = phi_4958_;
+                    phi_4959_ = _e2848;
                 } else {
-                    phi_4958_ = 4294967295u;
+                    phi_4959_ = 4294967295u;
                 }
-                let _e2850 = phi_4958_;
+                let _e2850 = phi_4959_;
                 let _e2852 = local_5;
                 let _e3150 = local_7;
-                phi_4967_ = _e3150;
-                phi_4968_ = select(select(_e2793, _e2777, _e2786), 4294967295u, (_e693 > _e2852.member.member_1));
-                phi_4969_ = _e2850;
+                phi_4968_ = _e3150;
+                phi_4969_ = select(select(_e2793, _e2777, _e2786), 4294967295u, (_e693 > _e2852.member.member_1));
+                phi_4970_ = _e2850;
             } else {
-                phi_4967_ = _e806;
+                phi_4968_ = _e806;
                 let _e3153 = local_8;
-                phi_4968_ = _e3153;
+                phi_4969_ = _e3153;
                 let _e3156 = local_9;
-                phi_4969_ = _e3156;
+                phi_4970_ = _e3156;
             }
-            let _e2858 = phi_4967_;
-            let _e2860 = phi_4968_;
-            let _e2862 = phi_4969_;
+            let _e2858 = phi_4968_;
+            let _e2860 = phi_4969_;
+            let _e2862 = phi_4970_;
             phi_1863_ = _e2858;
             phi_1866_ = _e2860;
             phi_1868_ = _e2862;
@@ -1566,110 +1566,110 @@ fn slimbvh_trace() {
         let _e2884 = (bitcast<i32>((_e2880 >> bitcast<u32>(23i))) & 255i);
         let _e2885 = (_e2884 + _e2879);
         if (_e2884 == 255i) {
-            phi_5026_ = _e2873.member.member.member;
+            phi_5027_ = _e2873.member.member.member;
         } else {
             if (_e2884 > 0i) {
                 if (_e2885 > 0i) {
                     let _e2889 = (_e2885 < 255i);
                     if _e2889 {
-                        phi_5005_ = bitcast<f32>((_e2880 + bitcast<u32>((_e2879 << bitcast<u32>(23i)))));
+                        phi_5006_ = bitcast<f32>((_e2880 + bitcast<u32>((_e2879 << bitcast<u32>(23i)))));
                     } else {
-                        phi_5005_ = f32();
+                        phi_5006_ = f32();
                     }
-                    let _e2896 = phi_5005_;
-                    phi_5007_ = _e2896;
-                    phi_5008_ = select(true, false, _e2889);
+                    let _e2896 = phi_5006_;
+                    phi_5008_ = _e2896;
+                    phi_5009_ = select(true, false, _e2889);
                 } else {
-                    phi_5007_ = f32();
-                    phi_5008_ = true;
+                    phi_5008_ = f32();
+                    phi_5009_ = true;
                 }
-                let _e2899 = phi_5007_;
-                let _e2901 = phi_5008_;
-                phi_5009_ = _e2899;
-                phi_5010_ = _e2901;
+                let _e2899 = phi_5008_;
+                let _e2901 = phi_5009_;
+                phi_5010_ = _e2899;
+                phi_5011_ = _e2901;
             } else {
-                phi_5009_ = f32();
-                phi_5010_ = true;
+                phi_5010_ = f32();
+                phi_5011_ = true;
             }
-            let _e2903 = phi_5009_;
-            let _e2905 = phi_5010_;
+            let _e2903 = phi_5010_;
+            let _e2905 = phi_5011_;
             if _e2905 {
                 let _e2906 = (_e2880 & 2147483648u);
                 let _e2913 = ((_e2880 & 8388607u) | (select(0u, 1u, ((_e2880 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                 let _e2917 = (_e2913 == 0u);
                 if _e2917 {
-                    phi_5686_ = bitcast<f32>(_e2906);
+                    phi_5687_ = bitcast<f32>(_e2906);
                 } else {
                     let _e2922 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2913)), 32u, _e2917) - 8u);
                     let _e2925 = (_e2913 << bitcast<u32>((_e2922 & 31u)));
                     let _e2927 = ((_e2885 + select(0i, 1i, (_e2884 == 0i))) - bitcast<i32>(_e2922));
                     if (_e2927 >= 255i) {
-                        phi_5676_ = bitcast<f32>((_e2906 | 2139095040u));
-                        phi_5677_ = f32();
-                        phi_5678_ = true;
+                        phi_5677_ = bitcast<f32>((_e2906 | 2139095040u));
+                        phi_5678_ = f32();
+                        phi_5679_ = true;
                     } else {
                         let _e2929 = (_e2927 > 0i);
                         if _e2929 {
-                            phi_5670_ = bitcast<f32>(((_e2906 | (bitcast<u32>(_e2927) << bitcast<u32>(23i))) | (_e2925 & 8388607u)));
-                            phi_5671_ = f32();
+                            phi_5671_ = bitcast<f32>(((_e2906 | (bitcast<u32>(_e2927) << bitcast<u32>(23i))) | (_e2925 & 8388607u)));
+                            phi_5672_ = f32();
                         } else {
                             if (_e2927 < -24i) {
-                                phi_5636_ = 26u;
+                                phi_5637_ = 26u;
                             } else {
-                                phi_5636_ = bitcast<u32>((1i - _e2927));
+                                phi_5637_ = bitcast<u32>((1i - _e2927));
                             }
-                            let _e2934 = phi_5636_;
+                            let _e2934 = phi_5637_;
                             let _e2935 = (_e2934 & 31u);
                             let _e2937 = (_e2925 >> bitcast<u32>(_e2935));
                             let _e2941 = (_e2925 & ((1u << bitcast<u32>(_e2935)) - 1u));
                             let _e2945 = (1u << bitcast<u32>(((_e2934 - 1u) & 31u)));
                             if (_e2941 > _e2945) {
-                                phi_5657_ = true;
+                                phi_5658_ = true;
                             } else {
                                 if (_e2941 == _e2945) {
-                                    phi_5654_ = ((_e2937 & 1u) == 1u);
+                                    phi_5655_ = ((_e2937 & 1u) == 1u);
                                 } else {
-                                    phi_5654_ = false;
+                                    phi_5655_ = false;
                                 }
-                                let _e2951 = phi_5654_;
-                                phi_5657_ = _e2951;
+                                let _e2951 = phi_5655_;
+                                phi_5658_ = _e2951;
                             }
-                            let _e2953 = phi_5657_;
-                            phi_5670_ = f32();
-                            phi_5671_ = bitcast<f32>((_e2906 | (_e2937 + select(0u, 1u, _e2953))));
+                            let _e2953 = phi_5658_;
+                            phi_5671_ = f32();
+                            phi_5672_ = bitcast<f32>((_e2906 | (_e2937 + select(0u, 1u, _e2953))));
                         }
-                        let _e2966 = phi_5670_;
-                        let _e2968 = phi_5671_;
-                        phi_5676_ = _e2966;
-                        phi_5677_ = _e2968;
-                        phi_5678_ = _e2929;
+                        let _e2966 = phi_5671_;
+                        let _e2968 = phi_5672_;
+                        phi_5677_ = _e2966;
+                        phi_5678_ = _e2968;
+                        phi_5679_ = _e2929;
                     }
-                    let _e2972 = phi_5676_;
-                    let _e2974 = phi_5677_;
-                    let _e2976 = phi_5678_;
-                    phi_5686_ = select(_e2974, _e2972, _e2976);
+                    let _e2972 = phi_5677_;
+                    let _e2974 = phi_5678_;
+                    let _e2976 = phi_5679_;
+                    phi_5687_ = select(_e2974, _e2972, _e2976);
                 }
-                let _e2980 = phi_5686_;
-                phi_5025_ = _e2980;
+                let _e2980 = phi_5687_;
+                phi_5026_ = _e2980;
             } else {
-                phi_5025_ = _e2903;
+                phi_5026_ = _e2903;
             }
-            let _e2982 = phi_5025_;
-            phi_5026_ = _e2982;
+            let _e2982 = phi_5026_;
+            phi_5027_ = _e2982;
         }
-        let _e2984 = phi_5026_;
+        let _e2984 = phi_5027_;
         let _e2985 = bitcast<u32>(_e2984);
         if ((_e2985 & 2147483647u) >= 2139095040u) {
-            phi_5038_ = bitcast<f32>(((_e2985 & 2147483648u) | 2139095039u));
+            phi_5039_ = bitcast<f32>(((_e2985 & 2147483648u) | 2139095039u));
         } else {
-            phi_5038_ = _e2984;
+            phi_5039_ = _e2984;
         }
-        let _e2992 = phi_5038_;
-        phi_5043_ = SlimbvhTypeF(_e2992, _e2873.member.member.member_1, _e2873.member.member.member_2, _e2873.member.member.member_3);
+        let _e2992 = phi_5039_;
+        phi_5044_ = SlimbvhTypeF(_e2992, _e2873.member.member.member_1, _e2873.member.member.member_2, _e2873.member.member.member_3);
     } else {
-        phi_5043_ = _e119;
+        phi_5044_ = _e119;
     }
-    let _e2997 = phi_5043_;
+    let _e2997 = phi_5044_;
     slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2997.member), bitcast<u32>(_e2997.member_1), bitcast<u32>(_e2997.member_2), _e2997.member_3);
     return;
 }

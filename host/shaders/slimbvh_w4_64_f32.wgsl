@@ -161,111 +161,111 @@ fn slimbvh_trace() {
     var phi_1845_: u32;
     var phi_1848_: u32;
     var phi_1850_: u32;
-    var phi_1956_: SlimbvhTypeM;
     var phi_1957_: SlimbvhTypeM;
-    var phi_2016_: SlimbvhTypeM;
+    var phi_1958_: SlimbvhTypeM;
     var phi_2017_: SlimbvhTypeM;
-    var phi_2076_: SlimbvhTypeM;
+    var phi_2018_: SlimbvhTypeM;
     var phi_2077_: SlimbvhTypeM;
-    var phi_2561_: u32;
-    var phi_2574_: u32;
-    var phi_2587_: u32;
-    var phi_2600_: u32;
-    var phi_4571_: SlimbvhTypeE;
-    var phi_4583_: SlimbvhTypeE;
-    var phi_4595_: SlimbvhTypeE;
-    var phi_4607_: SlimbvhTypeE;
-    var phi_4619_: SlimbvhTypeE;
-    var phi_2681_: u32;
-    var phi_2686_: u32;
+    var phi_2078_: SlimbvhTypeM;
+    var phi_2562_: u32;
+    var phi_2575_: u32;
+    var phi_2588_: u32;
+    var phi_2601_: u32;
+    var phi_4572_: SlimbvhTypeE;
+    var phi_4584_: SlimbvhTypeE;
+    var phi_4596_: SlimbvhTypeE;
+    var phi_4608_: SlimbvhTypeE;
+    var phi_4620_: SlimbvhTypeE;
+    var phi_2682_: u32;
     var phi_2687_: u32;
-    var phi_2711_: u32;
+    var phi_2688_: u32;
+    var phi_2712_: u32;
     var phi_1846_: u32;
     var phi_1849_: u32;
     var phi_1851_: u32;
     var local_1: bool;
     var local_2: u32;
     var local_3: u32;
-    var phi_2728_: SlimbvhTypeP;
-    var phi_2731_: SlimbvhTypeE;
+    var phi_2729_: SlimbvhTypeP;
     var phi_2732_: SlimbvhTypeE;
-    var phi_2754_: SlimbvhTypeE;
-    var phi_2833_: array<vec4<f32>, 3>;
+    var phi_2733_: SlimbvhTypeE;
+    var phi_2755_: SlimbvhTypeE;
     var phi_2834_: array<vec4<f32>, 3>;
-    var phi_2914_: array<vec4<f32>, 3>;
+    var phi_2835_: array<vec4<f32>, 3>;
     var phi_2915_: array<vec4<f32>, 3>;
-    var phi_2938_: array<f32, 3>;
+    var phi_2916_: array<vec4<f32>, 3>;
     var phi_2939_: array<f32, 3>;
-    var phi_2953_: array<f32, 3>;
+    var phi_2940_: array<f32, 3>;
     var phi_2954_: array<f32, 3>;
-    var phi_2968_: array<f32, 3>;
+    var phi_2955_: array<f32, 3>;
     var phi_2969_: array<f32, 3>;
-    var phi_3328_: f32;
+    var phi_2970_: array<f32, 3>;
     var phi_3329_: f32;
     var phi_3330_: f32;
     var phi_3331_: f32;
-    var phi_3332_: vec3<f32>;
+    var phi_3332_: f32;
     var phi_3333_: vec3<f32>;
     var phi_3334_: vec3<f32>;
     var phi_3335_: vec3<f32>;
-    var phi_3514_: f32;
-    var phi_3540_: SlimbvhTypeF;
+    var phi_3336_: vec3<f32>;
+    var phi_3515_: f32;
     var phi_3541_: SlimbvhTypeF;
-    var phi_3544_: SlimbvhTypeF;
+    var phi_3542_: SlimbvhTypeF;
     var phi_3545_: SlimbvhTypeF;
-    var phi_3546_: bool;
-    var phi_3550_: SlimbvhTypeF;
-    var phi_3559_: SlimbvhTypeG;
-    var phi_3612_: i32;
-    var phi_3752_: SlimbvhTypeI;
-    var phi_3776_: u32;
-    var phi_3804_: vec3<f32>;
+    var phi_3546_: SlimbvhTypeF;
+    var phi_3547_: bool;
+    var phi_3551_: SlimbvhTypeF;
+    var phi_3560_: SlimbvhTypeG;
+    var phi_3613_: i32;
+    var phi_3753_: SlimbvhTypeI;
+    var phi_3777_: u32;
     var phi_3805_: vec3<f32>;
-    var phi_3822_: vec3<f32>;
+    var phi_3806_: vec3<f32>;
     var phi_3823_: vec3<f32>;
-    var phi_3840_: vec3<f32>;
+    var phi_3824_: vec3<f32>;
     var phi_3841_: vec3<f32>;
-    var phi_3877_: vec3<f32>;
-    var phi_4059_: f32;
-    var phi_4077_: bool;
+    var phi_3842_: vec3<f32>;
+    var phi_3878_: vec3<f32>;
+    var phi_4060_: f32;
     var phi_4078_: bool;
-    var phi_4097_: bool;
+    var phi_4079_: bool;
     var phi_4098_: bool;
-    var phi_4105_: SlimbvhTypeP;
-    var phi_4111_: SlimbvhTypeP;
+    var phi_4099_: bool;
+    var phi_4106_: SlimbvhTypeP;
     var phi_4112_: SlimbvhTypeP;
     var phi_4113_: SlimbvhTypeP;
-    var phi_2729_: SlimbvhTypeP;
+    var phi_4114_: SlimbvhTypeP;
+    var phi_2730_: SlimbvhTypeP;
     var local_4: u32;
     var local_5: u32;
-    var phi_4172_: u32;
+    var phi_4173_: u32;
     var local_6: SlimbvhTypeP;
-    var phi_4181_: SlimbvhTypeP;
-    var phi_4182_: u32;
+    var phi_4182_: SlimbvhTypeP;
     var phi_4183_: u32;
+    var phi_4184_: u32;
     var phi_1830_: SlimbvhTypeP;
     var phi_1833_: u32;
     var phi_1835_: u32;
     var phi_1837_: u32;
     var local_7: SlimbvhTypeP;
-    var phi_4219_: f32;
-    var phi_4221_: f32;
-    var phi_4222_: bool;
-    var phi_4223_: f32;
-    var phi_4224_: bool;
-    var phi_4850_: u32;
-    var phi_4868_: bool;
-    var phi_4871_: bool;
-    var phi_4884_: f32;
+    var phi_4220_: f32;
+    var phi_4222_: f32;
+    var phi_4223_: bool;
+    var phi_4224_: f32;
+    var phi_4225_: bool;
+    var phi_4851_: u32;
+    var phi_4869_: bool;
+    var phi_4872_: bool;
     var phi_4885_: f32;
-    var phi_4890_: f32;
+    var phi_4886_: f32;
     var phi_4891_: f32;
-    var phi_4892_: bool;
-    var phi_4900_: f32;
-    var phi_4239_: f32;
+    var phi_4892_: f32;
+    var phi_4893_: bool;
+    var phi_4901_: f32;
     var phi_4240_: f32;
-    var phi_4252_: f32;
-    var phi_4257_: SlimbvhTypeG;
+    var phi_4241_: f32;
+    var phi_4253_: f32;
+    var phi_4258_: SlimbvhTypeG;
     var local_8: SlimbvhTypeP;
     var local_9: u32;
     var local_10: u32;
@@ -629,38 +629,38 @@ fn slimbvh_trace() {
                     let _e827 = bitcast<f32>(_e807.x);
                     let _e832 = (_e827 + (f32((_e807.w >> bitcast<u32>(5u))) * _e147));
                     if (_e692 == 0u) {
-                        phi_1956_ = SlimbvhTypeM(_e807.z, _e832);
-                        phi_1957_ = SlimbvhTypeM(_e807.y, _e827);
-                    } else {
-                        phi_1956_ = SlimbvhTypeM(_e807.y, _e827);
                         phi_1957_ = SlimbvhTypeM(_e807.z, _e832);
+                        phi_1958_ = SlimbvhTypeM(_e807.y, _e827);
+                    } else {
+                        phi_1957_ = SlimbvhTypeM(_e807.y, _e827);
+                        phi_1958_ = SlimbvhTypeM(_e807.z, _e832);
                     }
-                    let _e843 = phi_1956_;
-                    let _e845 = phi_1957_;
+                    let _e843 = phi_1957_;
+                    let _e845 = phi_1958_;
                     let _e849 = bitcast<f32>(((_e822 + ((_e807.w & 31u) << bitcast<u32>(23i))) ^ (_e692 << bitcast<u32>(31i))));
                     let _e889 = bitcast<f32>(_e813.x);
                     let _e894 = (_e889 + (f32((_e813.w >> bitcast<u32>(5u))) * _e147));
                     if (_e695 == 0u) {
-                        phi_2016_ = SlimbvhTypeM(_e813.z, _e894);
-                        phi_2017_ = SlimbvhTypeM(_e813.y, _e889);
-                    } else {
-                        phi_2016_ = SlimbvhTypeM(_e813.y, _e889);
                         phi_2017_ = SlimbvhTypeM(_e813.z, _e894);
+                        phi_2018_ = SlimbvhTypeM(_e813.y, _e889);
+                    } else {
+                        phi_2017_ = SlimbvhTypeM(_e813.y, _e889);
+                        phi_2018_ = SlimbvhTypeM(_e813.z, _e894);
                     }
-                    let _e905 = phi_2016_;
-                    let _e907 = phi_2017_;
+                    let _e905 = phi_2017_;
+                    let _e907 = phi_2018_;
                     let _e911 = bitcast<f32>(((_e822 + ((_e813.w & 31u) << bitcast<u32>(23i))) ^ (_e695 << bitcast<u32>(31i))));
                     let _e951 = bitcast<f32>(_e819.x);
                     let _e956 = (_e951 + (f32((_e819.w >> bitcast<u32>(5u))) * _e147));
                     if (_e698 == 0u) {
-                        phi_2076_ = SlimbvhTypeM(_e819.z, _e956);
-                        phi_2077_ = SlimbvhTypeM(_e819.y, _e951);
-                    } else {
-                        phi_2076_ = SlimbvhTypeM(_e819.y, _e951);
                         phi_2077_ = SlimbvhTypeM(_e819.z, _e956);
+                        phi_2078_ = SlimbvhTypeM(_e819.y, _e951);
+                    } else {
+                        phi_2077_ = SlimbvhTypeM(_e819.y, _e951);
+                        phi_2078_ = SlimbvhTypeM(_e819.z, _e956);
                     }
-                    let _e967 = phi_2076_;
-                    let _e969 = phi_2077_;
+                    let _e967 = phi_2077_;
+                    let _e969 = phi_2078_;
                     let _e973 = bitcast<f32>(((_e822 + ((_e819.w & 31u) << bitcast<u32>(23i))) ^ (_e698 << bitcast<u32>(31i))));
                     let _e1009 = (_e849 * _e628);
                     let _e1016 = (((_e845.member_1 - _e625) * _e628) + (bitcast<f32>((bitcast<u32>(_e1009) & 2147483647u)) * -0.00012207031f));
@@ -688,59 +688,59 @@ fn slimbvh_trace() {
                     let _e1140 = max(max(max(((f32(((_e845.member >> bitcast<u32>(24u)) & 255u)) * _e1009) + _e1016), ((f32(((_e907.member >> bitcast<u32>(24u)) & 255u)) * _e1041) + _e1048)), _e1088), _e668);
                     let _e1145 = (_e781.member.member_1 + (bitcast<f32>((bitcast<u32>(_e781.member.member_1) & 2147483647u)) * 0.0000004768374f));
                     if (_e1137 <= min((min(min(((f32((_e843.member & 255u)) * _e1025) + _e1032), ((f32((_e905.member & 255u)) * _e1057) + _e1064)), _e1101) + (max(_e1101, -(_e1085)) * 0.0000023841915f)), _e1145)) {
-                        phi_2561_ = (((bitcast<u32>(_e1137) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u);
+                        phi_2562_ = (((bitcast<u32>(_e1137) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2561_ = 4294967288u;
+                        phi_2562_ = 4294967288u;
                     }
-                    let _e1160 = phi_2561_;
+                    let _e1160 = phi_2562_;
                     if (_e1138 <= min((min(min(((f32(((_e843.member >> bitcast<u32>(8u)) & 255u)) * _e1025) + _e1032), ((f32(((_e905.member >> bitcast<u32>(8u)) & 255u)) * _e1057) + _e1064)), _e1102) + (max(_e1102, -(_e1086)) * 0.0000023841915f)), _e1145)) {
-                        phi_2574_ = ((((bitcast<u32>(_e1138) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 1u);
+                        phi_2575_ = ((((bitcast<u32>(_e1138) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2574_ = 4294967288u;
+                        phi_2575_ = 4294967288u;
                     }
-                    let _e1168 = phi_2574_;
+                    let _e1168 = phi_2575_;
                     if (_e1139 <= min((min(min(((f32(((_e843.member >> bitcast<u32>(16u)) & 255u)) * _e1025) + _e1032), ((f32(((_e905.member >> bitcast<u32>(16u)) & 255u)) * _e1057) + _e1064)), _e1103) + (max(_e1103, -(_e1087)) * 0.0000023841915f)), _e1145)) {
-                        phi_2587_ = ((((bitcast<u32>(_e1139) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 2u);
+                        phi_2588_ = ((((bitcast<u32>(_e1139) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_2587_ = 4294967288u;
+                        phi_2588_ = 4294967288u;
                     }
-                    let _e1176 = phi_2587_;
+                    let _e1176 = phi_2588_;
                     if (_e1140 <= min((min(min(((f32(((_e843.member >> bitcast<u32>(24u)) & 255u)) * _e1025) + _e1032), ((f32(((_e905.member >> bitcast<u32>(24u)) & 255u)) * _e1057) + _e1064)), _e1104) + (max(_e1104, -(_e1088)) * 0.0000023841915f)), _e1145)) {
-                        phi_2600_ = ((((bitcast<u32>(_e1140) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 3u);
+                        phi_2601_ = ((((bitcast<u32>(_e1140) ^ select(0u, 4294967288u, _e682.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_2600_ = 4294967288u;
+                        phi_2601_ = 4294967288u;
                     }
-                    let _e1184 = phi_2600_;
+                    let _e1184 = phi_2601_;
                     if (_e1160 < _e1168) {
-                        phi_4571_ = SlimbvhTypeE(_e1160, _e1168);
+                        phi_4572_ = SlimbvhTypeE(_e1160, _e1168);
                     } else {
-                        phi_4571_ = SlimbvhTypeE(_e1168, _e1160);
+                        phi_4572_ = SlimbvhTypeE(_e1168, _e1160);
                     }
-                    let _e1189 = phi_4571_;
+                    let _e1189 = phi_4572_;
                     if (_e1176 < _e1184) {
-                        phi_4583_ = SlimbvhTypeE(_e1176, _e1184);
+                        phi_4584_ = SlimbvhTypeE(_e1176, _e1184);
                     } else {
-                        phi_4583_ = SlimbvhTypeE(_e1184, _e1176);
+                        phi_4584_ = SlimbvhTypeE(_e1184, _e1176);
                     }
-                    let _e1196 = phi_4583_;
+                    let _e1196 = phi_4584_;
                     if (_e1189.member < _e1196.member) {
-                        phi_4595_ = SlimbvhTypeE(_e1189.member, _e1196.member);
+                        phi_4596_ = SlimbvhTypeE(_e1189.member, _e1196.member);
                     } else {
-                        phi_4595_ = SlimbvhTypeE(_e1196.member, _e1189.member);
+                        phi_4596_ = SlimbvhTypeE(_e1196.member, _e1189.member);
                     }
-                    let _e1203 = phi_4595_;
+                    let _e1203 = phi_4596_;
                     if (_e1189.member_1 < _e1196.member_1) {
-                        phi_4607_ = SlimbvhTypeE(_e1189.member_1, _e1196.member_1);
+                        phi_4608_ = SlimbvhTypeE(_e1189.member_1, _e1196.member_1);
                     } else {
-                        phi_4607_ = SlimbvhTypeE(_e1196.member_1, _e1189.member_1);
+                        phi_4608_ = SlimbvhTypeE(_e1196.member_1, _e1189.member_1);
                     }
-                    let _e1210 = phi_4607_;
+                    let _e1210 = phi_4608_;
                     if (_e1210.member < _e1203.member_1) {
-                        phi_4619_ = SlimbvhTypeE(_e1210.member, _e1203.member_1);
+                        phi_4620_ = SlimbvhTypeE(_e1210.member, _e1203.member_1);
                     } else {
-                        phi_4619_ = SlimbvhTypeE(_e1203.member_1, _e1210.member);
+                        phi_4620_ = SlimbvhTypeE(_e1203.member_1, _e1210.member);
                     }
-                    let _e1217 = phi_4619_;
+                    let _e1217 = phi_4620_;
                     let _e1232 = (((_e1203.member & 7u) | ((_e1217.member & 7u) << bitcast<u32>(3u))) | (((_e1217.member_1 & 7u) | ((_e1210.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                     if (_e1232 == 0u) {
                         let _e1250 = (_e790 - 1u);
@@ -752,30 +752,30 @@ fn slimbvh_trace() {
                         } else {
                             local[(_e1250 % 128u)] = (((_e1253 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1256);
                         }
-                        phi_2686_ = select(_e790, _e1250, _e1259);
-                        phi_2687_ = (((_e1253 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1254 & 3u) & 3u));
+                        phi_2687_ = select(_e790, _e1250, _e1259);
+                        phi_2688_ = (((_e1253 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1254 & 3u) & 3u));
                     } else {
                         let _e1235 = (_e1232 >> bitcast<u32>(3u));
                         if (_e1235 == 0u) {
-                            phi_2681_ = _e790;
+                            phi_2682_ = _e790;
                         } else {
                             local[(_e790 % 128u)] = ((_e797 << bitcast<u32>(9u)) | _e1235);
-                            phi_2681_ = (_e790 + 1u);
+                            phi_2682_ = (_e790 + 1u);
                         }
-                        let _e1244 = phi_2681_;
-                        phi_2686_ = _e1244;
-                        phi_2687_ = ((_e797 << bitcast<u32>(2i)) | ((_e1232 & 3u) & 3u));
+                        let _e1244 = phi_2682_;
+                        phi_2687_ = _e1244;
+                        phi_2688_ = ((_e797 << bitcast<u32>(2i)) | ((_e1232 & 3u) & 3u));
                     }
-                    let _e1274 = phi_2686_;
-                    let _e1276 = phi_2687_;
+                    let _e1274 = phi_2687_;
+                    let _e1276 = phi_2688_;
                     let _e1278 = (_e1276 >> bitcast<u32>(2i));
                     if (_e1278 < _e99) {
                         let _e1284 = slimbvh_nodes.member[_e1278].member_1[(_e1276 & 3u)];
-                        phi_2711_ = _e1284;
+                        phi_2712_ = _e1284;
                     } else {
-                        phi_2711_ = 2147483648u;
+                        phi_2712_ = 2147483648u;
                     }
-                    let _e1286 = phi_2711_;
+                    let _e1286 = phi_2712_;
                     let _e1287 = (_e794 - 1u);
                     phi_1846_ = select(_e1274, 4294967295u, (_e1287 == 0u));
                     phi_1849_ = _e1286;
@@ -800,22 +800,22 @@ fn slimbvh_trace() {
             if _e1298 {
                 let _e1300 = local_2;
                 let _e1303 = local_3;
-                phi_2728_ = _e781;
-                phi_2731_ = SlimbvhTypeE(0u, ((_e1303 >> bitcast<u32>(28u)) & 7u));
+                phi_2729_ = _e781;
+                phi_2732_ = SlimbvhTypeE(0u, ((_e1303 >> bitcast<u32>(28u)) & 7u));
                 loop {
-                    let _e1310 = phi_2728_;
-                    let _e1312 = phi_2731_;
+                    let _e1310 = phi_2729_;
+                    let _e1312 = phi_2732_;
                     local_6 = _e1310;
                     local_8 = _e1310;
                     if (_e1312.member < _e1312.member_1) {
-                        phi_2732_ = SlimbvhTypeE((_e1312.member + 1u), _e1312.member_1);
-                        phi_2754_ = SlimbvhTypeE(1u, _e1312.member);
+                        phi_2733_ = SlimbvhTypeE((_e1312.member + 1u), _e1312.member_1);
+                        phi_2755_ = SlimbvhTypeE(1u, _e1312.member);
                     } else {
-                        phi_2732_ = _e1312;
-                        phi_2754_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
+                        phi_2733_ = _e1312;
+                        phi_2755_ = SlimbvhTypeE(0u, SlimbvhTypeE().member_1);
                     }
-                    let _e1325 = phi_2732_;
-                    let _e1327 = phi_2754_;
+                    let _e1325 = phi_2733_;
+                    let _e1327 = phi_2755_;
                     let _e1331 = (bitcast<i32>(_e1327.member) != 0i);
                     if _e1331 {
                         let _e1332 = (((_e1300 & 268435455u) + _e153) + _e1327.member_1);
@@ -823,74 +823,74 @@ fn slimbvh_trace() {
                         let _e1334 = (_e1332 % 2u);
                         let _e1335 = (_e1333 >= arrayLength((&slimbvh_triangles.member)));
                         if _e1335 {
-                            phi_2834_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            phi_2835_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
                             let _e1336 = (2u * _e1334);
                             let _e1340 = slimbvh_triangles.member[_e1333][_e1336];
                             let _e1345 = slimbvh_triangles.member[_e1333][(_e1336 + 1u)];
                             let _e1350 = slimbvh_triangles.member[_e1333][(_e1336 + 2u)];
                             if (_e1334 == 0u) {
-                                phi_2833_ = array<vec4<f32>, 3>(_e1340, _e1345, _e1350);
+                                phi_2834_ = array<vec4<f32>, 3>(_e1340, _e1345, _e1350);
                             } else {
-                                phi_2833_ = array<vec4<f32>, 3>(vec4<f32>(_e1340.z, _e1340.w, _e1345.x, _e1345.y), vec4<f32>(_e1345.z, _e1345.w, _e1350.x, _e1350.y), vec4<f32>(_e1350.z, _e1350.w, 0f, 0f));
+                                phi_2834_ = array<vec4<f32>, 3>(vec4<f32>(_e1340.z, _e1340.w, _e1345.x, _e1345.y), vec4<f32>(_e1345.z, _e1345.w, _e1350.x, _e1350.y), vec4<f32>(_e1350.z, _e1350.w, 0f, 0f));
                             }
-                            let _e1368 = phi_2833_;
-                            phi_2834_ = _e1368;
+                            let _e1368 = phi_2834_;
+                            phi_2835_ = _e1368;
                         }
-                        let _e1370 = phi_2834_;
+                        let _e1370 = phi_2835_;
                         let _e1373 = bitcast<u32>(_e1370[2].y);
                         if _e1335 {
-                            phi_2915_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
+                            phi_2916_ = array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f));
                         } else {
                             let _e1374 = (2u * _e1334);
                             let _e1378 = slimbvh_triangles.member[_e1333][_e1374];
                             let _e1383 = slimbvh_triangles.member[_e1333][(_e1374 + 1u)];
                             let _e1388 = slimbvh_triangles.member[_e1333][(_e1374 + 2u)];
                             if (_e1334 == 0u) {
-                                phi_2914_ = array<vec4<f32>, 3>(_e1378, _e1383, _e1388);
+                                phi_2915_ = array<vec4<f32>, 3>(_e1378, _e1383, _e1388);
                             } else {
-                                phi_2914_ = array<vec4<f32>, 3>(vec4<f32>(_e1378.z, _e1378.w, _e1383.x, _e1383.y), vec4<f32>(_e1383.z, _e1383.w, _e1388.x, _e1388.y), vec4<f32>(_e1388.z, _e1388.w, 0f, 0f));
+                                phi_2915_ = array<vec4<f32>, 3>(vec4<f32>(_e1378.z, _e1378.w, _e1383.x, _e1383.y), vec4<f32>(_e1383.z, _e1383.w, _e1388.x, _e1388.y), vec4<f32>(_e1388.z, _e1388.w, 0f, 0f));
                             }
-                            let _e1406 = phi_2914_;
-                            phi_2915_ = _e1406;
+                            let _e1406 = phi_2915_;
+                            phi_2916_ = _e1406;
                         }
-                        let _e1408 = phi_2915_;
+                        let _e1408 = phi_2916_;
                         if _e218 {
-                            phi_2939_ = array<f32, 3>(_e1408[0].x, _e1408[0].y, _e1408[0].z);
+                            phi_2940_ = array<f32, 3>(_e1408[0].x, _e1408[0].y, _e1408[0].z);
                         } else {
                             if (_e213 == 1u) {
-                                phi_2938_ = array<f32, 3>(_e1408[0].y, _e1408[0].z, _e1408[0].x);
+                                phi_2939_ = array<f32, 3>(_e1408[0].y, _e1408[0].z, _e1408[0].x);
                             } else {
-                                phi_2938_ = array<f32, 3>(_e1408[0].z, _e1408[0].x, _e1408[0].y);
+                                phi_2939_ = array<f32, 3>(_e1408[0].z, _e1408[0].x, _e1408[0].y);
                             }
-                            let _e1431 = phi_2938_;
-                            phi_2939_ = _e1431;
+                            let _e1431 = phi_2939_;
+                            phi_2940_ = _e1431;
                         }
-                        let _e1434 = phi_2939_;
+                        let _e1434 = phi_2940_;
                         if _e218 {
-                            phi_2954_ = array<f32, 3>(_e1408[0].w, _e1408[1].x, _e1408[1].y);
+                            phi_2955_ = array<f32, 3>(_e1408[0].w, _e1408[1].x, _e1408[1].y);
                         } else {
                             if (_e213 == 1u) {
-                                phi_2953_ = array<f32, 3>(_e1408[1].x, _e1408[1].y, _e1408[0].w);
+                                phi_2954_ = array<f32, 3>(_e1408[1].x, _e1408[1].y, _e1408[0].w);
                             } else {
-                                phi_2953_ = array<f32, 3>(_e1408[1].y, _e1408[0].w, _e1408[1].x);
+                                phi_2954_ = array<f32, 3>(_e1408[1].y, _e1408[0].w, _e1408[1].x);
                             }
-                            let _e1439 = phi_2953_;
-                            phi_2954_ = _e1439;
+                            let _e1439 = phi_2954_;
+                            phi_2955_ = _e1439;
                         }
-                        let _e1442 = phi_2954_;
+                        let _e1442 = phi_2955_;
                         if _e218 {
-                            phi_2969_ = array<f32, 3>(_e1408[1].z, _e1408[1].w, _e1408[2].x);
+                            phi_2970_ = array<f32, 3>(_e1408[1].z, _e1408[1].w, _e1408[2].x);
                         } else {
                             if (_e213 == 1u) {
-                                phi_2968_ = array<f32, 3>(_e1408[1].w, _e1408[2].x, _e1408[1].z);
+                                phi_2969_ = array<f32, 3>(_e1408[1].w, _e1408[2].x, _e1408[1].z);
                             } else {
-                                phi_2968_ = array<f32, 3>(_e1408[2].x, _e1408[1].z, _e1408[1].w);
+                                phi_2969_ = array<f32, 3>(_e1408[2].x, _e1408[1].z, _e1408[1].w);
                             }
-                            let _e1447 = phi_2968_;
-                            phi_2969_ = _e1447;
+                            let _e1447 = phi_2969_;
+                            phi_2970_ = _e1447;
                         }
-                        let _e1450 = phi_2969_;
+                        let _e1450 = phi_2970_;
                         let _e1464 = (_e1434[2] - _e601.member[2]);
                         let _e1467 = (((_e1434[0] - _e601.member[0]) * _e656) - (_e1464 * _e624));
                         let _e1470 = (((_e1434[1] - _e601.member[1]) * _e656) - (_e1464 * _e640));
@@ -950,34 +950,34 @@ fn slimbvh_trace() {
                                 let _e1632 = max(max(bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1605) & 2147483647u)));
                                 let _e1645 = max(max(_e1621, _e1632), max(max(bitcast<f32>((bitcast<u32>(_e1607) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e1608) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u))));
                                 if (_e1621 == _e1645) {
-                                    phi_3328_ = _e1479;
-                                    phi_3329_ = _e1476;
-                                    phi_3330_ = _e1470;
-                                    phi_3331_ = _e1467;
-                                    phi_3332_ = vec3<f32>(_e1434[0], _e1434[1], _e1434[2]);
-                                    phi_3333_ = _e1610;
-                                    phi_3334_ = _e1606;
-                                    phi_3335_ = _e1602;
+                                    phi_3329_ = _e1479;
+                                    phi_3330_ = _e1476;
+                                    phi_3331_ = _e1470;
+                                    phi_3332_ = _e1467;
+                                    phi_3333_ = vec3<f32>(_e1434[0], _e1434[1], _e1434[2]);
+                                    phi_3334_ = _e1610;
+                                    phi_3335_ = _e1606;
+                                    phi_3336_ = _e1602;
                                 } else {
                                     let _e1647 = (_e1632 == _e1645);
                                     let _e1652 = vec3(_e1647);
-                                    phi_3328_ = select(_e1470, _e1488, _e1647);
-                                    phi_3329_ = select(_e1467, _e1485, _e1647);
-                                    phi_3330_ = select(_e1488, _e1479, _e1647);
-                                    phi_3331_ = select(_e1485, _e1476, _e1647);
-                                    phi_3332_ = select(vec3<f32>(_e1450[0], _e1450[1], _e1450[2]), vec3<f32>(_e1442[0], _e1442[1], _e1442[2]), _e1652);
-                                    phi_3333_ = select(_e1606, _e1602, _e1652);
-                                    phi_3334_ = select(_e1602, _e1610, _e1652);
-                                    phi_3335_ = select(_e1610, _e1606, _e1652);
+                                    phi_3329_ = select(_e1470, _e1488, _e1647);
+                                    phi_3330_ = select(_e1467, _e1485, _e1647);
+                                    phi_3331_ = select(_e1488, _e1479, _e1647);
+                                    phi_3332_ = select(_e1485, _e1476, _e1647);
+                                    phi_3333_ = select(vec3<f32>(_e1450[0], _e1450[1], _e1450[2]), vec3<f32>(_e1442[0], _e1442[1], _e1442[2]), _e1652);
+                                    phi_3334_ = select(_e1606, _e1602, _e1652);
+                                    phi_3335_ = select(_e1602, _e1610, _e1652);
+                                    phi_3336_ = select(_e1610, _e1606, _e1652);
                                 }
-                                let _e1658 = phi_3328_;
-                                let _e1660 = phi_3329_;
-                                let _e1662 = phi_3330_;
-                                let _e1664 = phi_3331_;
-                                let _e1666 = phi_3332_;
-                                let _e1668 = phi_3333_;
-                                let _e1670 = phi_3334_;
-                                let _e1672 = phi_3335_;
+                                let _e1658 = phi_3329_;
+                                let _e1660 = phi_3330_;
+                                let _e1662 = phi_3331_;
+                                let _e1664 = phi_3332_;
+                                let _e1666 = phi_3333_;
+                                let _e1668 = phi_3334_;
+                                let _e1670 = phi_3335_;
+                                let _e1672 = phi_3336_;
                                 let _e1679 = ((_e1670.y * _e1668.z) - (_e1668.y * _e1670.z));
                                 let _e1684 = ((_e1670.z * _e1668.x) - (_e1668.z * _e1670.x));
                                 let _e1687 = ((_e1670.x * _e1668.y) - (_e1668.x * _e1670.y));
@@ -999,46 +999,46 @@ fn slimbvh_trace() {
                                 if (_e1594 && !(_e1806)) {
                                     let _e1810 = (_e1741 / _e656);
                                     let _e1818 = (((_e1679 * (_e1735 - (_e624 * _e1810))) + (_e1684 * (_e1738 - (_e640 * _e1810)))) / _e1710);
-                                    phi_3514_ = select(select(_e1810, (_e1810 + _e1818), (bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u)) <= _e1645)), _e1807, _e1806);
+                                    phi_3515_ = select(select(_e1810, (_e1810 + _e1818), (bitcast<f32>((bitcast<u32>(_e1818) & 2147483647u)) <= _e1645)), _e1807, _e1806);
                                 } else {
-                                    phi_3514_ = _e1807;
+                                    phi_3515_ = _e1807;
                                 }
-                                let _e1827 = phi_3514_;
+                                let _e1827 = phi_3515_;
                                 let _e1829 = select(_e1567, _e1827, (_e1827 < _e1567));
                                 let _e1831 = select(_e1562, _e1829, (_e1829 > _e1562));
                                 let _e1834 = select(_e1831, 0f, (bitcast<u32>(_e1831) == 2147483648u));
                                 let _e1835 = (1f / _e1521);
-                                phi_3540_ = SlimbvhTypeF(_e1834, (_e1515 * _e1835), (_e1519 * _e1835), ((_e1594 && (_e1834 >= _e668)) && (_e1834 <= _e1310.member.member_1)));
-                                phi_3541_ = SlimbvhTypeF();
+                                phi_3541_ = SlimbvhTypeF(_e1834, (_e1515 * _e1835), (_e1519 * _e1835), ((_e1594 && (_e1834 >= _e668)) && (_e1834 <= _e1310.member.member_1)));
+                                phi_3542_ = SlimbvhTypeF();
                             } else {
-                                phi_3540_ = SlimbvhTypeF();
-                                phi_3541_ = SlimbvhTypeF(0f, 0f, 0f, _e1594);
+                                phi_3541_ = SlimbvhTypeF();
+                                phi_3542_ = SlimbvhTypeF(0f, 0f, 0f, _e1594);
                             }
-                            let _e1844 = phi_3540_;
-                            let _e1846 = phi_3541_;
-                            phi_3544_ = _e1844;
-                            phi_3545_ = _e1846;
-                            phi_3546_ = select(true, false, _e1594);
+                            let _e1844 = phi_3541_;
+                            let _e1846 = phi_3542_;
+                            phi_3545_ = _e1844;
+                            phi_3546_ = _e1846;
+                            phi_3547_ = select(true, false, _e1594);
                         } else {
-                            phi_3544_ = SlimbvhTypeF();
-                            phi_3545_ = SlimbvhTypeF(0f, 0f, 0f, _e1505);
-                            phi_3546_ = true;
+                            phi_3545_ = SlimbvhTypeF();
+                            phi_3546_ = SlimbvhTypeF(0f, 0f, 0f, _e1505);
+                            phi_3547_ = true;
                         }
-                        let _e1849 = phi_3544_;
-                        let _e1851 = phi_3545_;
-                        let _e1853 = phi_3546_;
+                        let _e1849 = phi_3545_;
+                        let _e1851 = phi_3546_;
+                        let _e1853 = phi_3547_;
                         if _e1853 {
-                            phi_3550_ = _e1851;
+                            phi_3551_ = _e1851;
                         } else {
-                            phi_3550_ = _e1849;
+                            phi_3551_ = _e1849;
                         }
-                        let _e1855 = phi_3550_;
+                        let _e1855 = phi_3551_;
                         if _e1855.member_3 {
-                            phi_3559_ = SlimbvhTypeG(_e1855.member, _e1855.member_1, _e1855.member_2, _e1373);
+                            phi_3560_ = SlimbvhTypeG(_e1855.member, _e1855.member_1, _e1855.member_2, _e1373);
                         } else {
-                            phi_3559_ = _e95;
+                            phi_3560_ = _e95;
                         }
-                        let _e1862 = phi_3559_;
+                        let _e1862 = phi_3560_;
                         if (_e1862.member_3 != 4294967295u) {
                             let _e1868 = slimbvh_target.member[0u][0u];
                             let _e1872 = slimbvh_target.member[0u][1u];
@@ -1054,15 +1054,15 @@ fn slimbvh_trace() {
                             let _e1901 = bitcast<f32>(_e1884);
                             let _e1902 = array<u32, 3>(_e1888, _e1892, _e1896);
                             if (_e171 < -126i) {
-                                phi_3612_ = -126i;
+                                phi_3613_ = -126i;
                             } else {
-                                phi_3612_ = select(_e171, 127i, (_e171 > 127i));
+                                phi_3613_ = select(_e171, 127i, (_e171 > 127i));
                             }
-                            let _e1908 = phi_3612_;
+                            let _e1908 = phi_3613_;
                             let _e1913 = bitcast<f32>((bitcast<u32>((_e1908 + 127i)) << bitcast<u32>(23i)));
                             let _e1919 = bitcast<f32>((bitcast<u32>(((_e171 - _e1908) + 127i)) << bitcast<u32>(23i)));
                             if (_e1880 == 0u) {
-                                phi_3752_ = SlimbvhTypeI(array<f32, 3>(_e1897, _e1898, _e1899), _e1880, _e1901, _e1902);
+                                phi_3753_ = SlimbvhTypeI(array<f32, 3>(_e1897, _e1898, _e1899), _e1880, _e1901, _e1902);
                             } else {
                                 let _e1921 = bitcast<u32>(_e1897);
                                 let _e1923 = ((_e1921 & 2139095040u) != 0u);
@@ -1072,61 +1072,61 @@ fn slimbvh_trace() {
                                 let _e1957 = ((_e1955 & 2139095040u) != 0u);
                                 let _e1973 = bitcast<u32>(_e1901);
                                 let _e1975 = ((_e1973 & 2139095040u) != 0u);
-                                phi_3752_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1921 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1921 & 2147483648u))), _e1897, _e1923) * _e1913) * select(0.00000011920929f, 1f, _e1923)) * _e1919), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1938 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1938 & 2147483648u))), _e1898, _e1940) * _e1913) * select(0.00000011920929f, 1f, _e1940)) * _e1919), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1955 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1955 & 2147483648u))), _e1899, _e1957) * _e1913) * select(0.00000011920929f, 1f, _e1957)) * _e1919)), _e1880, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1973 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1973 & 2147483648u))), _e1901, _e1975) * _e1913) * select(0.00000011920929f, 1f, _e1975)) * _e1919), _e1902);
+                                phi_3753_ = SlimbvhTypeI(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1921 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1921 & 2147483648u))), _e1897, _e1923) * _e1913) * select(0.00000011920929f, 1f, _e1923)) * _e1919), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1938 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1938 & 2147483648u))), _e1898, _e1940) * _e1913) * select(0.00000011920929f, 1f, _e1940)) * _e1919), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1955 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1955 & 2147483648u))), _e1899, _e1957) * _e1913) * select(0.00000011920929f, 1f, _e1957)) * _e1919)), _e1880, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e1973 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e1973 & 2147483648u))), _e1901, _e1975) * _e1913) * select(0.00000011920929f, 1f, _e1975)) * _e1919), _e1902);
                             }
-                            let _e1992 = phi_3752_;
+                            let _e1992 = phi_3753_;
                             if (_e1373 == _e672) {
-                                phi_4078_ = false;
+                                phi_4079_ = false;
                             } else {
                                 let _e1994 = (_e1373 / 16u);
                                 if (_e1994 < arrayLength((&slimbvh_sides.member))) {
                                     let _e1997 = slimbvh_sides.member[_e1994];
-                                    phi_3776_ = _e1997;
+                                    phi_3777_ = _e1997;
                                 } else {
-                                    phi_3776_ = 0u;
+                                    phi_3777_ = 0u;
                                 }
-                                let _e1999 = phi_3776_;
+                                let _e1999 = phi_3777_;
                                 let _e2008 = (bitcast<i32>((_e1999 << bitcast<u32>(((30u - ((_e1373 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
                                 let _e2009 = (_e2008 == 0i);
                                 if _e2009 {
-                                    phi_4077_ = true;
+                                    phi_4078_ = true;
                                 } else {
                                     if _e218 {
-                                        phi_3805_ = vec3<f32>(_e1434[0], _e1434[1], _e1434[2]);
+                                        phi_3806_ = vec3<f32>(_e1434[0], _e1434[1], _e1434[2]);
                                     } else {
                                         if (_e213 == 1u) {
-                                            phi_3804_ = vec3<f32>(_e1434[2], _e1434[0], _e1434[1]);
+                                            phi_3805_ = vec3<f32>(_e1434[2], _e1434[0], _e1434[1]);
                                         } else {
-                                            phi_3804_ = vec3<f32>(_e1434[1], _e1434[2], _e1434[0]);
+                                            phi_3805_ = vec3<f32>(_e1434[1], _e1434[2], _e1434[0]);
                                         }
-                                        let _e2014 = phi_3804_;
-                                        phi_3805_ = _e2014;
+                                        let _e2014 = phi_3805_;
+                                        phi_3806_ = _e2014;
                                     }
-                                    let _e2017 = phi_3805_;
+                                    let _e2017 = phi_3806_;
                                     if _e218 {
-                                        phi_3823_ = vec3<f32>(_e1442[0], _e1442[1], _e1442[2]);
+                                        phi_3824_ = vec3<f32>(_e1442[0], _e1442[1], _e1442[2]);
                                     } else {
                                         if (_e213 == 1u) {
-                                            phi_3822_ = vec3<f32>(_e1442[2], _e1442[0], _e1442[1]);
+                                            phi_3823_ = vec3<f32>(_e1442[2], _e1442[0], _e1442[1]);
                                         } else {
-                                            phi_3822_ = vec3<f32>(_e1442[1], _e1442[2], _e1442[0]);
+                                            phi_3823_ = vec3<f32>(_e1442[1], _e1442[2], _e1442[0]);
                                         }
-                                        let _e2022 = phi_3822_;
-                                        phi_3823_ = _e2022;
+                                        let _e2022 = phi_3823_;
+                                        phi_3824_ = _e2022;
                                     }
-                                    let _e2025 = phi_3823_;
+                                    let _e2025 = phi_3824_;
                                     if _e218 {
-                                        phi_3841_ = vec3<f32>(_e1450[0], _e1450[1], _e1450[2]);
+                                        phi_3842_ = vec3<f32>(_e1450[0], _e1450[1], _e1450[2]);
                                     } else {
                                         if (_e213 == 1u) {
-                                            phi_3840_ = vec3<f32>(_e1450[2], _e1450[0], _e1450[1]);
+                                            phi_3841_ = vec3<f32>(_e1450[2], _e1450[0], _e1450[1]);
                                         } else {
-                                            phi_3840_ = vec3<f32>(_e1450[1], _e1450[2], _e1450[0]);
+                                            phi_3841_ = vec3<f32>(_e1450[1], _e1450[2], _e1450[0]);
                                         }
-                                        let _e2030 = phi_3840_;
-                                        phi_3841_ = _e2030;
+                                        let _e2030 = phi_3841_;
+                                        phi_3842_ = _e2030;
                                     }
-                                    let _e2033 = phi_3841_;
+                                    let _e2033 = phi_3842_;
                                     let _e2036 = (_e2025.x - _e2017.x);
                                     let _e2039 = (_e2025.y - _e2017.y);
                                     let _e2042 = (_e2025.z - _e2017.z);
@@ -1134,11 +1134,11 @@ fn slimbvh_trace() {
                                     let _e2046 = (_e2033.y - _e2017.y);
                                     let _e2048 = (_e2033.z - _e2017.z);
                                     if (_e1992.member_1 == 1u) {
-                                        phi_3877_ = (vec3<f32>(_e1992.member[0], _e1992.member[1], _e1992.member[2]) - _e2017);
+                                        phi_3878_ = (vec3<f32>(_e1992.member[0], _e1992.member[1], _e1992.member[2]) - _e2017);
                                     } else {
-                                        phi_3877_ = vec3<f32>(_e1992.member[0], _e1992.member[1], _e1992.member[2]);
+                                        phi_3878_ = vec3<f32>(_e1992.member[0], _e1992.member[1], _e1992.member[2]);
                                     }
-                                    let _e2063 = phi_3877_;
+                                    let _e2063 = phi_3878_;
                                     let _e2069 = bitcast<f32>((bitcast<u32>((_e2036 * _e2046)) ^ _e1992.member_3[0]));
                                     let _e2073 = bitcast<f32>((bitcast<u32>((_e2039 * _e2044)) ^ _e1992.member_3[0]));
                                     let _e2077 = bitcast<f32>((bitcast<u32>((_e2039 * _e2048)) ^ _e1992.member_3[0]));
@@ -1152,7 +1152,7 @@ fn slimbvh_trace() {
                                     let _e2123 = (bitcast<f32>((bitcast<u32>(_e2085) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2089) & 2147483647u)));
                                     let _e2130 = (bitcast<f32>((bitcast<u32>(_e2069) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2073) & 2147483647u)));
                                     if (_e1992.member_2 == 0f) {
-                                        phi_4059_ = 0f;
+                                        phi_4060_ = 0f;
                                     } else {
                                         let _e2160 = bitcast<f32>((bitcast<u32>(_e2090) & 2147483647u));
                                         let _e2163 = bitcast<f32>((bitcast<u32>(_e2091) & 2147483647u));
@@ -1162,59 +1162,59 @@ fn slimbvh_trace() {
                                         let _e2176 = select(_e2163, _e2160, (_e2160 < _e2163));
                                         let _e2178 = select(_e2163, _e2160, (_e2160 > _e2163));
                                         let _e2180 = select(_e2166, _e2178, (_e2178 < _e2166));
-                                        phi_4059_ = bitcast<f32>((bitcast<u32>((_e1992.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2168, _e2160, (_e2160 > _e2168)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2180, _e2176, (_e2176 > _e2180)))) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2172, _e2160, (_e2160 < _e2172)))) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2116 + _e2123) + _e2130))) ^ _e1992.member_3[0]))) * 1.0000005f)) ^ _e1992.member_3[0])))) ^ _e1992.member_3[0]));
+                                        phi_4060_ = bitcast<f32>((bitcast<u32>((_e1992.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2168, _e2160, (_e2160 > _e2168)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2180, _e2176, (_e2176 > _e2180)))) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2172, _e2160, (_e2160 < _e2172)))) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2116 + _e2123) + _e2130))) ^ _e1992.member_3[0]))) * 1.0000005f)) ^ _e1992.member_3[0])))) ^ _e1992.member_3[0]));
                                     }
-                                    let _e2207 = phi_4059_;
-                                    phi_4077_ = (_e2009 || !(((((bitcast<f32>((bitcast<u32>((_e2063.x * _e2090)) ^ _e1992.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2063.y * _e2091)) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2063.z * _e2092)) ^ _e1992.member_3[0]))) * f32(-(_e2008))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.x) & 2147483647u)) * _e2116)) ^ _e1992.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.y) & 2147483647u)) * _e2123)) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.z) & 2147483647u)) * _e2130)) ^ _e1992.member_3[0]))))) ^ _e1992.member_3[0])) + _e2207) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e2207 = phi_4060_;
+                                    phi_4078_ = (_e2009 || !(((((bitcast<f32>((bitcast<u32>((_e2063.x * _e2090)) ^ _e1992.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2063.y * _e2091)) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2063.z * _e2092)) ^ _e1992.member_3[0]))) * f32(-(_e2008))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.x) & 2147483647u)) * _e2116)) ^ _e1992.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.y) & 2147483647u)) * _e2123)) ^ _e1992.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2063.z) & 2147483647u)) * _e2130)) ^ _e1992.member_3[0]))))) ^ _e1992.member_3[0])) + _e2207) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e2221 = phi_4077_;
-                                phi_4078_ = _e2221;
+                                let _e2221 = phi_4078_;
+                                phi_4079_ = _e2221;
                             }
-                            let _e2223 = phi_4078_;
+                            let _e2223 = phi_4079_;
                             if _e2223 {
                                 if (_e1862.member < _e1310.member.member.member) {
-                                    phi_4098_ = true;
+                                    phi_4099_ = true;
                                 } else {
                                     if (_e1862.member == _e1310.member.member.member) {
-                                        phi_4097_ = (_e1862.member_3 < _e1310.member.member.member_3);
+                                        phi_4098_ = (_e1862.member_3 < _e1310.member.member.member_3);
                                     } else {
-                                        phi_4097_ = false;
+                                        phi_4098_ = false;
                                     }
-                                    let _e2235 = phi_4097_;
-                                    phi_4098_ = _e2235;
+                                    let _e2235 = phi_4098_;
+                                    phi_4099_ = _e2235;
                                 }
-                                let _e2237 = phi_4098_;
+                                let _e2237 = phi_4099_;
                                 if _e2237 {
-                                    phi_4105_ = SlimbvhTypeP(SlimbvhTypeJ(_e1862, _e1862.member), _e1310.member_1);
+                                    phi_4106_ = SlimbvhTypeP(SlimbvhTypeJ(_e1862, _e1862.member), _e1310.member_1);
                                 } else {
-                                    phi_4105_ = _e1310;
+                                    phi_4106_ = _e1310;
                                 }
-                                let _e2243 = phi_4105_;
+                                let _e2243 = phi_4106_;
                                 if _e2243.member_1 {
-                                    phi_4111_ = SlimbvhTypeP(SlimbvhTypeJ(_e2243.member.member, bitcast<f32>(4286578687u)), _e2243.member_1);
+                                    phi_4112_ = SlimbvhTypeP(SlimbvhTypeJ(_e2243.member.member, bitcast<f32>(4286578687u)), _e2243.member_1);
                                 } else {
-                                    phi_4111_ = _e2243;
+                                    phi_4112_ = _e2243;
                                 }
-                                let _e2252 = phi_4111_;
-                                phi_4112_ = _e2252;
+                                let _e2252 = phi_4112_;
+                                phi_4113_ = _e2252;
                             } else {
-                                phi_4112_ = _e1310;
+                                phi_4113_ = _e1310;
                             }
-                            let _e2254 = phi_4112_;
-                            phi_4113_ = _e2254;
+                            let _e2254 = phi_4113_;
+                            phi_4114_ = _e2254;
                         } else {
-                            phi_4113_ = _e1310;
+                            phi_4114_ = _e1310;
                         }
-                        let _e2256 = phi_4113_;
-                        phi_2729_ = _e2256;
+                        let _e2256 = phi_4114_;
+                        phi_2730_ = _e2256;
                     } else {
-                        phi_2729_ = SlimbvhTypeP();
+                        phi_2730_ = SlimbvhTypeP();
                     }
-                    let _e2258 = phi_2729_;
+                    let _e2258 = phi_2730_;
                     continue;
                     continuing {
-                        phi_2728_ = _e2258;
-                        phi_2731_ = _e1325;
+                        phi_2729_ = _e2258;
+                        phi_2732_ = _e1325;
                         break if !(_e1331);
                     }
                 }
@@ -1233,26 +1233,26 @@ fn slimbvh_trace() {
                 let _e2288 = (_e2286 >> bitcast<u32>(2i));
                 if (_e2288 < _e99) {
                     let _e2294 = slimbvh_nodes.member[_e2288].member_1[(_e2286 & 3u)];
-                    phi_4172_ = _e2294;
+                    phi_4173_ = _e2294;
                 } else {
-                    phi_4172_ = 2147483648u;
+                    phi_4173_ = 2147483648u;
                 }
-                let _e2296 = phi_4172_;
+                let _e2296 = phi_4173_;
                 let _e2298 = local_6;
                 let _e2570 = local_8;
-                phi_4181_ = _e2570;
-                phi_4182_ = select(select(_e2278, _e2262, _e2271), 4294967295u, (_e668 > _e2298.member.member_1));
-                phi_4183_ = _e2296;
+                phi_4182_ = _e2570;
+                phi_4183_ = select(select(_e2278, _e2262, _e2271), 4294967295u, (_e668 > _e2298.member.member_1));
+                phi_4184_ = _e2296;
             } else {
-                phi_4181_ = _e781;
+                phi_4182_ = _e781;
                 let _e2573 = local_9;
-                phi_4182_ = _e2573;
+                phi_4183_ = _e2573;
                 let _e2576 = local_10;
-                phi_4183_ = _e2576;
+                phi_4184_ = _e2576;
             }
-            let _e2304 = phi_4181_;
-            let _e2306 = phi_4182_;
-            let _e2308 = phi_4183_;
+            let _e2304 = phi_4182_;
+            let _e2306 = phi_4183_;
+            let _e2308 = phi_4184_;
             phi_1830_ = _e2304;
             phi_1833_ = _e2306;
             phi_1835_ = _e2308;
@@ -1284,110 +1284,110 @@ fn slimbvh_trace() {
         let _e2330 = (bitcast<i32>((_e2326 >> bitcast<u32>(23i))) & 255i);
         let _e2331 = (_e2330 + _e2325);
         if (_e2330 == 255i) {
-            phi_4240_ = _e2319.member.member.member;
+            phi_4241_ = _e2319.member.member.member;
         } else {
             if (_e2330 > 0i) {
                 if (_e2331 > 0i) {
                     let _e2335 = (_e2331 < 255i);
                     if _e2335 {
-                        phi_4219_ = bitcast<f32>((_e2326 + bitcast<u32>((_e2325 << bitcast<u32>(23i)))));
+                        phi_4220_ = bitcast<f32>((_e2326 + bitcast<u32>((_e2325 << bitcast<u32>(23i)))));
                     } else {
-                        phi_4219_ = f32();
+                        phi_4220_ = f32();
                     }
-                    let _e2342 = phi_4219_;
-                    phi_4221_ = _e2342;
-                    phi_4222_ = select(true, false, _e2335);
+                    let _e2342 = phi_4220_;
+                    phi_4222_ = _e2342;
+                    phi_4223_ = select(true, false, _e2335);
                 } else {
-                    phi_4221_ = f32();
-                    phi_4222_ = true;
+                    phi_4222_ = f32();
+                    phi_4223_ = true;
                 }
-                let _e2345 = phi_4221_;
-                let _e2347 = phi_4222_;
-                phi_4223_ = _e2345;
-                phi_4224_ = _e2347;
+                let _e2345 = phi_4222_;
+                let _e2347 = phi_4223_;
+                phi_4224_ = _e2345;
+                phi_4225_ = _e2347;
             } else {
-                phi_4223_ = f32();
-                phi_4224_ = true;
+                phi_4224_ = f32();
+                phi_4225_ = true;
             }
-            let _e2349 = phi_4223_;
-            let _e2351 = phi_4224_;
+            let _e2349 = phi_4224_;
+            let _e2351 = phi_4225_;
             if _e2351 {
                 let _e2352 = (_e2326 & 2147483648u);
                 let _e2359 = ((_e2326 & 8388607u) | (select(0u, 1u, ((_e2326 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                 let _e2363 = (_e2359 == 0u);
                 if _e2363 {
-                    phi_4900_ = bitcast<f32>(_e2352);
+                    phi_4901_ = bitcast<f32>(_e2352);
                 } else {
                     let _e2368 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2359)), 32u, _e2363) - 8u);
                     let _e2371 = (_e2359 << bitcast<u32>((_e2368 & 31u)));
                     let _e2373 = ((_e2331 + select(0i, 1i, (_e2330 == 0i))) - bitcast<i32>(_e2368));
                     if (_e2373 >= 255i) {
-                        phi_4890_ = bitcast<f32>((_e2352 | 2139095040u));
-                        phi_4891_ = f32();
-                        phi_4892_ = true;
+                        phi_4891_ = bitcast<f32>((_e2352 | 2139095040u));
+                        phi_4892_ = f32();
+                        phi_4893_ = true;
                     } else {
                         let _e2375 = (_e2373 > 0i);
                         if _e2375 {
-                            phi_4884_ = bitcast<f32>(((_e2352 | (bitcast<u32>(_e2373) << bitcast<u32>(23i))) | (_e2371 & 8388607u)));
-                            phi_4885_ = f32();
+                            phi_4885_ = bitcast<f32>(((_e2352 | (bitcast<u32>(_e2373) << bitcast<u32>(23i))) | (_e2371 & 8388607u)));
+                            phi_4886_ = f32();
                         } else {
                             if (_e2373 < -24i) {
-                                phi_4850_ = 26u;
+                                phi_4851_ = 26u;
                             } else {
-                                phi_4850_ = bitcast<u32>((1i - _e2373));
+                                phi_4851_ = bitcast<u32>((1i - _e2373));
                             }
-                            let _e2380 = phi_4850_;
+                            let _e2380 = phi_4851_;
                             let _e2381 = (_e2380 & 31u);
                             let _e2383 = (_e2371 >> bitcast<u32>(_e2381));
                             let _e2387 = (_e2371 & ((1u << bitcast<u32>(_e2381)) - 1u));
                             let _e2391 = (1u << bitcast<u32>(((_e2380 - 1u) & 31u)));
                             if (_e2387 > _e2391) {
-                                phi_4871_ = true;
+                                phi_4872_ = true;
                             } else {
                                 if (_e2387 == _e2391) {
-                                    phi_4868_ = ((_e2383 & 1u) == 1u);
+                                    phi_4869_ = ((_e2383 & 1u) == 1u);
                                 } else {
-                                    phi_4868_ = false;
+                                    phi_4869_ = false;
                                 }
-                                let _e2397 = phi_4868_;
-                                phi_4871_ = _e2397;
+                                let _e2397 = phi_4869_;
+                                phi_4872_ = _e2397;
                             }
-                            let _e2399 = phi_4871_;
-                            phi_4884_ = f32();
-                            phi_4885_ = bitcast<f32>((_e2352 | (_e2383 + select(0u, 1u, _e2399))));
+                            let _e2399 = phi_4872_;
+                            phi_4885_ = f32();
+                            phi_4886_ = bitcast<f32>((_e2352 | (_e2383 + select(0u, 1u, _e2399))));
                         }
-                        let _e2412 = phi_4884_;
-                        let _e2414 = phi_4885_;
-                        phi_4890_ = _e2412;
-                        phi_4891_ = _e2414;
-                        phi_4892_ = _e2375;
+                        let _e2412 = phi_4885_;
+                        let _e2414 = phi_4886_;
+                        phi_4891_ = _e2412;
+                        phi_4892_ = _e2414;
+                        phi_4893_ = _e2375;
                     }
-                    let _e2418 = phi_4890_;
-                    let _e2420 = phi_4891_;
-                    let _e2422 = phi_4892_;
-                    phi_4900_ = select(_e2420, _e2418, _e2422);
+                    let _e2418 = phi_4891_;
+                    let _e2420 = phi_4892_;
+                    let _e2422 = phi_4893_;
+                    phi_4901_ = select(_e2420, _e2418, _e2422);
                 }
-                let _e2426 = phi_4900_;
-                phi_4239_ = _e2426;
+                let _e2426 = phi_4901_;
+                phi_4240_ = _e2426;
             } else {
-                phi_4239_ = _e2349;
+                phi_4240_ = _e2349;
             }
-            let _e2428 = phi_4239_;
-            phi_4240_ = _e2428;
+            let _e2428 = phi_4240_;
+            phi_4241_ = _e2428;
         }
-        let _e2430 = phi_4240_;
+        let _e2430 = phi_4241_;
         let _e2431 = bitcast<u32>(_e2430);
         if ((_e2431 & 2147483647u) >= 2139095040u) {
-            phi_4252_ = bitcast<f32>(((_e2431 & 2147483648u) | 2139095039u));
+            phi_4253_ = bitcast<f32>(((_e2431 & 2147483648u) | 2139095039u));
         } else {
-            phi_4252_ = _e2430;
+            phi_4253_ = _e2430;
         }
-        let _e2438 = phi_4252_;
-        phi_4257_ = SlimbvhTypeG(_e2438, _e2319.member.member.member_1, _e2319.member.member.member_2, _e2319.member.member.member_3);
+        let _e2438 = phi_4253_;
+        phi_4258_ = SlimbvhTypeG(_e2438, _e2319.member.member.member_1, _e2319.member.member.member_2, _e2319.member.member.member_3);
     } else {
-        phi_4257_ = _e95;
+        phi_4258_ = _e95;
     }
-    let _e2443 = phi_4257_;
+    let _e2443 = phi_4258_;
     slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2443.member), bitcast<u32>(_e2443.member_1), bitcast<u32>(_e2443.member_2), _e2443.member_3);
     return;
 }

@@ -168,138 +168,138 @@ fn slimbvh_trace() {
     var phi_1867_: u32;
     var phi_1870_: u32;
     var phi_1872_: u32;
-    var phi_1978_: SlimbvhTypeL;
     var phi_1979_: SlimbvhTypeL;
-    var phi_2038_: SlimbvhTypeL;
+    var phi_1980_: SlimbvhTypeL;
     var phi_2039_: SlimbvhTypeL;
-    var phi_2098_: SlimbvhTypeL;
+    var phi_2040_: SlimbvhTypeL;
     var phi_2099_: SlimbvhTypeL;
-    var phi_2583_: u32;
-    var phi_2596_: u32;
-    var phi_2609_: u32;
-    var phi_2622_: u32;
-    var phi_5257_: SlimbvhTypeD;
-    var phi_5269_: SlimbvhTypeD;
-    var phi_5281_: SlimbvhTypeD;
-    var phi_5293_: SlimbvhTypeD;
-    var phi_5305_: SlimbvhTypeD;
-    var phi_2703_: u32;
-    var phi_2708_: u32;
+    var phi_2100_: SlimbvhTypeL;
+    var phi_2584_: u32;
+    var phi_2597_: u32;
+    var phi_2610_: u32;
+    var phi_2623_: u32;
+    var phi_5258_: SlimbvhTypeD;
+    var phi_5270_: SlimbvhTypeD;
+    var phi_5282_: SlimbvhTypeD;
+    var phi_5294_: SlimbvhTypeD;
+    var phi_5306_: SlimbvhTypeD;
+    var phi_2704_: u32;
     var phi_2709_: u32;
-    var phi_2739_: u32;
+    var phi_2710_: u32;
     var phi_2740_: u32;
+    var phi_2741_: u32;
     var phi_1868_: u32;
     var phi_1871_: u32;
     var phi_1873_: u32;
     var local_1: bool;
     var local_2: u32;
-    var phi_2890_: u32;
-    var phi_2951_: u32;
-    var phi_2954_: SlimbvhTypeN;
-    var phi_2961_: SlimbvhTypeQ;
-    var phi_2964_: SlimbvhTypeD;
+    var phi_2891_: u32;
+    var phi_2952_: u32;
+    var phi_2955_: SlimbvhTypeN;
+    var phi_2962_: SlimbvhTypeQ;
     var phi_2965_: SlimbvhTypeD;
-    var phi_2987_: SlimbvhTypeD;
-    var phi_3002_: u32;
-    var phi_3013_: u32;
-    var phi_3029_: u32;
-    var phi_3042_: u32;
-    var phi_3053_: u32;
-    var phi_3497_: u32;
-    var phi_3510_: u32;
-    var phi_3523_: u32;
-    var phi_3549_: u32;
-    var phi_3562_: u32;
-    var phi_3575_: u32;
-    var phi_3601_: u32;
-    var phi_3614_: u32;
-    var phi_3627_: u32;
-    var phi_3219_: u32;
-    var phi_3232_: u32;
-    var phi_3242_: u32;
-    var phi_3263_: u32;
-    var phi_3284_: u32;
-    var phi_3311_: u32;
-    var phi_3324_: u32;
-    var phi_3334_: u32;
-    var phi_3355_: u32;
-    var phi_3376_: u32;
-    var phi_3403_: u32;
-    var phi_3416_: u32;
-    var phi_3426_: u32;
-    var phi_3447_: u32;
-    var phi_3468_: u32;
-    var phi_3080_: u32;
-    var phi_3126_: u32;
-    var phi_3172_: u32;
-    var phi_3639_: array<array<f32, 3>, 3>;
-    var phi_4004_: f32;
+    var phi_2966_: SlimbvhTypeD;
+    var phi_2988_: SlimbvhTypeD;
+    var phi_3003_: u32;
+    var phi_3014_: u32;
+    var phi_3030_: u32;
+    var phi_3043_: u32;
+    var phi_3054_: u32;
+    var phi_3498_: u32;
+    var phi_3511_: u32;
+    var phi_3524_: u32;
+    var phi_3550_: u32;
+    var phi_3563_: u32;
+    var phi_3576_: u32;
+    var phi_3602_: u32;
+    var phi_3615_: u32;
+    var phi_3628_: u32;
+    var phi_3220_: u32;
+    var phi_3233_: u32;
+    var phi_3243_: u32;
+    var phi_3264_: u32;
+    var phi_3285_: u32;
+    var phi_3312_: u32;
+    var phi_3325_: u32;
+    var phi_3335_: u32;
+    var phi_3356_: u32;
+    var phi_3377_: u32;
+    var phi_3404_: u32;
+    var phi_3417_: u32;
+    var phi_3427_: u32;
+    var phi_3448_: u32;
+    var phi_3469_: u32;
+    var phi_3081_: u32;
+    var phi_3127_: u32;
+    var phi_3173_: u32;
+    var phi_3640_: array<array<f32, 3>, 3>;
     var phi_4005_: f32;
     var phi_4006_: f32;
     var phi_4007_: f32;
-    var phi_4008_: vec3<f32>;
+    var phi_4008_: f32;
     var phi_4009_: vec3<f32>;
     var phi_4010_: vec3<f32>;
     var phi_4011_: vec3<f32>;
-    var phi_4190_: f32;
-    var phi_4216_: SlimbvhTypeE;
+    var phi_4012_: vec3<f32>;
+    var phi_4191_: f32;
     var phi_4217_: SlimbvhTypeE;
-    var phi_4220_: SlimbvhTypeE;
+    var phi_4218_: SlimbvhTypeE;
     var phi_4221_: SlimbvhTypeE;
-    var phi_4222_: bool;
-    var phi_4226_: SlimbvhTypeE;
-    var phi_4235_: SlimbvhTypeF;
-    var phi_4288_: i32;
-    var phi_4428_: SlimbvhTypeH;
-    var phi_4452_: u32;
-    var phi_4481_: vec3<f32>;
+    var phi_4222_: SlimbvhTypeE;
+    var phi_4223_: bool;
+    var phi_4227_: SlimbvhTypeE;
+    var phi_4236_: SlimbvhTypeF;
+    var phi_4289_: i32;
+    var phi_4429_: SlimbvhTypeH;
+    var phi_4453_: u32;
     var phi_4482_: vec3<f32>;
-    var phi_4500_: vec3<f32>;
+    var phi_4483_: vec3<f32>;
     var phi_4501_: vec3<f32>;
-    var phi_4519_: vec3<f32>;
+    var phi_4502_: vec3<f32>;
     var phi_4520_: vec3<f32>;
-    var phi_4556_: vec3<f32>;
-    var phi_4738_: f32;
-    var phi_4756_: bool;
+    var phi_4521_: vec3<f32>;
+    var phi_4557_: vec3<f32>;
+    var phi_4739_: f32;
     var phi_4757_: bool;
-    var phi_4776_: bool;
+    var phi_4758_: bool;
     var phi_4777_: bool;
-    var phi_4784_: SlimbvhTypeQ;
-    var phi_4790_: SlimbvhTypeQ;
+    var phi_4778_: bool;
+    var phi_4785_: SlimbvhTypeQ;
     var phi_4791_: SlimbvhTypeQ;
     var phi_4792_: SlimbvhTypeQ;
-    var phi_2962_: SlimbvhTypeQ;
+    var phi_4793_: SlimbvhTypeQ;
+    var phi_2963_: SlimbvhTypeQ;
     var local_3: u32;
     var local_4: u32;
-    var phi_4857_: u32;
     var phi_4858_: u32;
+    var phi_4859_: u32;
     var local_5: SlimbvhTypeQ;
-    var phi_4867_: SlimbvhTypeQ;
-    var phi_4868_: u32;
+    var phi_4868_: SlimbvhTypeQ;
     var phi_4869_: u32;
+    var phi_4870_: u32;
     var phi_1852_: SlimbvhTypeQ;
     var phi_1855_: u32;
     var phi_1857_: u32;
     var phi_1859_: u32;
     var local_6: SlimbvhTypeQ;
-    var phi_4905_: f32;
-    var phi_4907_: f32;
-    var phi_4908_: bool;
-    var phi_4909_: f32;
-    var phi_4910_: bool;
-    var phi_5536_: u32;
-    var phi_5554_: bool;
-    var phi_5557_: bool;
-    var phi_5570_: f32;
+    var phi_4906_: f32;
+    var phi_4908_: f32;
+    var phi_4909_: bool;
+    var phi_4910_: f32;
+    var phi_4911_: bool;
+    var phi_5537_: u32;
+    var phi_5555_: bool;
+    var phi_5558_: bool;
     var phi_5571_: f32;
-    var phi_5576_: f32;
+    var phi_5572_: f32;
     var phi_5577_: f32;
-    var phi_5578_: bool;
-    var phi_5586_: f32;
-    var phi_4925_: f32;
+    var phi_5578_: f32;
+    var phi_5579_: bool;
+    var phi_5587_: f32;
     var phi_4926_: f32;
-    var phi_4938_: f32;
-    var phi_4943_: SlimbvhTypeF;
+    var phi_4927_: f32;
+    var phi_4939_: f32;
+    var phi_4944_: SlimbvhTypeF;
     var local_7: SlimbvhTypeQ;
     var local_8: u32;
     var local_9: u32;
@@ -663,38 +663,38 @@ fn slimbvh_trace() {
                     let _e838 = bitcast<f32>(_e818.x);
                     let _e843 = (_e838 + (f32((_e818.w >> bitcast<u32>(5u))) * _e158));
                     if (_e703 == 0u) {
-                        phi_1978_ = SlimbvhTypeL(_e818.z, _e843);
-                        phi_1979_ = SlimbvhTypeL(_e818.y, _e838);
-                    } else {
-                        phi_1978_ = SlimbvhTypeL(_e818.y, _e838);
                         phi_1979_ = SlimbvhTypeL(_e818.z, _e843);
+                        phi_1980_ = SlimbvhTypeL(_e818.y, _e838);
+                    } else {
+                        phi_1979_ = SlimbvhTypeL(_e818.y, _e838);
+                        phi_1980_ = SlimbvhTypeL(_e818.z, _e843);
                     }
-                    let _e854 = phi_1978_;
-                    let _e856 = phi_1979_;
+                    let _e854 = phi_1979_;
+                    let _e856 = phi_1980_;
                     let _e860 = bitcast<f32>(((_e833 + ((_e818.w & 31u) << bitcast<u32>(23i))) ^ (_e703 << bitcast<u32>(31i))));
                     let _e900 = bitcast<f32>(_e824.x);
                     let _e905 = (_e900 + (f32((_e824.w >> bitcast<u32>(5u))) * _e158));
                     if (_e706 == 0u) {
-                        phi_2038_ = SlimbvhTypeL(_e824.z, _e905);
-                        phi_2039_ = SlimbvhTypeL(_e824.y, _e900);
-                    } else {
-                        phi_2038_ = SlimbvhTypeL(_e824.y, _e900);
                         phi_2039_ = SlimbvhTypeL(_e824.z, _e905);
+                        phi_2040_ = SlimbvhTypeL(_e824.y, _e900);
+                    } else {
+                        phi_2039_ = SlimbvhTypeL(_e824.y, _e900);
+                        phi_2040_ = SlimbvhTypeL(_e824.z, _e905);
                     }
-                    let _e916 = phi_2038_;
-                    let _e918 = phi_2039_;
+                    let _e916 = phi_2039_;
+                    let _e918 = phi_2040_;
                     let _e922 = bitcast<f32>(((_e833 + ((_e824.w & 31u) << bitcast<u32>(23i))) ^ (_e706 << bitcast<u32>(31i))));
                     let _e962 = bitcast<f32>(_e830.x);
                     let _e967 = (_e962 + (f32((_e830.w >> bitcast<u32>(5u))) * _e158));
                     if (_e709 == 0u) {
-                        phi_2098_ = SlimbvhTypeL(_e830.z, _e967);
-                        phi_2099_ = SlimbvhTypeL(_e830.y, _e962);
-                    } else {
-                        phi_2098_ = SlimbvhTypeL(_e830.y, _e962);
                         phi_2099_ = SlimbvhTypeL(_e830.z, _e967);
+                        phi_2100_ = SlimbvhTypeL(_e830.y, _e962);
+                    } else {
+                        phi_2099_ = SlimbvhTypeL(_e830.y, _e962);
+                        phi_2100_ = SlimbvhTypeL(_e830.z, _e967);
                     }
-                    let _e978 = phi_2098_;
-                    let _e980 = phi_2099_;
+                    let _e978 = phi_2099_;
+                    let _e980 = phi_2100_;
                     let _e984 = bitcast<f32>(((_e833 + ((_e830.w & 31u) << bitcast<u32>(23i))) ^ (_e709 << bitcast<u32>(31i))));
                     let _e1020 = (_e860 * _e639);
                     let _e1027 = (((_e856.member_1 - _e636) * _e639) + (bitcast<f32>((bitcast<u32>(_e1020) & 2147483647u)) * -0.00012207031f));
@@ -722,59 +722,59 @@ fn slimbvh_trace() {
                     let _e1151 = max(max(max(((f32(((_e856.member >> bitcast<u32>(24u)) & 255u)) * _e1020) + _e1027), ((f32(((_e918.member >> bitcast<u32>(24u)) & 255u)) * _e1052) + _e1059)), _e1099), _e679);
                     let _e1156 = (_e792.member.member_1 + (bitcast<f32>((bitcast<u32>(_e792.member.member_1) & 2147483647u)) * 0.0000004768374f));
                     if (_e1148 <= min((min(min(((f32((_e854.member & 255u)) * _e1036) + _e1043), ((f32((_e916.member & 255u)) * _e1068) + _e1075)), _e1112) + (max(_e1112, -(_e1096)) * 0.0000023841915f)), _e1156)) {
-                        phi_2583_ = (((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u);
+                        phi_2584_ = (((bitcast<u32>(_e1148) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u);
                     } else {
-                        phi_2583_ = 4294967288u;
+                        phi_2584_ = 4294967288u;
                     }
-                    let _e1171 = phi_2583_;
+                    let _e1171 = phi_2584_;
                     if (_e1149 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(8u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(8u)) & 255u)) * _e1068) + _e1075)), _e1113) + (max(_e1113, -(_e1097)) * 0.0000023841915f)), _e1156)) {
-                        phi_2596_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 1u);
+                        phi_2597_ = ((((bitcast<u32>(_e1149) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 1u);
                     } else {
-                        phi_2596_ = 4294967288u;
+                        phi_2597_ = 4294967288u;
                     }
-                    let _e1179 = phi_2596_;
+                    let _e1179 = phi_2597_;
                     if (_e1150 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(16u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(16u)) & 255u)) * _e1068) + _e1075)), _e1114) + (max(_e1114, -(_e1098)) * 0.0000023841915f)), _e1156)) {
-                        phi_2609_ = ((((bitcast<u32>(_e1150) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 2u);
+                        phi_2610_ = ((((bitcast<u32>(_e1150) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 2u);
                     } else {
-                        phi_2609_ = 4294967288u;
+                        phi_2610_ = 4294967288u;
                     }
-                    let _e1187 = phi_2609_;
+                    let _e1187 = phi_2610_;
                     if (_e1151 <= min((min(min(((f32(((_e854.member >> bitcast<u32>(24u)) & 255u)) * _e1036) + _e1043), ((f32(((_e916.member >> bitcast<u32>(24u)) & 255u)) * _e1068) + _e1075)), _e1115) + (max(_e1115, -(_e1099)) * 0.0000023841915f)), _e1156)) {
-                        phi_2622_ = ((((bitcast<u32>(_e1151) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 3u);
+                        phi_2623_ = ((((bitcast<u32>(_e1151) ^ select(0u, 4294967288u, _e693.member_1)) & 2147483640u) | 4u) | 3u);
                     } else {
-                        phi_2622_ = 4294967288u;
+                        phi_2623_ = 4294967288u;
                     }
-                    let _e1195 = phi_2622_;
+                    let _e1195 = phi_2623_;
                     if (_e1171 < _e1179) {
-                        phi_5257_ = SlimbvhTypeD(_e1171, _e1179);
+                        phi_5258_ = SlimbvhTypeD(_e1171, _e1179);
                     } else {
-                        phi_5257_ = SlimbvhTypeD(_e1179, _e1171);
+                        phi_5258_ = SlimbvhTypeD(_e1179, _e1171);
                     }
-                    let _e1200 = phi_5257_;
+                    let _e1200 = phi_5258_;
                     if (_e1187 < _e1195) {
-                        phi_5269_ = SlimbvhTypeD(_e1187, _e1195);
+                        phi_5270_ = SlimbvhTypeD(_e1187, _e1195);
                     } else {
-                        phi_5269_ = SlimbvhTypeD(_e1195, _e1187);
+                        phi_5270_ = SlimbvhTypeD(_e1195, _e1187);
                     }
-                    let _e1207 = phi_5269_;
+                    let _e1207 = phi_5270_;
                     if (_e1200.member < _e1207.member) {
-                        phi_5281_ = SlimbvhTypeD(_e1200.member, _e1207.member);
+                        phi_5282_ = SlimbvhTypeD(_e1200.member, _e1207.member);
                     } else {
-                        phi_5281_ = SlimbvhTypeD(_e1207.member, _e1200.member);
+                        phi_5282_ = SlimbvhTypeD(_e1207.member, _e1200.member);
                     }
-                    let _e1214 = phi_5281_;
+                    let _e1214 = phi_5282_;
                     if (_e1200.member_1 < _e1207.member_1) {
-                        phi_5293_ = SlimbvhTypeD(_e1200.member_1, _e1207.member_1);
+                        phi_5294_ = SlimbvhTypeD(_e1200.member_1, _e1207.member_1);
                     } else {
-                        phi_5293_ = SlimbvhTypeD(_e1207.member_1, _e1200.member_1);
+                        phi_5294_ = SlimbvhTypeD(_e1207.member_1, _e1200.member_1);
                     }
-                    let _e1221 = phi_5293_;
+                    let _e1221 = phi_5294_;
                     if (_e1221.member < _e1214.member_1) {
-                        phi_5305_ = SlimbvhTypeD(_e1221.member, _e1214.member_1);
+                        phi_5306_ = SlimbvhTypeD(_e1221.member, _e1214.member_1);
                     } else {
-                        phi_5305_ = SlimbvhTypeD(_e1214.member_1, _e1221.member);
+                        phi_5306_ = SlimbvhTypeD(_e1214.member_1, _e1221.member);
                     }
-                    let _e1228 = phi_5305_;
+                    let _e1228 = phi_5306_;
                     let _e1243 = (((_e1214.member & 7u) | ((_e1228.member & 7u) << bitcast<u32>(3u))) | (((_e1228.member_1 & 7u) | ((_e1221.member_1 & 7u) << bitcast<u32>(3u))) << bitcast<u32>(6u)));
                     if (_e1243 == 0u) {
                         let _e1261 = (_e801 - 1u);
@@ -786,36 +786,36 @@ fn slimbvh_trace() {
                         } else {
                             local[(_e1261 % 128u)] = (((_e1264 >> bitcast<u32>(9u)) << bitcast<u32>(9u)) | _e1267);
                         }
-                        phi_2708_ = select(_e801, _e1261, _e1270);
-                        phi_2709_ = (((_e1264 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1265 & 3u) & 3u));
+                        phi_2709_ = select(_e801, _e1261, _e1270);
+                        phi_2710_ = (((_e1264 >> bitcast<u32>(9u)) << bitcast<u32>(2i)) | ((_e1265 & 3u) & 3u));
                     } else {
                         let _e1246 = (_e1243 >> bitcast<u32>(3u));
                         if (_e1246 == 0u) {
-                            phi_2703_ = _e801;
+                            phi_2704_ = _e801;
                         } else {
                             local[(_e801 % 128u)] = ((_e808 << bitcast<u32>(9u)) | _e1246);
-                            phi_2703_ = (_e801 + 1u);
+                            phi_2704_ = (_e801 + 1u);
                         }
-                        let _e1255 = phi_2703_;
-                        phi_2708_ = _e1255;
-                        phi_2709_ = ((_e808 << bitcast<u32>(2i)) | ((_e1243 & 3u) & 3u));
+                        let _e1255 = phi_2704_;
+                        phi_2709_ = _e1255;
+                        phi_2710_ = ((_e808 << bitcast<u32>(2i)) | ((_e1243 & 3u) & 3u));
                     }
-                    let _e1285 = phi_2708_;
-                    let _e1287 = phi_2709_;
+                    let _e1285 = phi_2709_;
+                    let _e1287 = phi_2710_;
                     let _e1289 = (_e1287 >> bitcast<u32>(2i));
                     if (_e1289 < _e109) {
                         let _e1295 = slimbvh_nodes.member[_e1289].member_1[(_e1287 & 3u)];
                         if ((_e1295 & 2147483648u) != 0u) {
-                            phi_2739_ = (2147483648u | _e1287);
+                            phi_2740_ = (2147483648u | _e1287);
                         } else {
-                            phi_2739_ = _e1295;
+                            phi_2740_ = _e1295;
                         }
-                        let _e1300 = phi_2739_;
-                        phi_2740_ = _e1300;
+                        let _e1300 = phi_2740_;
+                        phi_2741_ = _e1300;
                     } else {
-                        phi_2740_ = 4294967295u;
+                        phi_2741_ = 4294967295u;
                     }
-                    let _e1302 = phi_2740_;
+                    let _e1302 = phi_2741_;
                     let _e1303 = (_e805 - 1u);
                     phi_1868_ = select(_e1285, 4294967295u, (_e1303 == 0u));
                     phi_1871_ = _e1302;
@@ -842,7 +842,7 @@ fn slimbvh_trace() {
                 let _e1317 = (_e1316 & 2147483647u);
                 let _e1319 = (_e1317 >> bitcast<u32>(2i));
                 if (_e1319 >= _e109) {
-                    phi_2954_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
+                    phi_2955_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>(0f, 0f, 0f, 0f), 0u), 0u, 0u);
                 } else {
                     let _e1326 = slimbvh_nodes.member[_e1319].member[select(_e698, 2u, (2u < _e698))];
                     let _e1337 = slimbvh_nodes.member[_e1319].member[select(_e699, 2u, (2u < _e699))];
@@ -857,344 +857,344 @@ fn slimbvh_trace() {
                     let _e1399 = (((_e1348.y >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1397));
                     let _e1407 = (((((_e1326.w >> bitcast<u32>(5u)) - (((_e1326.z >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1365))) - _e1367) | (((_e1337.w >> bitcast<u32>(5u)) - (((_e1337.z >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1381))) - _e1383)) | (((_e1348.w >> bitcast<u32>(5u)) - (((_e1348.z >> bitcast<u32>(_e1357)) & 255u) << bitcast<u32>(_e1397))) - _e1399));
                     if (_e1407 < 1024u) {
-                        phi_2890_ = 0u;
+                        phi_2891_ = 0u;
                     } else {
-                        phi_2890_ = select(2u, 1u, (_e1407 < 2097152u));
+                        phi_2891_ = select(2u, 1u, (_e1407 < 2097152u));
                     }
-                    let _e1412 = phi_2890_;
+                    let _e1412 = phi_2891_;
                     let _e1427 = slimbvh_nodes.member[_e1319].member_1[_e1354];
                     if ((_e1427 & 2147483648u) != 0u) {
-                        phi_2951_ = ((_e1427 >> bitcast<u32>(28u)) & 7u);
+                        phi_2952_ = ((_e1427 >> bitcast<u32>(28u)) & 7u);
                     } else {
-                        phi_2951_ = 0u;
+                        phi_2952_ = 0u;
                     }
-                    let _e1434 = phi_2951_;
-                    phi_2954_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1326.x) + (f32(_e1367) * _e158)), (bitcast<f32>(_e1337.x) + (f32(_e1383) * _e158)), (bitcast<f32>(_e1348.x) + (f32(_e1399) * _e158)), 0f), _e1412), (_e1427 & 268435455u), _e1434);
+                    let _e1434 = phi_2952_;
+                    phi_2955_ = SlimbvhTypeN(SlimbvhTypeM(vec4<f32>((bitcast<f32>(_e1326.x) + (f32(_e1367) * _e158)), (bitcast<f32>(_e1337.x) + (f32(_e1383) * _e158)), (bitcast<f32>(_e1348.x) + (f32(_e1399) * _e158)), 0f), _e1412), (_e1427 & 268435455u), _e1434);
                 }
-                let _e1438 = phi_2954_;
+                let _e1438 = phi_2955_;
                 let _e1440 = (_e1438.member_1 + _e164);
-                phi_2961_ = _e792;
-                phi_2964_ = SlimbvhTypeD(0u, _e1438.member_2);
+                phi_2962_ = _e792;
+                phi_2965_ = SlimbvhTypeD(0u, _e1438.member_2);
                 loop {
-                    let _e1445 = phi_2961_;
-                    let _e1447 = phi_2964_;
+                    let _e1445 = phi_2962_;
+                    let _e1447 = phi_2965_;
                     local_5 = _e1445;
                     local_7 = _e1445;
                     if (_e1447.member < _e1447.member_1) {
-                        phi_2965_ = SlimbvhTypeD((_e1447.member + 1u), _e1447.member_1);
-                        phi_2987_ = SlimbvhTypeD(1u, _e1447.member);
+                        phi_2966_ = SlimbvhTypeD((_e1447.member + 1u), _e1447.member_1);
+                        phi_2988_ = SlimbvhTypeD(1u, _e1447.member);
                     } else {
-                        phi_2965_ = _e1447;
-                        phi_2987_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
+                        phi_2966_ = _e1447;
+                        phi_2988_ = SlimbvhTypeD(0u, SlimbvhTypeD().member_1);
                     }
-                    let _e1460 = phi_2965_;
-                    let _e1462 = phi_2987_;
+                    let _e1460 = phi_2966_;
+                    let _e1462 = phi_2988_;
                     let _e1466 = (bitcast<i32>(_e1462.member) != 0i);
                     if _e1466 {
                         switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
-                                phi_3002_ = 1u;
+                                phi_3003_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3002_ = 2u;
+                                phi_3003_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3002_ = 3u;
+                                phi_3003_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3002_ = u32();
+                                phi_3003_ = u32();
                                 break;
                             }
                         }
-                        let _e1470 = phi_3002_;
+                        let _e1470 = phi_3003_;
                         switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
-                                phi_3013_ = 1u;
+                                phi_3014_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3013_ = 2u;
+                                phi_3014_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3013_ = 3u;
+                                phi_3014_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3013_ = u32();
+                                phi_3014_ = u32();
                                 break;
                             }
                         }
-                        let _e1477 = phi_3013_;
+                        let _e1477 = phi_3014_;
                         let _e1479 = ((_e1440 + (_e1462.member_1 * ((3u * _e1470) + 1u))) + (3u * _e1477));
                         if (_e1479 < _e112) {
                             let _e1482 = slimbvh_triangles.member[_e1479];
-                            phi_3029_ = _e1482;
+                            phi_3030_ = _e1482;
                         } else {
-                            phi_3029_ = 4294967295u;
+                            phi_3030_ = 4294967295u;
                         }
-                        let _e1484 = phi_3029_;
+                        let _e1484 = phi_3030_;
                         switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
-                                phi_3042_ = 1u;
+                                phi_3043_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3042_ = 2u;
+                                phi_3043_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3042_ = 3u;
+                                phi_3043_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3042_ = u32();
+                                phi_3043_ = u32();
                                 break;
                             }
                         }
-                        let _e1487 = phi_3042_;
+                        let _e1487 = phi_3043_;
                         let _e1491 = (_e1440 + (_e1462.member_1 * ((3u * _e1487) + 1u)));
                         switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
-                                phi_3053_ = 1u;
+                                phi_3054_ = 1u;
                                 break;
                             }
                             case 1: {
-                                phi_3053_ = 2u;
+                                phi_3054_ = 2u;
                                 break;
                             }
                             case 2: {
-                                phi_3053_ = 3u;
+                                phi_3054_ = 3u;
                                 break;
                             }
                             default: {
-                                phi_3053_ = u32();
+                                phi_3054_ = u32();
                                 break;
                             }
                         }
-                        let _e1494 = phi_3053_;
+                        let _e1494 = phi_3054_;
                         let _e1495 = (_e1491 + _e1494);
                         let _e1497 = (_e1491 + (2u * _e1494));
                         switch bitcast<i32>(_e1438.member.member_1) {
                             case 0: {
                                 if (_e1491 < _e112) {
                                     let _e1774 = slimbvh_triangles.member[_e1491];
-                                    phi_3080_ = _e1774;
+                                    phi_3081_ = _e1774;
                                 } else {
-                                    phi_3080_ = 0u;
+                                    phi_3081_ = 0u;
                                 }
-                                let _e1776 = phi_3080_;
+                                let _e1776 = phi_3081_;
                                 let _e1779 = ((10u * _e224) & 31u);
                                 let _e1790 = ((10u * _e228) & 31u);
                                 let _e1801 = ((10u * _e220) & 31u);
                                 if (_e1495 < _e112) {
                                     let _e1813 = slimbvh_triangles.member[_e1495];
-                                    phi_3126_ = _e1813;
+                                    phi_3127_ = _e1813;
                                 } else {
-                                    phi_3126_ = 0u;
+                                    phi_3127_ = 0u;
                                 }
-                                let _e1815 = phi_3126_;
+                                let _e1815 = phi_3127_;
                                 if (_e1497 < _e112) {
                                     let _e1843 = slimbvh_triangles.member[_e1497];
-                                    phi_3172_ = _e1843;
+                                    phi_3173_ = _e1843;
                                 } else {
-                                    phi_3172_ = 0u;
+                                    phi_3173_ = 0u;
                                 }
-                                let _e1845 = phi_3172_;
-                                phi_3639_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))));
+                                let _e1845 = phi_3173_;
+                                phi_3640_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1776 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1815 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1779)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1790)) & 1023u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | ((_e1845 >> bitcast<u32>(_e1801)) & 1023u))) - 8388608f) * _e158))));
                                 break;
                             }
                             case 1: {
                                 if (_e1491 < _e112) {
                                     let _e1587 = slimbvh_triangles.member[_e1491];
-                                    phi_3219_ = _e1587;
+                                    phi_3220_ = _e1587;
                                 } else {
-                                    phi_3219_ = 0u;
+                                    phi_3220_ = 0u;
                                 }
-                                let _e1589 = phi_3219_;
+                                let _e1589 = phi_3220_;
                                 let _e1590 = (_e1491 + 1u);
                                 if (_e1590 < _e112) {
                                     let _e1593 = slimbvh_triangles.member[_e1590];
-                                    phi_3232_ = _e1593;
+                                    phi_3233_ = _e1593;
                                 } else {
-                                    phi_3232_ = 0u;
+                                    phi_3233_ = 0u;
                                 }
-                                let _e1595 = phi_3232_;
+                                let _e1595 = phi_3233_;
                                 let _e1597 = (_e224 == 1u);
                                 if _e1597 {
-                                    phi_3242_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
+                                    phi_3243_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3242_ = (_e1595 >> bitcast<u32>(10i));
+                                    phi_3243_ = (_e1595 >> bitcast<u32>(10i));
                                 }
-                                let _e1606 = phi_3242_;
+                                let _e1606 = phi_3243_;
                                 let _e1615 = (_e228 == 1u);
                                 if _e1615 {
-                                    phi_3263_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
+                                    phi_3264_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3263_ = (_e1595 >> bitcast<u32>(10i));
+                                    phi_3264_ = (_e1595 >> bitcast<u32>(10i));
                                 }
-                                let _e1624 = phi_3263_;
+                                let _e1624 = phi_3264_;
                                 let _e1633 = (_e220 == 1u);
                                 if _e1633 {
-                                    phi_3284_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
+                                    phi_3285_ = ((_e1589 >> bitcast<u32>(21i)) | (_e1595 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3284_ = (_e1595 >> bitcast<u32>(10i));
+                                    phi_3285_ = (_e1595 >> bitcast<u32>(10i));
                                 }
-                                let _e1642 = phi_3284_;
+                                let _e1642 = phi_3285_;
                                 if (_e1495 < _e112) {
                                     let _e1653 = slimbvh_triangles.member[_e1495];
-                                    phi_3311_ = _e1653;
+                                    phi_3312_ = _e1653;
                                 } else {
-                                    phi_3311_ = 0u;
+                                    phi_3312_ = 0u;
                                 }
-                                let _e1655 = phi_3311_;
+                                let _e1655 = phi_3312_;
                                 let _e1656 = (_e1495 + 1u);
                                 if (_e1656 < _e112) {
                                     let _e1659 = slimbvh_triangles.member[_e1656];
-                                    phi_3324_ = _e1659;
+                                    phi_3325_ = _e1659;
                                 } else {
-                                    phi_3324_ = 0u;
+                                    phi_3325_ = 0u;
                                 }
-                                let _e1661 = phi_3324_;
+                                let _e1661 = phi_3325_;
                                 if _e1597 {
-                                    phi_3334_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
+                                    phi_3335_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3334_ = (_e1661 >> bitcast<u32>(10i));
+                                    phi_3335_ = (_e1661 >> bitcast<u32>(10i));
                                 }
-                                let _e1670 = phi_3334_;
+                                let _e1670 = phi_3335_;
                                 if _e1615 {
-                                    phi_3355_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
+                                    phi_3356_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3355_ = (_e1661 >> bitcast<u32>(10i));
+                                    phi_3356_ = (_e1661 >> bitcast<u32>(10i));
                                 }
-                                let _e1686 = phi_3355_;
+                                let _e1686 = phi_3356_;
                                 if _e1633 {
-                                    phi_3376_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
+                                    phi_3377_ = ((_e1655 >> bitcast<u32>(21i)) | (_e1661 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3376_ = (_e1661 >> bitcast<u32>(10i));
+                                    phi_3377_ = (_e1661 >> bitcast<u32>(10i));
                                 }
-                                let _e1702 = phi_3376_;
+                                let _e1702 = phi_3377_;
                                 if (_e1497 < _e112) {
                                     let _e1713 = slimbvh_triangles.member[_e1497];
-                                    phi_3403_ = _e1713;
+                                    phi_3404_ = _e1713;
                                 } else {
-                                    phi_3403_ = 0u;
+                                    phi_3404_ = 0u;
                                 }
-                                let _e1715 = phi_3403_;
+                                let _e1715 = phi_3404_;
                                 let _e1716 = (_e1497 + 1u);
                                 if (_e1716 < _e112) {
                                     let _e1719 = slimbvh_triangles.member[_e1716];
-                                    phi_3416_ = _e1719;
+                                    phi_3417_ = _e1719;
                                 } else {
-                                    phi_3416_ = 0u;
+                                    phi_3417_ = 0u;
                                 }
-                                let _e1721 = phi_3416_;
+                                let _e1721 = phi_3417_;
                                 if _e1597 {
-                                    phi_3426_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
+                                    phi_3427_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3426_ = (_e1721 >> bitcast<u32>(10i));
+                                    phi_3427_ = (_e1721 >> bitcast<u32>(10i));
                                 }
-                                let _e1730 = phi_3426_;
+                                let _e1730 = phi_3427_;
                                 if _e1615 {
-                                    phi_3447_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
+                                    phi_3448_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3447_ = (_e1721 >> bitcast<u32>(10i));
+                                    phi_3448_ = (_e1721 >> bitcast<u32>(10i));
                                 }
-                                let _e1746 = phi_3447_;
+                                let _e1746 = phi_3448_;
                                 if _e1633 {
-                                    phi_3468_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
+                                    phi_3469_ = ((_e1715 >> bitcast<u32>(21i)) | (_e1721 << bitcast<u32>(11i)));
                                 } else {
-                                    phi_3468_ = (_e1721 >> bitcast<u32>(10i));
+                                    phi_3469_ = (_e1721 >> bitcast<u32>(10i));
                                 }
-                                let _e1762 = phi_3468_;
-                                phi_3639_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1606, _e1589, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1624, _e1589, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1642, _e1589, _e236) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1670, _e1655, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1686, _e1655, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1702, _e1655, _e236) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1730, _e1715, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1746, _e1715, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1762, _e1715, _e236) & 2097151u))) - 8388608f) * _e158))));
+                                let _e1762 = phi_3469_;
+                                phi_3640_ = array<array<f32, 3>, 3>(array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1606, _e1589, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1624, _e1589, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1642, _e1589, _e236) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1670, _e1655, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1686, _e1655, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1702, _e1655, _e236) & 2097151u))) - 8388608f) * _e158))), array<f32, 3>((_e1438.member.member.x + ((bitcast<f32>((1258291200u | (select(_e1730, _e1715, _e229) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.y + ((bitcast<f32>((1258291200u | (select(_e1746, _e1715, _e232) & 2097151u))) - 8388608f) * _e158)), (_e1438.member.member.z + ((bitcast<f32>((1258291200u | (select(_e1762, _e1715, _e236) & 2097151u))) - 8388608f) * _e158))));
                                 break;
                             }
                             case 2: {
                                 let _e1500 = (_e1491 + _e224);
                                 if (_e1500 < _e112) {
                                     let _e1503 = slimbvh_triangles.member[_e1500];
-                                    phi_3497_ = _e1503;
+                                    phi_3498_ = _e1503;
                                 } else {
-                                    phi_3497_ = 0u;
+                                    phi_3498_ = 0u;
                                 }
-                                let _e1505 = phi_3497_;
+                                let _e1505 = phi_3498_;
                                 let _e1506 = (_e1491 + _e228);
                                 if (_e1506 < _e112) {
                                     let _e1509 = slimbvh_triangles.member[_e1506];
-                                    phi_3510_ = _e1509;
+                                    phi_3511_ = _e1509;
                                 } else {
-                                    phi_3510_ = 0u;
+                                    phi_3511_ = 0u;
                                 }
-                                let _e1511 = phi_3510_;
+                                let _e1511 = phi_3511_;
                                 let _e1512 = (_e1491 + _e220);
                                 if (_e1512 < _e112) {
                                     let _e1515 = slimbvh_triangles.member[_e1512];
-                                    phi_3523_ = _e1515;
+                                    phi_3524_ = _e1515;
                                 } else {
-                                    phi_3523_ = 0u;
+                                    phi_3524_ = 0u;
                                 }
-                                let _e1517 = phi_3523_;
+                                let _e1517 = phi_3524_;
                                 let _e1528 = (_e1495 + _e224);
                                 if (_e1528 < _e112) {
                                     let _e1531 = slimbvh_triangles.member[_e1528];
-                                    phi_3549_ = _e1531;
+                                    phi_3550_ = _e1531;
                                 } else {
-                                    phi_3549_ = 0u;
+                                    phi_3550_ = 0u;
                                 }
-                                let _e1533 = phi_3549_;
+                                let _e1533 = phi_3550_;
                                 let _e1534 = (_e1495 + _e228);
                                 if (_e1534 < _e112) {
                                     let _e1537 = slimbvh_triangles.member[_e1534];
-                                    phi_3562_ = _e1537;
+                                    phi_3563_ = _e1537;
                                 } else {
-                                    phi_3562_ = 0u;
+                                    phi_3563_ = 0u;
                                 }
-                                let _e1539 = phi_3562_;
+                                let _e1539 = phi_3563_;
                                 let _e1540 = (_e1495 + _e220);
                                 if (_e1540 < _e112) {
                                     let _e1543 = slimbvh_triangles.member[_e1540];
-                                    phi_3575_ = _e1543;
+                                    phi_3576_ = _e1543;
                                 } else {
-                                    phi_3575_ = 0u;
+                                    phi_3576_ = 0u;
                                 }
-                                let _e1545 = phi_3575_;
+                                let _e1545 = phi_3576_;
                                 let _e1556 = (_e1497 + _e224);
                                 if (_e1556 < _e112) {
                                     let _e1559 = slimbvh_triangles.member[_e1556];
-                                    phi_3601_ = _e1559;
+                                    phi_3602_ = _e1559;
                                 } else {
-                                    phi_3601_ = 0u;
+                                    phi_3602_ = 0u;
                                 }
-                                let _e1561 = phi_3601_;
+                                let _e1561 = phi_3602_;
                                 let _e1562 = (_e1497 + _e228);
                                 if (_e1562 < _e112) {
                                     let _e1565 = slimbvh_triangles.member[_e1562];
-                                    phi_3614_ = _e1565;
+                                    phi_3615_ = _e1565;
                                 } else {
-                                    phi_3614_ = 0u;
+                                    phi_3615_ = 0u;
                                 }
-                                let _e1567 = phi_3614_;
+                                let _e1567 = phi_3615_;
                                 let _e1568 = (_e1497 + _e220);
                                 if (_e1568 < _e112) {
                                     let _e1571 = slimbvh_triangles.member[_e1568];
-                                    phi_3627_ = _e1571;
+                                    phi_3628_ = _e1571;
                                 } else {
-                                    phi_3627_ = 0u;
+                                    phi_3628_ = 0u;
                                 }
-                                let _e1573 = phi_3627_;
-                                phi_3639_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1505)) * _e158), (f32(bitcast<i32>(_e1511)) * _e158), (f32(bitcast<i32>(_e1517)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1533)) * _e158), (f32(bitcast<i32>(_e1539)) * _e158), (f32(bitcast<i32>(_e1545)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1561)) * _e158), (f32(bitcast<i32>(_e1567)) * _e158), (f32(bitcast<i32>(_e1573)) * _e158)));
+                                let _e1573 = phi_3628_;
+                                phi_3640_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1505)) * _e158), (f32(bitcast<i32>(_e1511)) * _e158), (f32(bitcast<i32>(_e1517)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1533)) * _e158), (f32(bitcast<i32>(_e1539)) * _e158), (f32(bitcast<i32>(_e1545)) * _e158)), array<f32, 3>((f32(bitcast<i32>(_e1561)) * _e158), (f32(bitcast<i32>(_e1567)) * _e158), (f32(bitcast<i32>(_e1573)) * _e158)));
                                 break;
                             }
                             default: {
-                                phi_3639_ = array<array<f32, 3>, 3>();
+                                phi_3640_ = array<array<f32, 3>, 3>();
                                 break;
                             }
                         }
-                        let _e1873 = phi_3639_;
+                        let _e1873 = phi_3640_;
                         let _e1890 = (_e1873[0][2] - _e612.member[2]);
                         let _e1893 = (((_e1873[0][0] - _e612.member[0]) * _e667) - (_e1890 * _e635));
                         let _e1896 = (((_e1873[0][1] - _e612.member[1]) * _e667) - (_e1890 * _e651));
@@ -1254,34 +1254,34 @@ fn slimbvh_trace() {
                                 let _e2058 = max(max(bitcast<f32>((bitcast<u32>(_e2029) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2030) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2031) & 2147483647u)));
                                 let _e2071 = max(max(_e2047, _e2058), max(max(bitcast<f32>((bitcast<u32>(_e2033) & 2147483647u)), bitcast<f32>((bitcast<u32>(_e2034) & 2147483647u))), bitcast<f32>((bitcast<u32>(_e2035) & 2147483647u))));
                                 if (_e2047 == _e2071) {
-                                    phi_4004_ = _e1905;
-                                    phi_4005_ = _e1902;
-                                    phi_4006_ = _e1896;
-                                    phi_4007_ = _e1893;
-                                    phi_4008_ = vec3<f32>(_e1873[0][0], _e1873[0][1], _e1873[0][2]);
-                                    phi_4009_ = _e2036;
-                                    phi_4010_ = _e2032;
-                                    phi_4011_ = _e2028;
+                                    phi_4005_ = _e1905;
+                                    phi_4006_ = _e1902;
+                                    phi_4007_ = _e1896;
+                                    phi_4008_ = _e1893;
+                                    phi_4009_ = vec3<f32>(_e1873[0][0], _e1873[0][1], _e1873[0][2]);
+                                    phi_4010_ = _e2036;
+                                    phi_4011_ = _e2032;
+                                    phi_4012_ = _e2028;
                                 } else {
                                     let _e2073 = (_e2058 == _e2071);
                                     let _e2078 = vec3(_e2073);
-                                    phi_4004_ = select(_e1896, _e1914, _e2073);
-                                    phi_4005_ = select(_e1893, _e1911, _e2073);
-                                    phi_4006_ = select(_e1914, _e1905, _e2073);
-                                    phi_4007_ = select(_e1911, _e1902, _e2073);
-                                    phi_4008_ = select(vec3<f32>(_e1873[2][0], _e1873[2][1], _e1873[2][2]), vec3<f32>(_e1873[1][0], _e1873[1][1], _e1873[1][2]), _e2078);
-                                    phi_4009_ = select(_e2032, _e2028, _e2078);
-                                    phi_4010_ = select(_e2028, _e2036, _e2078);
-                                    phi_4011_ = select(_e2036, _e2032, _e2078);
+                                    phi_4005_ = select(_e1896, _e1914, _e2073);
+                                    phi_4006_ = select(_e1893, _e1911, _e2073);
+                                    phi_4007_ = select(_e1914, _e1905, _e2073);
+                                    phi_4008_ = select(_e1911, _e1902, _e2073);
+                                    phi_4009_ = select(vec3<f32>(_e1873[2][0], _e1873[2][1], _e1873[2][2]), vec3<f32>(_e1873[1][0], _e1873[1][1], _e1873[1][2]), _e2078);
+                                    phi_4010_ = select(_e2032, _e2028, _e2078);
+                                    phi_4011_ = select(_e2028, _e2036, _e2078);
+                                    phi_4012_ = select(_e2036, _e2032, _e2078);
                                 }
-                                let _e2084 = phi_4004_;
-                                let _e2086 = phi_4005_;
-                                let _e2088 = phi_4006_;
-                                let _e2090 = phi_4007_;
-                                let _e2092 = phi_4008_;
-                                let _e2094 = phi_4009_;
-                                let _e2096 = phi_4010_;
-                                let _e2098 = phi_4011_;
+                                let _e2084 = phi_4005_;
+                                let _e2086 = phi_4006_;
+                                let _e2088 = phi_4007_;
+                                let _e2090 = phi_4008_;
+                                let _e2092 = phi_4009_;
+                                let _e2094 = phi_4010_;
+                                let _e2096 = phi_4011_;
+                                let _e2098 = phi_4012_;
                                 let _e2105 = ((_e2096.y * _e2094.z) - (_e2094.y * _e2096.z));
                                 let _e2110 = ((_e2096.z * _e2094.x) - (_e2094.z * _e2096.x));
                                 let _e2113 = ((_e2096.x * _e2094.y) - (_e2094.x * _e2096.y));
@@ -1303,46 +1303,46 @@ fn slimbvh_trace() {
                                 if (_e2020 && !(_e2232)) {
                                     let _e2236 = (_e2167 / _e667);
                                     let _e2244 = (((_e2105 * (_e2161 - (_e635 * _e2236))) + (_e2110 * (_e2164 - (_e651 * _e2236)))) / _e2136);
-                                    phi_4190_ = select(select(_e2236, (_e2236 + _e2244), (bitcast<f32>((bitcast<u32>(_e2244) & 2147483647u)) <= _e2071)), _e2233, _e2232);
+                                    phi_4191_ = select(select(_e2236, (_e2236 + _e2244), (bitcast<f32>((bitcast<u32>(_e2244) & 2147483647u)) <= _e2071)), _e2233, _e2232);
                                 } else {
-                                    phi_4190_ = _e2233;
+                                    phi_4191_ = _e2233;
                                 }
-                                let _e2253 = phi_4190_;
+                                let _e2253 = phi_4191_;
                                 let _e2255 = select(_e1993, _e2253, (_e2253 < _e1993));
                                 let _e2257 = select(_e1988, _e2255, (_e2255 > _e1988));
                                 let _e2260 = select(_e2257, 0f, (bitcast<u32>(_e2257) == 2147483648u));
                                 let _e2261 = (1f / _e1947);
-                                phi_4216_ = SlimbvhTypeE(_e2260, (_e1941 * _e2261), (_e1945 * _e2261), ((_e2020 && (_e2260 >= _e679)) && (_e2260 <= _e1445.member.member_1)));
-                                phi_4217_ = SlimbvhTypeE();
+                                phi_4217_ = SlimbvhTypeE(_e2260, (_e1941 * _e2261), (_e1945 * _e2261), ((_e2020 && (_e2260 >= _e679)) && (_e2260 <= _e1445.member.member_1)));
+                                phi_4218_ = SlimbvhTypeE();
                             } else {
-                                phi_4216_ = SlimbvhTypeE();
-                                phi_4217_ = SlimbvhTypeE(0f, 0f, 0f, _e2020);
+                                phi_4217_ = SlimbvhTypeE();
+                                phi_4218_ = SlimbvhTypeE(0f, 0f, 0f, _e2020);
                             }
-                            let _e2270 = phi_4216_;
-                            let _e2272 = phi_4217_;
-                            phi_4220_ = _e2270;
-                            phi_4221_ = _e2272;
-                            phi_4222_ = select(true, false, _e2020);
+                            let _e2270 = phi_4217_;
+                            let _e2272 = phi_4218_;
+                            phi_4221_ = _e2270;
+                            phi_4222_ = _e2272;
+                            phi_4223_ = select(true, false, _e2020);
                         } else {
-                            phi_4220_ = SlimbvhTypeE();
-                            phi_4221_ = SlimbvhTypeE(0f, 0f, 0f, _e1931);
-                            phi_4222_ = true;
+                            phi_4221_ = SlimbvhTypeE();
+                            phi_4222_ = SlimbvhTypeE(0f, 0f, 0f, _e1931);
+                            phi_4223_ = true;
                         }
-                        let _e2275 = phi_4220_;
-                        let _e2277 = phi_4221_;
-                        let _e2279 = phi_4222_;
+                        let _e2275 = phi_4221_;
+                        let _e2277 = phi_4222_;
+                        let _e2279 = phi_4223_;
                         if _e2279 {
-                            phi_4226_ = _e2277;
+                            phi_4227_ = _e2277;
                         } else {
-                            phi_4226_ = _e2275;
+                            phi_4227_ = _e2275;
                         }
-                        let _e2281 = phi_4226_;
+                        let _e2281 = phi_4227_;
                         if _e2281.member_3 {
-                            phi_4235_ = SlimbvhTypeF(_e2281.member, _e2281.member_1, _e2281.member_2, _e1484);
+                            phi_4236_ = SlimbvhTypeF(_e2281.member, _e2281.member_1, _e2281.member_2, _e1484);
                         } else {
-                            phi_4235_ = _e105;
+                            phi_4236_ = _e105;
                         }
-                        let _e2288 = phi_4235_;
+                        let _e2288 = phi_4236_;
                         if (_e2288.member_3 != 4294967295u) {
                             let _e2294 = slimbvh_target.member[0u][0u];
                             let _e2298 = slimbvh_target.member[0u][1u];
@@ -1358,15 +1358,15 @@ fn slimbvh_trace() {
                             let _e2327 = bitcast<f32>(_e2310);
                             let _e2328 = array<u32, 3>(_e2314, _e2318, _e2322);
                             if (_e182 < -126i) {
-                                phi_4288_ = -126i;
+                                phi_4289_ = -126i;
                             } else {
-                                phi_4288_ = select(_e182, 127i, (_e182 > 127i));
+                                phi_4289_ = select(_e182, 127i, (_e182 > 127i));
                             }
-                            let _e2334 = phi_4288_;
+                            let _e2334 = phi_4289_;
                             let _e2339 = bitcast<f32>((bitcast<u32>((_e2334 + 127i)) << bitcast<u32>(23i)));
                             let _e2345 = bitcast<f32>((bitcast<u32>(((_e182 - _e2334) + 127i)) << bitcast<u32>(23i)));
                             if (_e2306 == 0u) {
-                                phi_4428_ = SlimbvhTypeH(array<f32, 3>(_e2323, _e2324, _e2325), _e2306, _e2327, _e2328);
+                                phi_4429_ = SlimbvhTypeH(array<f32, 3>(_e2323, _e2324, _e2325), _e2306, _e2327, _e2328);
                             } else {
                                 let _e2347 = bitcast<u32>(_e2323);
                                 let _e2349 = ((_e2347 & 2139095040u) != 0u);
@@ -1376,61 +1376,61 @@ fn slimbvh_trace() {
                                 let _e2383 = ((_e2381 & 2139095040u) != 0u);
                                 let _e2399 = bitcast<u32>(_e2327);
                                 let _e2401 = ((_e2399 & 2139095040u) != 0u);
-                                phi_4428_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2347 & 2147483648u))), _e2323, _e2349) * _e2339) * select(0.00000011920929f, 1f, _e2349)) * _e2345), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2364 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2364 & 2147483648u))), _e2324, _e2366) * _e2339) * select(0.00000011920929f, 1f, _e2366)) * _e2345), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2381 & 2147483648u))), _e2325, _e2383) * _e2339) * select(0.00000011920929f, 1f, _e2383)) * _e2345)), _e2306, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2399 & 2147483648u))), _e2327, _e2401) * _e2339) * select(0.00000011920929f, 1f, _e2401)) * _e2345), _e2328);
+                                phi_4429_ = SlimbvhTypeH(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2347 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2347 & 2147483648u))), _e2323, _e2349) * _e2339) * select(0.00000011920929f, 1f, _e2349)) * _e2345), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2364 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2364 & 2147483648u))), _e2324, _e2366) * _e2339) * select(0.00000011920929f, 1f, _e2366)) * _e2345), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2381 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2381 & 2147483648u))), _e2325, _e2383) * _e2339) * select(0.00000011920929f, 1f, _e2383)) * _e2345)), _e2306, (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e2399 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e2399 & 2147483648u))), _e2327, _e2401) * _e2339) * select(0.00000011920929f, 1f, _e2401)) * _e2345), _e2328);
                             }
-                            let _e2418 = phi_4428_;
+                            let _e2418 = phi_4429_;
                             if (_e1484 == _e683) {
-                                phi_4757_ = false;
+                                phi_4758_ = false;
                             } else {
                                 let _e2420 = (_e1484 / 16u);
                                 if (_e2420 < arrayLength((&slimbvh_sides.member))) {
                                     let _e2423 = slimbvh_sides.member[_e2420];
-                                    phi_4452_ = _e2423;
+                                    phi_4453_ = _e2423;
                                 } else {
-                                    phi_4452_ = 0u;
+                                    phi_4453_ = 0u;
                                 }
-                                let _e2425 = phi_4452_;
+                                let _e2425 = phi_4453_;
                                 let _e2434 = (bitcast<i32>((_e2425 << bitcast<u32>(((30u - ((_e1484 % 16u) * 2u)) & 31u)))) >> bitcast<u32>(30i));
                                 let _e2435 = (_e2434 == 0i);
                                 if _e2435 {
-                                    phi_4756_ = true;
+                                    phi_4757_ = true;
                                 } else {
                                     if _e229 {
-                                        phi_4482_ = vec3<f32>(_e1873[0][0], _e1873[0][1], _e1873[0][2]);
+                                        phi_4483_ = vec3<f32>(_e1873[0][0], _e1873[0][1], _e1873[0][2]);
                                     } else {
                                         if (_e224 == 1u) {
-                                            phi_4481_ = vec3<f32>(_e1873[0][2], _e1873[0][0], _e1873[0][1]);
+                                            phi_4482_ = vec3<f32>(_e1873[0][2], _e1873[0][0], _e1873[0][1]);
                                         } else {
-                                            phi_4481_ = vec3<f32>(_e1873[0][1], _e1873[0][2], _e1873[0][0]);
+                                            phi_4482_ = vec3<f32>(_e1873[0][1], _e1873[0][2], _e1873[0][0]);
                                         }
-                                        let _e2440 = phi_4481_;
-                                        phi_4482_ = _e2440;
+                                        let _e2440 = phi_4482_;
+                                        phi_4483_ = _e2440;
                                     }
-                                    let _e2443 = phi_4482_;
+                                    let _e2443 = phi_4483_;
                                     if _e229 {
-                                        phi_4501_ = vec3<f32>(_e1873[1][0], _e1873[1][1], _e1873[1][2]);
+                                        phi_4502_ = vec3<f32>(_e1873[1][0], _e1873[1][1], _e1873[1][2]);
                                     } else {
                                         if (_e224 == 1u) {
-                                            phi_4500_ = vec3<f32>(_e1873[1][2], _e1873[1][0], _e1873[1][1]);
+                                            phi_4501_ = vec3<f32>(_e1873[1][2], _e1873[1][0], _e1873[1][1]);
                                         } else {
-                                            phi_4500_ = vec3<f32>(_e1873[1][1], _e1873[1][2], _e1873[1][0]);
+                                            phi_4501_ = vec3<f32>(_e1873[1][1], _e1873[1][2], _e1873[1][0]);
                                         }
-                                        let _e2448 = phi_4500_;
-                                        phi_4501_ = _e2448;
+                                        let _e2448 = phi_4501_;
+                                        phi_4502_ = _e2448;
                                     }
-                                    let _e2451 = phi_4501_;
+                                    let _e2451 = phi_4502_;
                                     if _e229 {
-                                        phi_4520_ = vec3<f32>(_e1873[2][0], _e1873[2][1], _e1873[2][2]);
+                                        phi_4521_ = vec3<f32>(_e1873[2][0], _e1873[2][1], _e1873[2][2]);
                                     } else {
                                         if (_e224 == 1u) {
-                                            phi_4519_ = vec3<f32>(_e1873[2][2], _e1873[2][0], _e1873[2][1]);
+                                            phi_4520_ = vec3<f32>(_e1873[2][2], _e1873[2][0], _e1873[2][1]);
                                         } else {
-                                            phi_4519_ = vec3<f32>(_e1873[2][1], _e1873[2][2], _e1873[2][0]);
+                                            phi_4520_ = vec3<f32>(_e1873[2][1], _e1873[2][2], _e1873[2][0]);
                                         }
-                                        let _e2456 = phi_4519_;
-                                        phi_4520_ = _e2456;
+                                        let _e2456 = phi_4520_;
+                                        phi_4521_ = _e2456;
                                     }
-                                    let _e2459 = phi_4520_;
+                                    let _e2459 = phi_4521_;
                                     let _e2462 = (_e2451.x - _e2443.x);
                                     let _e2465 = (_e2451.y - _e2443.y);
                                     let _e2468 = (_e2451.z - _e2443.z);
@@ -1438,11 +1438,11 @@ fn slimbvh_trace() {
                                     let _e2472 = (_e2459.y - _e2443.y);
                                     let _e2474 = (_e2459.z - _e2443.z);
                                     if (_e2418.member_1 == 1u) {
-                                        phi_4556_ = (vec3<f32>(_e2418.member[0], _e2418.member[1], _e2418.member[2]) - _e2443);
+                                        phi_4557_ = (vec3<f32>(_e2418.member[0], _e2418.member[1], _e2418.member[2]) - _e2443);
                                     } else {
-                                        phi_4556_ = vec3<f32>(_e2418.member[0], _e2418.member[1], _e2418.member[2]);
+                                        phi_4557_ = vec3<f32>(_e2418.member[0], _e2418.member[1], _e2418.member[2]);
                                     }
-                                    let _e2489 = phi_4556_;
+                                    let _e2489 = phi_4557_;
                                     let _e2495 = bitcast<f32>((bitcast<u32>((_e2462 * _e2472)) ^ _e2418.member_3[0]));
                                     let _e2499 = bitcast<f32>((bitcast<u32>((_e2465 * _e2470)) ^ _e2418.member_3[0]));
                                     let _e2503 = bitcast<f32>((bitcast<u32>((_e2465 * _e2474)) ^ _e2418.member_3[0]));
@@ -1456,7 +1456,7 @@ fn slimbvh_trace() {
                                     let _e2549 = (bitcast<f32>((bitcast<u32>(_e2511) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2515) & 2147483647u)));
                                     let _e2556 = (bitcast<f32>((bitcast<u32>(_e2495) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2499) & 2147483647u)));
                                     if (_e2418.member_2 == 0f) {
-                                        phi_4738_ = 0f;
+                                        phi_4739_ = 0f;
                                     } else {
                                         let _e2586 = bitcast<f32>((bitcast<u32>(_e2516) & 2147483647u));
                                         let _e2589 = bitcast<f32>((bitcast<u32>(_e2517) & 2147483647u));
@@ -1466,59 +1466,59 @@ fn slimbvh_trace() {
                                         let _e2602 = select(_e2589, _e2586, (_e2586 < _e2589));
                                         let _e2604 = select(_e2589, _e2586, (_e2586 > _e2589));
                                         let _e2606 = select(_e2592, _e2604, (_e2604 < _e2592));
-                                        phi_4738_ = bitcast<f32>((bitcast<u32>((_e2418.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2594, _e2586, (_e2586 > _e2594)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2606, _e2602, (_e2602 > _e2606)))) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2598, _e2586, (_e2586 < _e2598)))) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2542 + _e2549) + _e2556))) ^ _e2418.member_3[0]))) * 1.0000005f)) ^ _e2418.member_3[0])))) ^ _e2418.member_3[0]));
+                                        phi_4739_ = bitcast<f32>((bitcast<u32>((_e2418.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2594, _e2586, (_e2586 > _e2594)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2606, _e2602, (_e2602 > _e2606)))) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2598, _e2586, (_e2586 < _e2598)))) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2542 + _e2549) + _e2556))) ^ _e2418.member_3[0]))) * 1.0000005f)) ^ _e2418.member_3[0])))) ^ _e2418.member_3[0]));
                                     }
-                                    let _e2633 = phi_4738_;
-                                    phi_4756_ = (_e2435 || !(((((bitcast<f32>((bitcast<u32>((_e2489.x * _e2516)) ^ _e2418.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2489.y * _e2517)) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2489.z * _e2518)) ^ _e2418.member_3[0]))) * f32(-(_e2434))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.x) & 2147483647u)) * _e2542)) ^ _e2418.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.y) & 2147483647u)) * _e2549)) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.z) & 2147483647u)) * _e2556)) ^ _e2418.member_3[0]))))) ^ _e2418.member_3[0])) + _e2633) + 0.0000000000000000000000000000000000001880791f))));
+                                    let _e2633 = phi_4739_;
+                                    phi_4757_ = (_e2435 || !(((((bitcast<f32>((bitcast<u32>((_e2489.x * _e2516)) ^ _e2418.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2489.y * _e2517)) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2489.z * _e2518)) ^ _e2418.member_3[0]))) * f32(-(_e2434))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.x) & 2147483647u)) * _e2542)) ^ _e2418.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.y) & 2147483647u)) * _e2549)) ^ _e2418.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2489.z) & 2147483647u)) * _e2556)) ^ _e2418.member_3[0]))))) ^ _e2418.member_3[0])) + _e2633) + 0.0000000000000000000000000000000000001880791f))));
                                 }
-                                let _e2647 = phi_4756_;
-                                phi_4757_ = _e2647;
+                                let _e2647 = phi_4757_;
+                                phi_4758_ = _e2647;
                             }
-                            let _e2649 = phi_4757_;
+                            let _e2649 = phi_4758_;
                             if _e2649 {
                                 if (_e2288.member < _e1445.member.member.member) {
-                                    phi_4777_ = true;
+                                    phi_4778_ = true;
                                 } else {
                                     if (_e2288.member == _e1445.member.member.member) {
-                                        phi_4776_ = (_e2288.member_3 < _e1445.member.member.member_3);
+                                        phi_4777_ = (_e2288.member_3 < _e1445.member.member.member_3);
                                     } else {
-                                        phi_4776_ = false;
+                                        phi_4777_ = false;
                                     }
-                                    let _e2661 = phi_4776_;
-                                    phi_4777_ = _e2661;
+                                    let _e2661 = phi_4777_;
+                                    phi_4778_ = _e2661;
                                 }
-                                let _e2663 = phi_4777_;
+                                let _e2663 = phi_4778_;
                                 if _e2663 {
-                                    phi_4784_ = SlimbvhTypeQ(SlimbvhTypeI(_e2288, _e2288.member), _e1445.member_1);
+                                    phi_4785_ = SlimbvhTypeQ(SlimbvhTypeI(_e2288, _e2288.member), _e1445.member_1);
                                 } else {
-                                    phi_4784_ = _e1445;
+                                    phi_4785_ = _e1445;
                                 }
-                                let _e2669 = phi_4784_;
+                                let _e2669 = phi_4785_;
                                 if _e2669.member_1 {
-                                    phi_4790_ = SlimbvhTypeQ(SlimbvhTypeI(_e2669.member.member, bitcast<f32>(4286578687u)), _e2669.member_1);
+                                    phi_4791_ = SlimbvhTypeQ(SlimbvhTypeI(_e2669.member.member, bitcast<f32>(4286578687u)), _e2669.member_1);
                                 } else {
-                                    phi_4790_ = _e2669;
+                                    phi_4791_ = _e2669;
                                 }
-                                let _e2678 = phi_4790_;
-                                phi_4791_ = _e2678;
+                                let _e2678 = phi_4791_;
+                                phi_4792_ = _e2678;
                             } else {
-                                phi_4791_ = _e1445;
+                                phi_4792_ = _e1445;
                             }
-                            let _e2680 = phi_4791_;
-                            phi_4792_ = _e2680;
+                            let _e2680 = phi_4792_;
+                            phi_4793_ = _e2680;
                         } else {
-                            phi_4792_ = _e1445;
+                            phi_4793_ = _e1445;
                         }
-                        let _e2682 = phi_4792_;
-                        phi_2962_ = _e2682;
+                        let _e2682 = phi_4793_;
+                        phi_2963_ = _e2682;
                     } else {
-                        phi_2962_ = SlimbvhTypeQ();
+                        phi_2963_ = SlimbvhTypeQ();
                     }
-                    let _e2684 = phi_2962_;
+                    let _e2684 = phi_2963_;
                     continue;
                     continuing {
-                        phi_2961_ = _e2684;
-                        phi_2964_ = _e1460;
+                        phi_2962_ = _e2684;
+                        phi_2965_ = _e1460;
                         break if !(_e1466);
                     }
                 }
@@ -1538,31 +1538,31 @@ fn slimbvh_trace() {
                 if (_e2714 < _e109) {
                     let _e2720 = slimbvh_nodes.member[_e2714].member_1[(_e2712 & 3u)];
                     if ((_e2720 & 2147483648u) != 0u) {
-                        phi_4857_ = (2147483648u | _e2712);
+                        phi_4858_ = (2147483648u | _e2712);
                     } else {
-                        phi_4857_ = _e2720;
+                        phi_4858_ = _e2720;
                     }
-                    let _e2725 = phi_4857_;
-                    phi_4858_ = _e2725;
+                    let _e2725 = phi_4858_;
+                    phi_4859_ = _e2725;
                 } else {
-                    phi_4858_ = 4294967295u;
+                    phi_4859_ = 4294967295u;
                 }
-                let _e2727 = phi_4858_;
+                let _e2727 = phi_4859_;
                 let _e2729 = local_5;
                 let _e3028 = local_7;
-                phi_4867_ = _e3028;
-                phi_4868_ = select(select(_e2704, _e2688, _e2697), 4294967295u, (_e679 > _e2729.member.member_1));
-                phi_4869_ = _e2727;
+                phi_4868_ = _e3028;
+                phi_4869_ = select(select(_e2704, _e2688, _e2697), 4294967295u, (_e679 > _e2729.member.member_1));
+                phi_4870_ = _e2727;
             } else {
-                phi_4867_ = _e792;
+                phi_4868_ = _e792;
                 let _e3031 = local_8;
-                phi_4868_ = _e3031;
+                phi_4869_ = _e3031;
                 let _e3034 = local_9;
-                phi_4869_ = _e3034;
+                phi_4870_ = _e3034;
             }
-            let _e2735 = phi_4867_;
-            let _e2737 = phi_4868_;
-            let _e2739 = phi_4869_;
+            let _e2735 = phi_4868_;
+            let _e2737 = phi_4869_;
+            let _e2739 = phi_4870_;
             phi_1852_ = _e2735;
             phi_1855_ = _e2737;
             phi_1857_ = _e2739;
@@ -1594,110 +1594,110 @@ fn slimbvh_trace() {
         let _e2761 = (bitcast<i32>((_e2757 >> bitcast<u32>(23i))) & 255i);
         let _e2762 = (_e2761 + _e2756);
         if (_e2761 == 255i) {
-            phi_4926_ = _e2750.member.member.member;
+            phi_4927_ = _e2750.member.member.member;
         } else {
             if (_e2761 > 0i) {
                 if (_e2762 > 0i) {
                     let _e2766 = (_e2762 < 255i);
                     if _e2766 {
-                        phi_4905_ = bitcast<f32>((_e2757 + bitcast<u32>((_e2756 << bitcast<u32>(23i)))));
+                        phi_4906_ = bitcast<f32>((_e2757 + bitcast<u32>((_e2756 << bitcast<u32>(23i)))));
                     } else {
-                        phi_4905_ = f32();
+                        phi_4906_ = f32();
                     }
-                    let _e2773 = phi_4905_;
-                    phi_4907_ = _e2773;
-                    phi_4908_ = select(true, false, _e2766);
+                    let _e2773 = phi_4906_;
+                    phi_4908_ = _e2773;
+                    phi_4909_ = select(true, false, _e2766);
                 } else {
-                    phi_4907_ = f32();
-                    phi_4908_ = true;
+                    phi_4908_ = f32();
+                    phi_4909_ = true;
                 }
-                let _e2776 = phi_4907_;
-                let _e2778 = phi_4908_;
-                phi_4909_ = _e2776;
-                phi_4910_ = _e2778;
+                let _e2776 = phi_4908_;
+                let _e2778 = phi_4909_;
+                phi_4910_ = _e2776;
+                phi_4911_ = _e2778;
             } else {
-                phi_4909_ = f32();
-                phi_4910_ = true;
+                phi_4910_ = f32();
+                phi_4911_ = true;
             }
-            let _e2780 = phi_4909_;
-            let _e2782 = phi_4910_;
+            let _e2780 = phi_4910_;
+            let _e2782 = phi_4911_;
             if _e2782 {
                 let _e2783 = (_e2757 & 2147483648u);
                 let _e2790 = ((_e2757 & 8388607u) | (select(0u, 1u, ((_e2757 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
                 let _e2794 = (_e2790 == 0u);
                 if _e2794 {
-                    phi_5586_ = bitcast<f32>(_e2783);
+                    phi_5587_ = bitcast<f32>(_e2783);
                 } else {
                     let _e2799 = (select((bitcast<u32>(31i) - firstLeadingBit(_e2790)), 32u, _e2794) - 8u);
                     let _e2802 = (_e2790 << bitcast<u32>((_e2799 & 31u)));
                     let _e2804 = ((_e2762 + select(0i, 1i, (_e2761 == 0i))) - bitcast<i32>(_e2799));
                     if (_e2804 >= 255i) {
-                        phi_5576_ = bitcast<f32>((_e2783 | 2139095040u));
-                        phi_5577_ = f32();
-                        phi_5578_ = true;
+                        phi_5577_ = bitcast<f32>((_e2783 | 2139095040u));
+                        phi_5578_ = f32();
+                        phi_5579_ = true;
                     } else {
                         let _e2806 = (_e2804 > 0i);
                         if _e2806 {
-                            phi_5570_ = bitcast<f32>(((_e2783 | (bitcast<u32>(_e2804) << bitcast<u32>(23i))) | (_e2802 & 8388607u)));
-                            phi_5571_ = f32();
+                            phi_5571_ = bitcast<f32>(((_e2783 | (bitcast<u32>(_e2804) << bitcast<u32>(23i))) | (_e2802 & 8388607u)));
+                            phi_5572_ = f32();
                         } else {
                             if (_e2804 < -24i) {
-                                phi_5536_ = 26u;
+                                phi_5537_ = 26u;
                             } else {
-                                phi_5536_ = bitcast<u32>((1i - _e2804));
+                                phi_5537_ = bitcast<u32>((1i - _e2804));
                             }
-                            let _e2811 = phi_5536_;
+                            let _e2811 = phi_5537_;
                             let _e2812 = (_e2811 & 31u);
                             let _e2814 = (_e2802 >> bitcast<u32>(_e2812));
                             let _e2818 = (_e2802 & ((1u << bitcast<u32>(_e2812)) - 1u));
                             let _e2822 = (1u << bitcast<u32>(((_e2811 - 1u) & 31u)));
                             if (_e2818 > _e2822) {
-                                phi_5557_ = true;
+                                phi_5558_ = true;
                             } else {
                                 if (_e2818 == _e2822) {
-                                    phi_5554_ = ((_e2814 & 1u) == 1u);
+                                    phi_5555_ = ((_e2814 & 1u) == 1u);
                                 } else {
-                                    phi_5554_ = false;
+                                    phi_5555_ = false;
                                 }
-                                let _e2828 = phi_5554_;
-                                phi_5557_ = _e2828;
+                                let _e2828 = phi_5555_;
+                                phi_5558_ = _e2828;
                             }
-                            let _e2830 = phi_5557_;
-                            phi_5570_ = f32();
-                            phi_5571_ = bitcast<f32>((_e2783 | (_e2814 + select(0u, 1u, _e2830))));
+                            let _e2830 = phi_5558_;
+                            phi_5571_ = f32();
+                            phi_5572_ = bitcast<f32>((_e2783 | (_e2814 + select(0u, 1u, _e2830))));
                         }
-                        let _e2843 = phi_5570_;
-                        let _e2845 = phi_5571_;
-                        phi_5576_ = _e2843;
-                        phi_5577_ = _e2845;
-                        phi_5578_ = _e2806;
+                        let _e2843 = phi_5571_;
+                        let _e2845 = phi_5572_;
+                        phi_5577_ = _e2843;
+                        phi_5578_ = _e2845;
+                        phi_5579_ = _e2806;
                     }
-                    let _e2849 = phi_5576_;
-                    let _e2851 = phi_5577_;
-                    let _e2853 = phi_5578_;
-                    phi_5586_ = select(_e2851, _e2849, _e2853);
+                    let _e2849 = phi_5577_;
+                    let _e2851 = phi_5578_;
+                    let _e2853 = phi_5579_;
+                    phi_5587_ = select(_e2851, _e2849, _e2853);
                 }
-                let _e2857 = phi_5586_;
-                phi_4925_ = _e2857;
+                let _e2857 = phi_5587_;
+                phi_4926_ = _e2857;
             } else {
-                phi_4925_ = _e2780;
+                phi_4926_ = _e2780;
             }
-            let _e2859 = phi_4925_;
-            phi_4926_ = _e2859;
+            let _e2859 = phi_4926_;
+            phi_4927_ = _e2859;
         }
-        let _e2861 = phi_4926_;
+        let _e2861 = phi_4927_;
         let _e2862 = bitcast<u32>(_e2861);
         if ((_e2862 & 2147483647u) >= 2139095040u) {
-            phi_4938_ = bitcast<f32>(((_e2862 & 2147483648u) | 2139095039u));
+            phi_4939_ = bitcast<f32>(((_e2862 & 2147483648u) | 2139095039u));
         } else {
-            phi_4938_ = _e2861;
+            phi_4939_ = _e2861;
         }
-        let _e2869 = phi_4938_;
-        phi_4943_ = SlimbvhTypeF(_e2869, _e2750.member.member.member_1, _e2750.member.member.member_2, _e2750.member.member.member_3);
+        let _e2869 = phi_4939_;
+        phi_4944_ = SlimbvhTypeF(_e2869, _e2750.member.member.member_1, _e2750.member.member.member_2, _e2750.member.member.member_3);
     } else {
-        phi_4943_ = _e105;
+        phi_4944_ = _e105;
     }
-    let _e2874 = phi_4943_;
+    let _e2874 = phi_4944_;
     slimbvh_hit.member = vec4<u32>(bitcast<u32>(_e2874.member), bitcast<u32>(_e2874.member_1), bitcast<u32>(_e2874.member_2), _e2874.member_3);
     return;
 }

@@ -117,39 +117,39 @@ var<storage> slimbvh_nodes: SlimbvhTypeC;
 
 fn slimbvh_trace() {
     var local: array<u32, 128>;
-    var phi_631_: u32;
-    var phi_637_: u32;
-    var phi_643_: u32;
-    var phi_908_: i32;
-    var phi_919_: i32;
-    var phi_1033_: i32;
-    var phi_1162_: i32;
+    var phi_630_: u32;
+    var phi_636_: u32;
+    var phi_642_: u32;
+    var phi_907_: i32;
+    var phi_918_: i32;
+    var phi_1032_: i32;
+    var phi_1161_: i32;
+    var phi_1183_: u32;
     var phi_1184_: u32;
-    var phi_1185_: u32;
-    var phi_1186_: bool;
-    var phi_1220_: i32;
+    var phi_1185_: bool;
+    var phi_1219_: i32;
+    var phi_1241_: u32;
     var phi_1242_: u32;
-    var phi_1243_: u32;
-    var phi_1244_: bool;
-    var phi_805_: i32;
-    var phi_811_: u32;
+    var phi_1243_: bool;
+    var phi_804_: i32;
+    var phi_810_: u32;
+    var phi_829_: u32;
     var phi_830_: u32;
-    var phi_831_: u32;
-    var phi_832_: bool;
-    var phi_850_: i32;
-    var phi_856_: u32;
+    var phi_831_: bool;
+    var phi_849_: i32;
+    var phi_855_: u32;
+    var phi_874_: u32;
     var phi_875_: u32;
-    var phi_876_: u32;
-    var phi_877_: bool;
-    var phi_1254_: SlimbvhTypeF;
-    var phi_1493_: SlimbvhTypeO;
-    var phi_1534_: SlimbvhTypeO;
-    var phi_1537_: u32;
-    var phi_1539_: u32;
-    var phi_1541_: u32;
-    var phi_1550_: u32;
-    var phi_1553_: u32;
-    var phi_1555_: u32;
+    var phi_876_: bool;
+    var phi_1253_: SlimbvhTypeF;
+    var phi_1492_: SlimbvhTypeO;
+    var phi_1533_: SlimbvhTypeO;
+    var phi_1536_: u32;
+    var phi_1538_: u32;
+    var phi_1540_: u32;
+    var phi_1549_: u32;
+    var phi_1552_: u32;
+    var phi_1554_: u32;
     var phi_2011_: u32;
     var phi_2024_: u32;
     var phi_2037_: u32;
@@ -163,9 +163,9 @@ fn slimbvh_trace() {
     var phi_2136_: u32;
     var phi_2137_: u32;
     var phi_2161_: u32;
-    var phi_1551_: u32;
-    var phi_1554_: u32;
-    var phi_1556_: u32;
+    var phi_1550_: u32;
+    var phi_1553_: u32;
+    var phi_1555_: u32;
     var local_1: bool;
     var local_2: u32;
     var local_3: u32;
@@ -226,10 +226,10 @@ fn slimbvh_trace() {
     var phi_3631_: SlimbvhTypeO;
     var phi_3632_: u32;
     var phi_3633_: u32;
-    var phi_1535_: SlimbvhTypeO;
-    var phi_1538_: u32;
-    var phi_1540_: u32;
-    var phi_1542_: u32;
+    var phi_1534_: SlimbvhTypeO;
+    var phi_1537_: u32;
+    var phi_1539_: u32;
+    var phi_1541_: u32;
     var local_7: SlimbvhTypeO;
     var phi_3669_: f32;
     var phi_3671_: f32;
@@ -282,25 +282,25 @@ fn slimbvh_trace() {
     let _e151 = select(_e131, _e149, (_e131 < _e149));
     let _e158 = (((select(_e133, _e151, (_e133 < _e151)) < 2139095040u) && (_e141 <= 2139095040u)) && (_e145 > 0u));
     if (_e135 == _e145) {
-        phi_631_ = 0u;
+        phi_630_ = 0u;
     } else {
-        phi_631_ = select(2u, 1u, (_e137 == _e145));
+        phi_630_ = select(2u, 1u, (_e137 == _e145));
     }
-    let _e163 = phi_631_;
+    let _e163 = phi_630_;
     let _e164 = (_e163 == 2u);
     if _e164 {
-        phi_637_ = 0u;
+        phi_636_ = 0u;
     } else {
-        phi_637_ = (_e163 + 1u);
+        phi_636_ = (_e163 + 1u);
     }
-    let _e167 = phi_637_;
+    let _e167 = phi_636_;
     let _e168 = (_e167 == 2u);
     if _e168 {
-        phi_643_ = 0u;
+        phi_642_ = 0u;
     } else {
-        phi_643_ = (_e167 + 1u);
+        phi_642_ = (_e167 + 1u);
     }
-    let _e171 = phi_643_;
+    let _e171 = phi_642_;
     let _e172 = (_e167 == 0u);
     let _e174 = select(select(_e108.y, _e108.x, _e172), _e108.z, _e168);
     let _e175 = (_e171 == 0u);
@@ -332,77 +332,77 @@ fn slimbvh_trace() {
         let _e479 = bitcast<f32>((bitcast<u32>((_e125 + 127i)) << bitcast<u32>(23i)));
         let _e484 = bitcast<f32>((bitcast<u32>((254i - _e472)) << bitcast<u32>(23i)));
         if (_e133 >= 2139095040u) {
-            phi_805_ = 255i;
+            phi_804_ = 255i;
         } else {
-            phi_805_ = (bitcast<i32>((_e133 >> bitcast<u32>(23i))) + _e474);
+            phi_804_ = (bitcast<i32>((_e133 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e499 = phi_805_;
+        let _e499 = phi_804_;
         if (_e133 == 0u) {
-            phi_811_ = 0u;
+            phi_810_ = 0u;
         } else {
-            phi_811_ = (_e133 | 8388608u);
+            phi_810_ = (_e133 | 8388608u);
         }
-        let _e503 = phi_811_;
+        let _e503 = phi_810_;
         if (_e499 <= 0i) {
-            phi_831_ = u32();
-            phi_832_ = true;
+            phi_830_ = u32();
+            phi_831_ = true;
         } else {
             let _e510 = (_e503 == 0u);
             if _e510 {
-                phi_830_ = u32();
+                phi_829_ = u32();
             } else {
-                phi_830_ = select(((bitcast<u32>(_e499) << bitcast<u32>(23i)) | (_e503 & 8388607u)), 2139095039u, (_e499 >= 255i));
+                phi_829_ = select(((bitcast<u32>(_e499) << bitcast<u32>(23i)) | (_e503 & 8388607u)), 2139095039u, (_e499 >= 255i));
             }
-            let _e514 = phi_830_;
-            phi_831_ = _e514;
-            phi_832_ = _e510;
+            let _e514 = phi_829_;
+            phi_830_ = _e514;
+            phi_831_ = _e510;
         }
-        let _e516 = phi_831_;
-        let _e518 = phi_832_;
+        let _e516 = phi_830_;
+        let _e518 = phi_831_;
         if (_e141 >= 2139095040u) {
-            phi_850_ = 255i;
+            phi_849_ = 255i;
         } else {
-            phi_850_ = (bitcast<i32>((_e141 >> bitcast<u32>(23i))) + _e474);
+            phi_849_ = (bitcast<i32>((_e141 >> bitcast<u32>(23i))) + _e474);
         }
-        let _e529 = phi_850_;
+        let _e529 = phi_849_;
         if (_e141 == 0u) {
-            phi_856_ = 0u;
+            phi_855_ = 0u;
         } else {
-            phi_856_ = (_e141 | 8388608u);
+            phi_855_ = (_e141 | 8388608u);
         }
-        let _e533 = phi_856_;
+        let _e533 = phi_855_;
         if (_e529 <= 0i) {
-            phi_876_ = u32();
-            phi_877_ = true;
+            phi_875_ = u32();
+            phi_876_ = true;
         } else {
             let _e540 = (_e533 == 0u);
             if _e540 {
-                phi_875_ = u32();
+                phi_874_ = u32();
             } else {
-                phi_875_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | (_e533 & 8388607u)), 2139095039u, (_e529 >= 255i));
+                phi_874_ = select(((bitcast<u32>(_e529) << bitcast<u32>(23i)) | (_e533 & 8388607u)), 2139095039u, (_e529 >= 255i));
             }
-            let _e544 = phi_875_;
-            phi_876_ = _e544;
-            phi_877_ = _e540;
+            let _e544 = phi_874_;
+            phi_875_ = _e544;
+            phi_876_ = _e540;
         }
-        let _e546 = phi_876_;
-        let _e548 = phi_877_;
-        phi_1254_ = SlimbvhTypeF(array<f32, 3>((_e174 * _e479), (_e178 * _e479), (_e181 * _e479)), array<f32, 3>((_e183 * _e484), (_e185 * _e484), (_e187 * _e484)), bitcast<f32>(((_e132 & 2147483648u) | select(_e516, 0u, _e518))), bitcast<f32>(((_e140 & 2147483648u) | select(_e546, 0u, _e548))), _e473);
+        let _e546 = phi_875_;
+        let _e548 = phi_876_;
+        phi_1253_ = SlimbvhTypeF(array<f32, 3>((_e174 * _e479), (_e178 * _e479), (_e181 * _e479)), array<f32, 3>((_e183 * _e484), (_e185 * _e484), (_e187 * _e484)), bitcast<f32>(((_e132 & 2147483648u) | select(_e516, 0u, _e518))), bitcast<f32>(((_e140 & 2147483648u) | select(_e546, 0u, _e548))), _e473);
     } else {
         let _e220 = (bitcast<u32>(bitcast<f32>(select(1065353216u, _e145, _e158))) & 2147483647u);
         if (_e220 >= 8388608u) {
-            phi_908_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
+            phi_907_ = (bitcast<i32>((_e220 >> bitcast<u32>(23i))) - 127i);
         } else {
-            phi_908_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
+            phi_907_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e220)), 32u, (_e220 == 0u))));
         }
-        let _e234 = phi_908_;
+        let _e234 = phi_907_;
         let _e235 = (_e125 + _e234);
         if (_e125 < -126i) {
-            phi_919_ = -126i;
+            phi_918_ = -126i;
         } else {
-            phi_919_ = select(_e125, 127i, (_e125 > 127i));
+            phi_918_ = select(_e125, 127i, (_e125 > 127i));
         }
-        let _e240 = phi_919_;
+        let _e240 = phi_918_;
         let _e245 = bitcast<f32>((bitcast<u32>((_e240 + 127i)) << bitcast<u32>(23i)));
         let _e251 = bitcast<f32>((bitcast<u32>(((_e125 - _e240) + 127i)) << bitcast<u32>(23i)));
         let _e252 = bitcast<u32>(_e174);
@@ -413,11 +413,11 @@ fn slimbvh_trace() {
         let _e288 = ((_e286 & 2139095040u) != 0u);
         let _e304 = -(_e234);
         if (_e304 < -126i) {
-            phi_1033_ = -126i;
+            phi_1032_ = -126i;
         } else {
-            phi_1033_ = select(_e304, 127i, (_e304 > 127i));
+            phi_1032_ = select(_e304, 127i, (_e304 > 127i));
         }
-        let _e309 = phi_1033_;
+        let _e309 = phi_1032_;
         let _e314 = bitcast<f32>((bitcast<u32>((_e309 + 127i)) << bitcast<u32>(23i)));
         let _e320 = bitcast<f32>((bitcast<u32>(((_e304 - _e309) + 127i)) << bitcast<u32>(23i)));
         let _e321 = bitcast<u32>(_e183);
@@ -430,57 +430,57 @@ fn slimbvh_trace() {
         let _e382 = bitcast<i32>((_e133 >> bitcast<u32>(23i)));
         let _e389 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e379)), 32u, (_e379 == 0u))) - 8i);
         if (_e382 == 255i) {
-            phi_1162_ = 255i;
+            phi_1161_ = 255i;
         } else {
-            phi_1162_ = (((_e382 + select(0i, 1i, (_e382 == 0i))) - _e389) + _e235);
+            phi_1161_ = (((_e382 + select(0i, 1i, (_e382 == 0i))) - _e389) + _e235);
         }
-        let _e397 = phi_1162_;
+        let _e397 = phi_1161_;
         let _e401 = (_e379 << bitcast<u32>(((_e389 & 31i) & 31i)));
         if (_e397 <= 0i) {
-            phi_1185_ = u32();
-            phi_1186_ = true;
+            phi_1184_ = u32();
+            phi_1185_ = true;
         } else {
             let _e408 = (_e401 == 0u);
             if _e408 {
-                phi_1184_ = u32();
+                phi_1183_ = u32();
             } else {
-                phi_1184_ = select(((bitcast<u32>(_e397) << bitcast<u32>(23i)) | (_e401 & 8388607u)), 2139095039u, (_e397 >= 255i));
+                phi_1183_ = select(((bitcast<u32>(_e397) << bitcast<u32>(23i)) | (_e401 & 8388607u)), 2139095039u, (_e397 >= 255i));
             }
-            let _e412 = phi_1184_;
-            phi_1185_ = _e412;
-            phi_1186_ = _e408;
+            let _e412 = phi_1183_;
+            phi_1184_ = _e412;
+            phi_1185_ = _e408;
         }
-        let _e414 = phi_1185_;
-        let _e416 = phi_1186_;
+        let _e414 = phi_1184_;
+        let _e416 = phi_1185_;
         let _e427 = ((_e141 & 8388607u) | (select(0u, 1u, ((_e141 & 2139095040u) != 0u)) << bitcast<u32>(23i)));
         let _e430 = bitcast<i32>((_e141 >> bitcast<u32>(23i)));
         let _e437 = (bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e427)), 32u, (_e427 == 0u))) - 8i);
         if (_e430 == 255i) {
-            phi_1220_ = 255i;
+            phi_1219_ = 255i;
         } else {
-            phi_1220_ = (((_e430 + select(0i, 1i, (_e430 == 0i))) - _e437) + _e235);
+            phi_1219_ = (((_e430 + select(0i, 1i, (_e430 == 0i))) - _e437) + _e235);
         }
-        let _e445 = phi_1220_;
+        let _e445 = phi_1219_;
         let _e449 = (_e427 << bitcast<u32>(((_e437 & 31i) & 31i)));
         if (_e445 <= 0i) {
-            phi_1243_ = u32();
-            phi_1244_ = true;
+            phi_1242_ = u32();
+            phi_1243_ = true;
         } else {
             let _e456 = (_e449 == 0u);
             if _e456 {
-                phi_1242_ = u32();
+                phi_1241_ = u32();
             } else {
-                phi_1242_ = select(((bitcast<u32>(_e445) << bitcast<u32>(23i)) | (_e449 & 8388607u)), 2139095039u, (_e445 >= 255i));
+                phi_1241_ = select(((bitcast<u32>(_e445) << bitcast<u32>(23i)) | (_e449 & 8388607u)), 2139095039u, (_e445 >= 255i));
             }
-            let _e460 = phi_1242_;
-            phi_1243_ = _e460;
-            phi_1244_ = _e456;
+            let _e460 = phi_1241_;
+            phi_1242_ = _e460;
+            phi_1243_ = _e456;
         }
-        let _e462 = phi_1243_;
-        let _e464 = phi_1244_;
-        phi_1254_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e174, _e254) * _e245) * select(0.00000011920929f, 1f, _e254)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e178, _e271) * _e245) * select(0.00000011920929f, 1f, _e271)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e286 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e286 & 2147483648u))), _e181, _e288) * _e245) * select(0.00000011920929f, 1f, _e288)) * _e251)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e183, _e323) * _e314) * select(0.00000011920929f, 1f, _e323)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e185, _e340) * _e314) * select(0.00000011920929f, 1f, _e340)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e187, _e357) * _e314) * select(0.00000011920929f, 1f, _e357)) * _e320)), bitcast<f32>(((_e132 & 2147483648u) | select(_e414, 0u, _e416))), bitcast<f32>(((_e140 & 2147483648u) | select(_e462, 0u, _e464))), _e234);
+        let _e462 = phi_1242_;
+        let _e464 = phi_1243_;
+        phi_1253_ = SlimbvhTypeF(array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e252 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e252 & 2147483648u))), _e174, _e254) * _e245) * select(0.00000011920929f, 1f, _e254)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e269 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e269 & 2147483648u))), _e178, _e271) * _e245) * select(0.00000011920929f, 1f, _e271)) * _e251), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e286 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e286 & 2147483648u))), _e181, _e288) * _e245) * select(0.00000011920929f, 1f, _e288)) * _e251)), array<f32, 3>((((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e321 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e321 & 2147483648u))), _e183, _e323) * _e314) * select(0.00000011920929f, 1f, _e323)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e338 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e338 & 2147483648u))), _e185, _e340) * _e314) * select(0.00000011920929f, 1f, _e340)) * _e320), (((select(bitcast<f32>((bitcast<u32>(((bitcast<f32>((1258291200u | (_e355 & 8388607u))) - 8388608f) * 0.000000000000000000000000000000000000011754944f)) | (_e355 & 2147483648u))), _e187, _e357) * _e314) * select(0.00000011920929f, 1f, _e357)) * _e320)), bitcast<f32>(((_e132 & 2147483648u) | select(_e414, 0u, _e416))), bitcast<f32>(((_e140 & 2147483648u) | select(_e462, 0u, _e464))), _e234);
     }
-    let _e555 = phi_1254_;
+    let _e555 = phi_1253_;
     let _e570 = (bitcast<f32>((bitcast<u32>(_e555.member_1[0]) & 2147483647u)) >= 0.00000000000000000086736174f);
     let _e573 = bitcast<f32>((bitcast<u32>(_e555.member[0]) & 2147483647u));
     let _e574 = (_e573 * 0.00000011920929f);
@@ -512,30 +512,30 @@ fn slimbvh_trace() {
     let _e626 = slimbvh_question.member[1u];
     let _e629 = slimbvh_question.member[0u];
     if (_e629 == 1u) {
-        phi_1493_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e621), true);
+        phi_1492_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e621), true);
     } else {
-        phi_1493_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e621), false);
+        phi_1492_ = SlimbvhTypeO(SlimbvhTypeL(_e89, _e621), false);
     }
-    let _e636 = phi_1493_;
-    phi_1534_ = _e636;
-    phi_1537_ = select(4294967295u, 0u, (_e622 <= _e621));
-    phi_1539_ = 0u;
-    phi_1541_ = (_e93 + 1u);
+    let _e636 = phi_1492_;
+    phi_1533_ = _e636;
+    phi_1536_ = select(4294967295u, 0u, (_e622 <= _e621));
+    phi_1538_ = 0u;
+    phi_1540_ = (_e93 + 1u);
     loop {
-        let _e654 = phi_1534_;
-        let _e656 = phi_1537_;
-        let _e658 = phi_1539_;
-        let _e660 = phi_1541_;
+        let _e654 = phi_1533_;
+        let _e656 = phi_1536_;
+        let _e658 = phi_1538_;
+        let _e660 = phi_1540_;
         local_7 = _e654;
         let _e661 = (_e656 <= 2147483647u);
         if _e661 {
-            phi_1550_ = _e656;
-            phi_1553_ = _e658;
-            phi_1555_ = _e660;
+            phi_1549_ = _e656;
+            phi_1552_ = _e658;
+            phi_1554_ = _e660;
             loop {
-                let _e663 = phi_1550_;
-                let _e665 = phi_1553_;
-                let _e667 = phi_1555_;
+                let _e663 = phi_1549_;
+                let _e665 = phi_1552_;
+                let _e667 = phi_1554_;
                 local_2 = _e665;
                 local_3 = _e665;
                 local_4 = _e663;
@@ -662,22 +662,22 @@ fn slimbvh_trace() {
                     }
                     let _e970 = phi_2161_;
                     let _e971 = (_e667 - 1u);
-                    phi_1551_ = select(_e958, 4294967295u, (_e971 == 0u));
-                    phi_1554_ = _e970;
-                    phi_1556_ = _e971;
+                    phi_1550_ = select(_e958, 4294967295u, (_e971 == 0u));
+                    phi_1553_ = _e970;
+                    phi_1555_ = _e971;
                 } else {
-                    phi_1551_ = u32();
-                    phi_1554_ = u32();
-                    phi_1556_ = u32();
+                    phi_1550_ = u32();
+                    phi_1553_ = u32();
+                    phi_1555_ = u32();
                 }
-                let _e975 = phi_1551_;
-                let _e977 = phi_1554_;
-                let _e979 = phi_1556_;
+                let _e975 = phi_1550_;
+                let _e977 = phi_1553_;
+                let _e979 = phi_1555_;
                 continue;
                 continuing {
-                    phi_1550_ = _e975;
-                    phi_1553_ = _e977;
-                    phi_1555_ = _e979;
+                    phi_1549_ = _e975;
+                    phi_1552_ = _e977;
+                    phi_1554_ = _e979;
                     break if !(_e674);
                 }
             }
@@ -1138,27 +1138,27 @@ fn slimbvh_trace() {
             let _e1988 = phi_3631_;
             let _e1990 = phi_3632_;
             let _e1992 = phi_3633_;
-            phi_1535_ = _e1988;
-            phi_1538_ = _e1990;
-            phi_1540_ = _e1992;
+            phi_1534_ = _e1988;
+            phi_1537_ = _e1990;
+            phi_1539_ = _e1992;
             let _e2256 = local_11;
-            phi_1542_ = _e2256;
+            phi_1541_ = _e2256;
         } else {
-            phi_1535_ = SlimbvhTypeO();
-            phi_1538_ = u32();
-            phi_1540_ = u32();
-            phi_1542_ = u32();
+            phi_1534_ = SlimbvhTypeO();
+            phi_1537_ = u32();
+            phi_1539_ = u32();
+            phi_1541_ = u32();
         }
-        let _e1994 = phi_1535_;
-        let _e1996 = phi_1538_;
-        let _e1998 = phi_1540_;
-        let _e2000 = phi_1542_;
+        let _e1994 = phi_1534_;
+        let _e1996 = phi_1537_;
+        let _e1998 = phi_1539_;
+        let _e2000 = phi_1541_;
         continue;
         continuing {
-            phi_1534_ = _e1994;
-            phi_1537_ = _e1996;
-            phi_1539_ = _e1998;
-            phi_1541_ = _e2000;
+            phi_1533_ = _e1994;
+            phi_1536_ = _e1996;
+            phi_1538_ = _e1998;
+            phi_1540_ = _e2000;
             break if !(_e661);
         }
     }

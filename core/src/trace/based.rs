@@ -10,12 +10,18 @@ use crate::geometry::planes::PlanePair;
 pub struct Based<N> {
     /// The list.
     pub list: N,
-    /// The number of nodes in the list.
-    pub node_count: u32,
     /// Where the tree's nodes begin.
     pub first_node: u32,
     /// Where its triangles begin, in the unit of leaves' links.
     pub first_triangle: u32,
+}
+
+impl<N> Based<N> {
+    /// An inner node, counted from the list's beginning.
+    #[inline(always)]
+    const fn in_list(&self, cursor: NodeRef) -> NodeRef {
+        NodeRef(cursor.0.wrapping_add(self.first_node))
+    }
 }
 
 impl<N: NodeSource<Cursor = NodeRef>> NodeSource for Based<N> {
@@ -39,8 +45,7 @@ impl<N: NodeSource<Cursor = NodeRef>> NodeSource for Based<N> {
     #[inline(always)]
     fn is_leaf(&self, cursor: NodeRef) -> bool {
         // The second comparison is that of the access in `children`, which then needs no other. A leaf's sum may wrap.
-        let index = cursor.index();
-        self.list.is_leaf(cursor) | (index.wrapping_add(self.first_node) >= self.node_count)
+        self.list.is_leaf(cursor) | self.list.is_leaf(self.in_list(cursor))
     }
 
     #[inline(always)]
@@ -55,8 +60,7 @@ impl<N: NodeSource<Cursor = NodeRef>> NodeSource for Based<N> {
 
     #[inline(always)]
     fn children(&self, cursor: NodeRef, order: Order) -> N::Node {
-        let index = cursor.index().wrapping_add(self.first_node);
-        self.list.children(NodeRef(index), order)
+        self.list.children(self.in_list(cursor), order)
     }
 
     #[inline(always)]

@@ -54,8 +54,7 @@ macro_rules! call_kernels {
             #[spirv(storage_buffer, descriptor_set = 0, binding = $f)] hit: &mut UVec4,
         ) {
             $(let $root = root_words($root);)?
-            let node_count = $nodes.len() as u32;
-            let (nodes, triangles) = (based($node_source, node_count, exponent), $triangle_source);
+            let (nodes, triangles) = (based($node_source, exponent), $triangle_source);
             let mut stack = private_stack(&nodes);
             let ray = prepared(origin, direction, exponent);
             let filter = SkipFilter { skip: question.y, exponent: exponent.x, sides, target };
@@ -80,8 +79,7 @@ macro_rules! call_kernels {
             #[spirv(workgroup)] words: &mut LaneWords,
         ) {
             $(let $root = root_words($root);)?
-            let node_count = $nodes.len() as u32;
-            let tree = (&based($node_source, node_count, exponent), &$triangle_source);
+            let tree = (&based($node_source, exponent), &$triangle_source);
             let ray = prepared(origin, direction, exponent);
             let filter = SkipFilter { skip: question.y, exponent: exponent.x, sides, target };
             let mut is_whole = false;
@@ -144,10 +142,9 @@ call_kernels! {
 
 /// The nodes of the tree that begins where the words behind the exponent say.
 #[inline(always)]
-const fn based<N>(list: N, node_count: u32, exponent: &UVec4) -> Based<N> {
+const fn based<N>(list: N, exponent: &UVec4) -> Based<N> {
     Based {
         list,
-        node_count,
         first_node: exponent.y,
         first_triangle: exponent.z,
     }

@@ -2,7 +2,7 @@
 //! any numbers. The list is the shader builder's, which fails where it differs from what the source text declares.
 
 use slimbvh_shaders::{
-    bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*,
+    bounds::*, camera::*, classify::*, compact::*, decide::*, encode::wide::*, encode::*, fit::*,
     gather::*, morton::*, refit::*, scan::*, shade::*, snap::*, sort::*, topology::*,
     trace::called::*, trace::overflow::*, trace::paper10::*, trace::plain::*, trace::wide::*,
     view::*, wide::*,

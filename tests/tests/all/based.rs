@@ -37,7 +37,6 @@ impl Shared {
     fn hit(&self, ray: &Ray, [first_node, first_triangle]: [u32; 2], exponent: i32) -> Hit {
         let nodes = Based {
             list: PlainNodes(&self.nodes),
-            node_count: self.nodes.len() as u32,
             first_node,
             first_triangle,
         };
