@@ -8,7 +8,7 @@ use super::backend::{BackendArguments, Chosen, choose};
 use super::picture::PictureArguments;
 use super::reduce::ReduceArguments;
 use super::storage::{Storage, StorageArguments};
-use super::{SceneArguments, ThreadArguments, output};
+use super::{SceneArguments, ThreadArguments, output, told};
 use crate::options;
 use anyhow::{Result, bail};
 use clap::Args;
@@ -118,6 +118,7 @@ pub fn run(arguments: &AnimateArguments) -> Result<()> {
     // The file is read before an adapter is opened, so that a missing one is told at once.
     arguments.backend.check()?;
     let mut scene = arguments.scene.load()?;
+    told::note(&scene);
     let chosen = choose(&arguments.backend)?;
     let work = || animate(arguments, &chosen, &mut scene, &place);
     let run = arguments.threads.run(work)??;

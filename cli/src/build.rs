@@ -3,6 +3,7 @@
 use super::output::{self, bytes, things};
 use super::picture::{CodesArguments, SightArguments};
 use super::storage::{self, Sizes, StorageArguments, mesh_bytes};
+use super::told::{self, LeftOutSummary};
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Result, bail};
 use clap::Args;
@@ -55,6 +56,9 @@ struct Summary {
     threads: usize,
     triangles: usize,
     dropped_faces: usize,
+    left_out: Vec<LeftOutSummary>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
     nodes: usize,
     node_codec: &'static str,
     triangle_codec: &'static str,
@@ -92,6 +96,7 @@ pub fn run(arguments: &BuildArguments) -> Result<()> {
 fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
     let name = arguments.scene.name();
     let (mut scene, kept) = arguments.scene.open()?;
+    told::note(&scene);
     let (cameras, lights) = (scene.cameras.clone(), scene.lights.clone());
     // Frame the original mesh: storage moves its vertices below.
     let kept = kept.and_then(|kept| kept.framing);
@@ -138,6 +143,8 @@ fn build(arguments: &BuildArguments) -> Result<(Summary, String)> {
         threads: rayon::current_num_threads(),
         triangles: scene.mesh.indices.len(),
         dropped_faces: scene.dropped_face_count,
+        left_out: told::left_out(&scene),
+        origin: told::origin(&scene),
         nodes: bvh.node_count(),
         node_codec: codecs.0.name(),
         triangle_codec: codecs.1.name(),

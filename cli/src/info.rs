@@ -3,11 +3,12 @@
 use super::SceneArguments;
 use super::output::{self, bytes, count, things};
 use super::storage;
+use super::told::{self, LeftOutSummary};
 use anyhow::Result;
 use clap::Args;
 use serde::Serialize;
 use slimbvh::analysis::{Analysis, Component, analyze};
-use slimbvh::{Aabb, Bvh, Scene};
+use slimbvh::{Aabb, Bvh, Scene, Up};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -45,7 +46,12 @@ struct Summary {
     materials: usize,
     cameras: usize,
     lights: usize,
+    left_out: Vec<LeftOutSummary>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
     extent: Option<Extent>,
+    /// Whether it is wide and flat as if z pointed up.
+    looks_z_up: bool,
     components: Vec<ComponentSummary>,
     /// Present only if the file holds a hierarchy.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -136,6 +142,9 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) 
         materials: scene.materials.len(),
         cameras: scene.cameras.len(),
         lights: scene.lights.len(),
+        left_out: told::left_out(scene),
+        origin: told::origin(scene),
+        looks_z_up: looks_z_up(scene, analysis),
         extent: analysis.bounds.as_ref().map(extent),
         components: analysis.components.iter().map(component).collect(),
         hierarchy: bvh.map(|bvh| {
@@ -151,6 +160,34 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) 
             }
         }),
     }
+}
+
+/// Whether a scene is wide, flat and level as if z pointed up: a map, a plan or a terrain. It is little along z, and most of its area
+/// faces along z.
+fn looks_z_up(scene: &Scene, analysis: &Analysis) -> bool {
+    const FLAT: f32 = 0.25;
+    const LEVEL: f64 = 0.6;
+    let Some(bounds) = analysis.bounds.as_ref().filter(|_| scene.up == Up::Y) else {
+        return false;
+    };
+    let [x, y, z] = (bounds.max - bounds.min).to_array();
+    if z >= FLAT * x.min(y) {
+        return false;
+    }
+    let mesh = &scene.mesh;
+    let (mut level, mut all) = (0.0, 0.0);
+    for &[a, b, c] in &mesh.indices {
+        let [a, b, c] = [a, b, c].map(|vertex| mesh.vertices[vertex as usize].map(f64::from));
+        let [u, v] = [b, c].map(|p| [0, 1, 2].map(|i| p[i] - a[i]));
+        let normal = [
+            u[1] * v[2] - u[2] * v[1],
+            u[2] * v[0] - u[0] * v[2],
+            u[0] * v[1] - u[1] * v[0],
+        ];
+        level += normal[2].abs();
+        all += normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    }
+    level > LEVEL * all
 }
 
 /// The report as text.
@@ -196,8 +233,20 @@ fn describe(
             things(scene.lights.len(), "light")
         ),
     );
+    if let Some(words) = told::left_out_words(scene) {
+        line("left out", words);
+    }
+    if let Some(words) = told::origin_words(scene) {
+        line("origin", format!("{words}, taken off all positions"));
+    }
     if let Some(bounds) = &analysis.bounds {
         line("extent", extent(bounds));
+    }
+    if looks_z_up(scene, analysis) {
+        line(
+            "hint",
+            "wide and flat: if z points up, render it with --up z".into(),
+        );
     }
     if let Some(bvh) = bvh {
         line(

@@ -17,6 +17,7 @@ pub mod reduce;
 pub mod render;
 #[doc(hidden)]
 pub mod storage;
+mod told;
 
 pub use median::median;
 

@@ -4,7 +4,7 @@ mod light;
 
 pub use light::{LightOption, light};
 
-use slimbvh::{Camera, Projection, Tolerance};
+use slimbvh::{Camera, Projection, Scene, Tolerance};
 use std::str::FromStr;
 
 /// Parses `WIDTHxHEIGHT`.
@@ -88,18 +88,15 @@ pub struct CameraOption {
 }
 
 impl CameraOption {
-    /// Replaces the given parts of a scene's `camera`. A lens without a focus distance focuses on the target. `near` takes a position in
-    /// the file's own coordinates to the scene's ([`slimbvh::Scene::to_local`]).
+    /// Replaces the given parts of the scene's first camera, which is there. A lens without a focus distance focuses on the target.
     ///
     /// # Errors
-    /// For a lens on a camera with parallel rays.
-    pub fn apply(
-        &self,
-        camera: &mut Camera,
-        near: impl Fn([f64; 3]) -> [f32; 3],
-    ) -> Result<(), String> {
-        camera.eye = self.eye.map_or(camera.eye, &near);
-        camera.target = self.target.map_or(camera.target, &near);
+    /// For a lens on a camera with parallel rays, and without a camera.
+    pub fn apply(&self, scene: &mut Scene) -> Result<(), String> {
+        let [eye, target] = [self.eye, self.target].map(|at| at.map(|at| scene.to_local(at)));
+        let camera = scene.cameras.first_mut().ok_or("there is no camera")?;
+        camera.eye = eye.unwrap_or(camera.eye);
+        camera.target = target.unwrap_or(camera.target);
         camera.up = self.up.unwrap_or(camera.up);
         camera.projection = self.projection.unwrap_or(camera.projection);
         let Some(radius) = self.lens else {
@@ -234,38 +231,41 @@ mod tests {
         }
     }
 
-    fn here(position: [f64; 3]) -> [f32; 3] {
-        position.map(|x| x as f32)
+    fn with_camera(camera: Camera) -> Scene {
+        Scene {
+            cameras: vec![camera],
+            ..Scene::default()
+        }
     }
+
+    const PARALLEL: Camera = Camera {
+        eye: [0.0; 3],
+        target: [4.0, 5.0, 6.0],
+        up: [0.0, 0.0, 1.0],
+        projection: Projection::Orthographic { height: 2.0 },
+    };
 
     /// Positions are those of the file, however far away its local origin is.
     #[test]
     fn cameras_are_in_the_files_coordinates() {
-        let origin = [500_000.0, 4_649_776.0, 0.0];
-        let near = |at: [f64; 3]| [0, 1, 2].map(|i| (at[i] - origin[i]) as f32);
-        let option: CameraOption = "eye=500123.4,4649776.2,3 up=0,0,1".parse().unwrap();
-        let mut camera = Camera {
-            eye: [0.0; 3],
-            target: [4.0, 5.0, 6.0],
-            up: [0.0, 1.0, 0.0],
-            projection: Projection::Orthographic { height: 2.0 },
+        let mut scene = Scene {
+            origin: [500_000.0, 4_649_776.0, 0.0],
+            ..with_camera(PARALLEL)
         };
-        assert_eq!(option.apply(&mut camera, near), Ok(()));
-        assert_eq!(camera.eye, [123.4, 0.2, 3.0]);
+        let option: CameraOption = "eye=500123.5,4649776.25,3 up=0,1,0".parse().unwrap();
+        assert_eq!(option.apply(&mut scene), Ok(()));
+        let camera = scene.cameras[0];
+        assert_eq!(camera.eye, [123.5, 0.25, 3.0]);
         assert_eq!(camera.target, [4.0, 5.0, 6.0]);
-        assert_eq!(camera.up, [0.0, 0.0, 1.0]);
+        assert_eq!(camera.up, [0.0, 1.0, 0.0]);
     }
 
     #[test]
     fn cameras_keep_what_is_not_given() {
         let option: CameraOption = "eye=1,2,3; fov=50".parse().unwrap();
-        let mut camera = Camera {
-            eye: [0.0; 3],
-            target: [4.0, 5.0, 6.0],
-            up: [0.0, 0.0, 1.0],
-            projection: Projection::Orthographic { height: 2.0 },
-        };
-        assert_eq!(option.apply(&mut camera, here), Ok(()));
+        let mut scene = with_camera(PARALLEL);
+        assert_eq!(option.apply(&mut scene), Ok(()));
+        let camera = scene.cameras[0];
         assert_eq!(
             (camera.eye, camera.target),
             ([1.0, 2.0, 3.0], [4.0, 5.0, 6.0])
@@ -296,19 +296,19 @@ mod tests {
             up: [0.0, 1.0, 0.0],
             projection: Projection::Orthographic { height: 2.0 },
         };
-        let mut camera = parallel;
+        let mut scene = with_camera(parallel);
         let option: CameraOption = "lens=0.25 fov=50".parse().unwrap();
-        assert_eq!(option.apply(&mut camera, here), Ok(()));
+        assert_eq!(option.apply(&mut scene), Ok(()));
         // The distance to the target is 5.
         let expected = |radius, focus_distance| Projection::ThinLens {
             vertical_fov: 50.0,
             radius,
             focus_distance,
         };
-        assert_eq!(camera.projection, expected(0.25, 5.0));
+        assert_eq!(scene.cameras[0].projection, expected(0.25, 5.0));
         let option: CameraOption = "lens=0.5;focus=2".parse().unwrap();
-        assert_eq!(option.apply(&mut camera, here), Ok(()));
-        assert_eq!(camera.projection, expected(0.5, 2.0));
-        assert!(option.apply(&mut parallel.clone(), here).is_err());
+        assert_eq!(option.apply(&mut scene), Ok(()));
+        assert_eq!(scene.cameras[0].projection, expected(0.5, 2.0));
+        assert!(option.apply(&mut with_camera(parallel)).is_err());
     }
 }

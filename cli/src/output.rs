@@ -21,7 +21,6 @@ pub fn print(text: &str) -> Result<()> {
 }
 
 /// Prints a note to standard error.
-#[cfg(feature = "gpu")]
 pub fn warn(text: &str) {
     eprintln!("note: {text}");
 }

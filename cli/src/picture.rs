@@ -3,7 +3,7 @@
 use crate::options::{self, CameraOption, LightOption};
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use slimbvh::{Aabb, CodeBits, RenderSettings, Scene, TreeKind, View};
+use slimbvh::{Aabb, CodeBits, RenderSettings, Scene, TreeKind, Up, View};
 
 /// Size, camera and lights of a picture.
 #[derive(Debug, Args)]
@@ -22,6 +22,10 @@ pub struct SightArguments {
     /// "rectangle=X,Y,Z edge1=X,Y,Z edge2=X,Y,Z", whose edges are half its sides and which shines along edge1 x edge2
     #[arg(long, value_name = "PARTS", value_parser = options::light)]
     pub light: Vec<LightOption>,
+
+    /// Which axis points up, for the default camera and light; default: y, or as a slim file says
+    #[arg(long, value_enum)]
+    pub up: Option<Up>,
 }
 
 /// Width of the Morton codes, and how the tree is built over them.
@@ -134,19 +138,15 @@ impl SightArguments {
     /// Validates a scene, applies `--light` and `--camera` to it, and adds a default camera and light where it has none. A
     /// default camera frames `framing`, or else the scene's bounds.
     pub fn prepare(&self, scene: &mut Scene, name: &str, framing: Option<Aabb>) -> Result<()> {
+        scene.up = self.up.unwrap_or(scene.up);
         if !self.light.is_empty() {
             let lights = self.light.iter();
-            scene.lights = lights
-                .map(|option| option.light(|at| scene.to_local(at)))
-                .collect();
+            scene.lights = lights.map(|option| option.in_scene(scene)).collect();
         }
         scene.mesh.validate().with_context(|| name.to_owned())?;
         scene.complete(framing.or_else(|| scene.mesh.bounds()), self.size);
         if let Some(camera) = &self.camera {
-            let mut first = scene.cameras[0];
-            let applied = camera.apply(&mut first, |at| scene.to_local(at));
-            applied.map_err(anyhow::Error::msg)?;
-            scene.cameras[0] = first;
+            camera.apply(scene).map_err(anyhow::Error::msg)?;
         }
         Ok(())
     }

@@ -7,6 +7,7 @@ use super::output::{self, count, things};
 use super::picture::PictureArguments;
 use super::reduce::{self, PlanSummary, ReduceArguments};
 use super::storage::{Sizes, StorageArguments, mesh_bytes};
+use super::told::{self, LeftOutSummary};
 use super::{SceneArguments, ThreadArguments};
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -77,6 +78,9 @@ struct Summary {
     threads: usize,
     triangles: usize,
     dropped_faces: usize,
+    left_out: Vec<LeftOutSummary>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
     nodes: usize,
     build_ms: BTreeMap<&'static str, f64>,
     render_ms: BTreeMap<&'static str, f64>,
@@ -110,6 +114,7 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
         arguments.threads.run(work)??
     } else {
         let mut scene = arguments.scene.load()?;
+        told::note(&scene);
         let chosen = choose(&arguments.backend)?;
         let work = || render(arguments, &chosen, &mut scene);
         arguments.threads.run(work)??
@@ -274,6 +279,8 @@ fn summarize(
         threads: rayon::current_num_threads(),
         triangles: mesh.indices.len(),
         dropped_faces: scene.dropped_face_count,
+        left_out: told::left_out(scene),
+        origin: told::origin(scene),
         nodes: outcome.sizes.total.node_count,
         build_ms: times(&outcome.build),
         render_ms: times(&report.stages),

@@ -1,7 +1,7 @@
 //! The parser of `--light`.
 
 use super::{number, pairs, place, vector};
-use slimbvh::{AreaShape, Light};
+use slimbvh::{AreaShape, Light, Scene};
 
 const KINDS: &str = "give one of sun=X,Y,Z, the direction of its light, or point=X,Y,Z, disc=X,Y,Z, rectangle=X,Y,Z, \
     the position of the light";
@@ -31,15 +31,14 @@ pub struct LightOption {
 }
 
 impl LightOption {
-    /// The light in a scene. `near` takes a position in the file's own coordinates to the scene's
-    /// ([`slimbvh::Scene::to_local`]).
-    pub fn light(&self, near: impl Fn([f64; 3]) -> [f32; 3]) -> Light {
+    /// The light in a scene.
+    #[must_use]
+    pub fn in_scene(&self, scene: &Scene) -> Light {
         let mut light = self.light;
-        match (&mut light, self.place) {
-            (Light::Point { position: at, .. } | Light::Area { center: at, .. }, Some(place)) => {
-                *at = near(place)
-            }
-            _ => {}
+        if let (Light::Point { position: at, .. } | Light::Area { center: at, .. }, Some(place)) =
+            (&mut light, self.place)
+        {
+            *at = scene.to_local(place);
         }
         light
     }
@@ -198,8 +197,8 @@ mod tests {
 
     #[test]
     fn lights() {
-        let near = |position: [f64; 3]| position.map(|x| x as f32);
-        let read = |text: &str| light(text).map(|option| option.light(near));
+        let scene = Scene::default();
+        let read = |text: &str| light(text).map(|option| option.in_scene(&scene));
         assert_eq!(
             read("sun=0,-1,0.5"),
             Ok(Light::Directional {
@@ -234,13 +233,15 @@ mod tests {
                 [4.0, 5.0, 6.0]
             ))
         );
-        let origin = 4_649_776.0;
-        let point = light("point=4649776.2,4649777,0");
-        let point = point.map(|option| option.light(|at| at.map(|x| (x - origin) as f32)));
+        let far = Scene {
+            origin: [4_649_776.0; 3],
+            ..Scene::default()
+        };
+        let point = light("point=4649776.25,4649777,0").map(|option| option.in_scene(&far));
         assert!(matches!(
             point,
             Ok(Light::Point {
-                position: [0.2, 1.0, _],
+                position: [0.25, 1.0, _],
                 ..
             })
         ));

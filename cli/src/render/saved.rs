@@ -4,6 +4,7 @@ use super::{Outcome, RenderArguments, Summary, tell};
 use crate::Kept;
 use crate::backend::Chosen;
 use crate::output;
+use crate::told;
 use anyhow::{Result, bail};
 use slimbvh::backend::TreeSize;
 use slimbvh::reduce::{Plan, PlanRequest};
@@ -35,6 +36,7 @@ pub fn open(arguments: &RenderArguments) -> Result<Opened> {
     let name = arguments.scene.name();
     let mut load = Stages::default();
     let (scene, kept) = load.time("load", || arguments.scene.open())?;
+    told::note(&scene);
     let Some(kept) = kept else {
         bail!("\"{name}\" holds no hierarchy");
     };

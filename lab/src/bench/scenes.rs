@@ -57,9 +57,10 @@ impl Subject {
             bail!("{name:?} has no triangles; there is nothing to measure");
         }
         scene.complete(scene.mesh.bounds(), size);
-        if let (Some(camera), Some(own)) = (camera, scene.cameras.first_mut()) {
-            camera.apply(own).map_err(anyhow::Error::msg)?;
-            own.to_core(size, 1)
+        if let Some(camera) = camera {
+            camera.apply(&mut scene).map_err(anyhow::Error::msg)?;
+            scene.cameras[0]
+                .to_core(size, 1)
                 .with_context(|| format!("--camera in {name}"))?;
         }
         Ok(Self {

@@ -2,10 +2,9 @@
 //! promise; a parsed camera or light then makes a picture or an error.
 
 use slimbvh::{
-    BuildConfig, Builder, Light, Picture, RenderSettings, Renderer, Scene, Tolerance, View,
-    generate,
+    BuildConfig, Builder, Picture, RenderSettings, Renderer, Scene, Tolerance, View, generate,
 };
-use slimbvh_cli::options::{CameraOption, light, share, size, tolerance, whole};
+use slimbvh_cli::options::{CameraOption, LightOption, light, share, size, tolerance, whole};
 
 /// See the module. The first byte chooses the option.
 ///
@@ -51,14 +50,14 @@ fn is_a_tolerance(tolerance: Tolerance) {
 
 fn see(option: CameraOption) {
     let mut scene = small_scene();
-    if option.apply(&mut scene.cameras[0]).is_ok() {
+    if option.apply(&mut scene).is_ok() {
         render(&scene);
     }
 }
 
-fn shine(light: Light) {
+fn shine(light: LightOption) {
     let mut scene = small_scene();
-    scene.lights = vec![light];
+    scene.lights = vec![light.in_scene(&scene)];
     render(&scene);
 }
 

@@ -208,7 +208,7 @@ pub fn hall_of_mirrors() -> Scene {
                 range: 1.4,
             },
         ],
-        dropped_face_count: 0,
+        ..Scene::default()
     }
 }
 
@@ -280,7 +280,7 @@ pub fn open_and_flat() -> Scene {
             direction: [0.3, -1.0, 0.2],
             color: [2.0; 3],
         }],
-        dropped_face_count: 0,
+        ..Scene::default()
     }
 }
 
