@@ -1,7 +1,7 @@
 //! Seams: triangles that a ray from outside may hit from behind.
 
 use super::budget::{Budget, Meter, PAIR_STEPS, STEPS_A_TRIANGLE};
-use super::contact::{Face, collide};
+use super::contact::{Face, collide, meet_in_corner_alone};
 use super::crossing::Probe;
 use super::within::for_each_within;
 use super::{Topology, welded_triangles};
@@ -168,10 +168,17 @@ impl<'a> Search<'a> {
             let is_pair = first < second
                 && self.component(first) == self.component(second)
                 && self.has_area[second as usize];
-            // Pairs count whether other threads have marked them or not.
-            pair_count += u64::from(is_pair);
-            let is_known = is_pair && self.is_seam(first) && self.is_seam(second);
-            if is_pair && !is_known && collide(&face, &self.face(second)) {
+            if !is_pair {
+                return Continue(());
+            }
+            let second_face = self.face(second);
+            if meet_in_corner_alone(&face, &second_face) {
+                return Continue(());
+            }
+            // The count must not depend on what other threads have marked.
+            pair_count += 1;
+            let is_known = self.is_seam(first) && self.is_seam(second);
+            if !is_known && collide(&face, &second_face) {
                 self.mark(first);
                 self.mark(second);
             }

@@ -1,7 +1,7 @@
 //! Triangles near a box, found with the tree.
 
+use super::contact::touch;
 use crate::Bvh;
-use glam::Vec3;
 use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
 use std::ops::ControlFlow;
@@ -45,10 +45,4 @@ pub(super) fn for_each_within(
         }
     }
     ControlFlow::Continue(())
-}
-
-/// Whether two boxes have a point in common.
-fn touch(a: &Aabb, b: &Aabb) -> bool {
-    let gap = |a: Vec3, b: Vec3| a.x > b.x || a.y > b.y || a.z > b.z;
-    !gap(a.min, b.max) && !gap(b.min, a.max)
 }

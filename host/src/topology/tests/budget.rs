@@ -3,7 +3,7 @@
 use super::shapes::*;
 use super::*;
 use crate::generate::icosphere;
-use crate::topology::budget::{PAIR_STEPS, STEPS_A_TRIANGLE};
+use crate::topology::budget::PAIR_STEPS;
 use glam::Vec3;
 use std::f64::consts::TAU;
 
@@ -56,10 +56,10 @@ fn noise(subdivisions: u32) -> Mesh {
 
 /// A sphere of parallels and meridians, with a fan at each pole.
 fn globe(parallels: u32, meridians: u32) -> Mesh {
-    let mut mesh = rings(meridians, 2 * parallels, false, |_, _| [0.0; 3]);
-    mesh.vertices.clear();
-    mesh.indices.clear();
-    mesh.vertices.push([0.0, 1.0, 0.0]);
+    let mut mesh = Mesh {
+        vertices: vec![[0.0, 1.0, 0.0]],
+        ..Mesh::default()
+    };
     for parallel in 1..parallels {
         let (sin, cos) = (0.5 * TAU * f64::from(parallel) / f64::from(parallels)).sin_cos();
         for meridian in 0..meridians {
@@ -80,6 +80,30 @@ fn globe(parallels: u32, meridians: u32) -> Mesh {
         }
         let row = last - meridians;
         mesh.indices.push([last, row + next, row + i]);
+    }
+    mesh
+}
+
+/// A prism of so many sides, as long as it is wide, with a fan at each end.
+fn pipe(sides: u32) -> Mesh {
+    let mut mesh = fan(sides, [0.0; 3], 1.0);
+    let rim = mesh.vertices[2..].to_vec();
+    mesh.vertices
+        .extend(rim.iter().map(|&[x, y, z]| [x, y - 1.0, z]));
+    for [x, y, z] in &mut mesh.vertices[2..2 + sides as usize] {
+        (*x, *y, *z) = (*x, *y + 1.0, *z);
+    }
+    for triangle in &mut mesh.indices {
+        if triangle[0] == 1 {
+            *triangle = triangle.map(|corner| if corner < 2 { corner } else { corner + sides });
+        }
+    }
+    for i in 0..sides {
+        let (this, next) = (2 + i, 2 + (i + 1) % sides);
+        mesh.indices.extend([
+            [this, next, next + sides],
+            [this, next + sides, this + sides],
+        ]);
     }
     mesh
 }
@@ -173,7 +197,7 @@ fn what_is_given_up_stays_whole_and_the_rest_is_reduced() {
     assert!(followed.facts().iter().all(|facts| !facts.search_given_up));
 }
 
-/// Sound surfaces take less than half of their budget, also small ones among many, and small fans.
+/// Sound surfaces take less than 0.7 of their budget, also small ones among many, and small fans.
 #[test]
 fn sound_surfaces_are_not_given_up() {
     let mut many = Mesh::default();
@@ -187,21 +211,32 @@ fn sound_surfaces_are_not_given_up() {
     for [x, y, _] in &mut hull.vertices {
         (*x, *y) = (0.8 * *x - 0.6 * *y, 0.6 * *x + 0.8 * *y);
     }
+    // Pipes of 64 sides, whose ends are fans.
+    let mut pipes = Mesh::default();
+    for i in 0..64 {
+        let x = 3.0 * i as f32;
+        pipes = join(pipes, moved(pipe(64), [x, 0.0, 0.0]));
+    }
     let mut fine = icosphere(Vec3::ZERO, 1.0, 5);
     fine.normals.clear();
     for (name, mesh) in [
-        ("sphere", fine),
+        ("sphere", fine.clone()),
         ("globe", globe(120, 240)),
         ("knot", knot(0.15)),
         ("fan", fan(256, [0.0; 3], 1.0)),
-        ("blocks", many.clone()),
-        ("blocks in a hull", join(many, hull)),
+        ("pipes", pipes),
+        ("blocks", many),
+        ("sphere in a hull", join(fine, hull)),
     ] {
         let topology = with_seams(&mesh);
-        for shape in &topology.shapes {
-            let share = shape.spending.steps as f64 / shape.spending.budget as f64;
-            assert!(shape.spending.steps > 0 && share < 0.5, "{name}: {share}");
-        }
+        let spendings = || topology.shapes.iter().map(|shape| shape.spending);
+        let shares = spendings().map(|spent| spent.steps as f64 / spent.budget as f64);
+        let share = shares.fold(0.0, f64::max);
+        eprintln!("{name}: at most {:.1} % of a budget", 100.0 * share);
+        assert!(
+            spendings().all(|spent| spent.steps > 0) && share < 0.7,
+            "{name}: {share}"
+        );
         assert!(topology.facts().iter().all(|facts| facts.reducible));
     }
 }
@@ -229,5 +264,4 @@ fn threads_do_not_decide() {
             assert_eq!(found.0[0].search_given_up, given_up, "{threads} threads");
         }
     }
-    assert!(allowed(whole) < STEPS_A_TRIANGLE);
 }
