@@ -30,7 +30,8 @@ mod shutter;
 mod turn;
 mod upkeep;
 
+pub use crate::tree::sah_cost;
 pub use deform::Deform;
 pub use motion::{Animation, Motion};
 pub use shutter::Shutter;
-pub use upkeep::{Action, MOST_COST, MOST_REFITS, Update, Upkeep};
+pub use upkeep::{Action, MOST_COST, MOST_REFITS, TRIAL_FRAMES, Update, Upkeep};

@@ -16,6 +16,8 @@ pub struct Costs {
     pub topology: f64,
     /// Nanoseconds a triangle: search for seams, without the tree that it needs.
     pub seams: f64,
+    /// Nanoseconds a triangle: search for seams that spends its whole budget and is given up.
+    pub seams_given_up: f64,
     /// Nanoseconds for a camera ray and a level of the tree, which has `log2(triangles)` levels.
     pub primary_level: f64,
     /// The same for a shadow ray.
@@ -49,6 +51,8 @@ impl Costs {
     /// sets (4 and 9 lights), times were 0.82 and 0.84 of those in the whole tree; with 56 % (16 lights), 2.6 times those
     /// in sets of single lights.
     ///
+    /// A search for seams that is given up took the most time a step in GIVENUP.
+    ///
     /// The GPU backend uses the same figures. On a GPU everything but the survey is faster, so plans for few frames still
     /// decline it.
     pub const MEASURED: Self = Self {
@@ -57,6 +61,7 @@ impl Costs {
         classify: 7.5,
         topology: 150.0,
         seams: 600.0,
+        seams_given_up: 3000.0,
         primary_level: 2.0,
         shadow_level: 13.0,
         shadow_rays: 0.2,
@@ -80,10 +85,19 @@ impl Costs {
         (self.away + self.both * both.max(0.0)).min(1.0)
     }
 
-    /// Milliseconds for a survey.
+    /// Milliseconds for a survey of sound surfaces.
     pub(super) fn survey_ms(&self, count: f64, seams: Seams) -> f64 {
+        self.survey_with(count, seams, self.seams)
+    }
+
+    /// Milliseconds for a survey whose search for seams is given up.
+    pub(super) fn longest_survey_ms(&self, count: f64, seams: Seams) -> f64 {
+        self.survey_with(count, seams, self.seams_given_up)
+    }
+
+    fn survey_with(&self, count: f64, seams: Seams, search: f64) -> f64 {
         let seams = match seams {
-            Seams::Find => self.sort + self.tree + self.seams,
+            Seams::Find => self.sort + self.tree + search,
             Seams::None => 0.0,
         };
         count * (self.topology + seams) * 1e-6

@@ -78,7 +78,8 @@ fn best_saving(candidates: &[Candidate], request: &PlanRequest) -> (f64, bool) {
 }
 
 /// The reason not to survey, if a survey is not likely to pay even if half of all triangles could be left out for the
-/// camera and each light.
+/// camera and each light. What it is expected to save must also outweigh a survey that finds nothing, because its search for
+/// seams is given up.
 pub fn decline(request: &PlanRequest, candidates: &[Candidate]) -> Option<String> {
     let count = request.triangle_count as f64;
     let mut guessed: Vec<Candidate> = candidates.to_vec();
@@ -90,13 +91,15 @@ pub fn decline(request: &PlanRequest, candidates: &[Candidate]) -> Option<String
     let (saving, _) = best_saving(&guessed, request);
     let survey = COSTS.survey_ms(count, request.switches.seams);
     let frame_count = f64::from(request.frame_count);
-    (saving * frame_count <= CAUTION * survey).then(|| {
+    let longest = COSTS.longest_survey_ms(count, request.switches.seams);
+    let needed = (CAUTION * survey).max(longest);
+    (saving * frame_count <= needed).then(|| {
         let frames = match request.frame_count {
             1 => "one frame".to_owned(),
             count => format!("{count} frames"),
         };
         format!(
-            "a survey of the surfaces takes about {survey:.1} ms and must save more than {CAUTION} times as much; it is expected to save at most {:.1} ms in {frames}",
+            "a survey of the surfaces takes about {survey:.1} ms, at most {longest:.1} ms, and must save more than {needed:.1} ms; it is expected to save at most {:.1} ms in {frames}",
             saving * frame_count
         )
     })

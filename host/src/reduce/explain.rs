@@ -143,7 +143,11 @@ fn surfaces(topology: &Topology) -> Vec<(&'static str, String)> {
         ),
         (
             "closed, but the sign of the volume is uncertain",
-            &|facts| facts.closed && !facts.reducible,
+            &|facts| facts.closed && !facts.reducible && !facts.search_given_up,
+        ),
+        (
+            "too many of its triangles are near each other to search for seams",
+            &|facts| facts.closed && facts.search_given_up,
         ),
     ] {
         let (count, triangles) = total(which);

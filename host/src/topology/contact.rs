@@ -1,6 +1,8 @@
 //! Whether two triangles meet beyond their shared corners and side, decided exactly.
 
 use crate::analysis::{area_sign, volume_sign};
+use glam::Vec3;
+use slimbvh_core::Aabb;
 
 /// A triangle of positive area.
 #[derive(Clone, Copy)]
@@ -9,6 +11,41 @@ pub(super) struct Face {
     pub(super) corners: [[f32; 3]; 3],
     /// Equal exactly if positions are equal.
     pub(super) ids: [u32; 3],
+}
+
+/// Whether two triangles certainly meet in one shared corner alone, by boxes. So it is with all but a few pairs in a fan.
+///
+/// Else they have a segment in common that begins in the corner. It ends where it leaves one of them, through the side opposite
+/// the corner; so one triangle's opposite side meets the other triangle.
+pub(super) fn meet_in_corner_alone(t: &Face, u: &Face) -> bool {
+    let shared = |face: &Face, other: &Face| {
+        let mut corners = (0..3).filter(|&i| other.ids.contains(&face.ids[i]));
+        match (corners.next(), corners.next()) {
+            (Some(corner), None) => Some(corner),
+            _ => None,
+        }
+    };
+    let (Some(i), Some(j)) = (shared(t, u), shared(u, t)) else {
+        return false;
+    };
+    let opposite = |face: &Face, corner: usize| {
+        bounds(&[
+            face.corners[(corner + 1) % 3],
+            face.corners[(corner + 2) % 3],
+        ])
+    };
+    !touch(&opposite(t, i), &bounds(&u.corners)) && !touch(&opposite(u, j), &bounds(&t.corners))
+}
+
+fn bounds(points: &[[f32; 3]]) -> Aabb {
+    let points = points.iter().map(|&point| Vec3::from(point));
+    points.fold(Aabb::EMPTY, Aabb::union_point)
+}
+
+/// Whether two boxes have a point in common.
+pub(super) fn touch(a: &Aabb, b: &Aabb) -> bool {
+    let gap = |a: Vec3, b: Vec3| a.x > b.x || a.y > b.y || a.z > b.z;
+    !gap(a.min, b.max) && !gap(b.min, a.max)
 }
 
 /// Whether two triangles of positive area have a common point outside of their shared corners and side. Triangles that

@@ -7,6 +7,7 @@
 //!
 //! There are no materials with holes, whose components would have to stay whole too.
 
+mod budget;
 mod contact;
 mod crossing;
 mod distance;
@@ -59,8 +60,11 @@ pub struct Facts {
     /// sign.
     pub outward: Option<bool>,
     /// Whether sets may leave out its triangles, for targets outside: `outward` is known now, and was at the latest search
-    /// for seams.
+    /// for seams, which was not given up.
     pub reducible: bool,
+    /// Whether the latest search for seams was given up in this component, because too many of its triangles are near each
+    /// other. Then it stays whole.
+    pub search_given_up: bool,
     /// The number of its triangles that are seams.
     pub seam_count: usize,
 }

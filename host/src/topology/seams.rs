@@ -1,6 +1,7 @@
 //! Seams: triangles that a ray from outside may hit from behind.
 
-use super::contact::{Face, collide};
+use super::budget::{Budget, Meter, PAIR_STEPS, STEPS_A_TRIANGLE};
+use super::contact::{Face, collide, meet_in_corner_alone};
 use super::crossing::Probe;
 use super::within::for_each_within;
 use super::{Topology, welded_triangles};
@@ -8,8 +9,8 @@ use crate::analysis::{Buckets, Edges, UnionFind, are_collinear};
 use crate::parallel::prelude::*;
 use crate::{Bvh, Mesh, NodeCodec};
 use glam::Vec3;
-use slimbvh_core::Aabb;
 use slimbvh_core::float::{next_down, next_up};
+use slimbvh_core::{Aabb, LeafTriangle};
 use std::ops::ControlFlow::{Break, Continue};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -22,12 +23,22 @@ impl Topology {
     /// - it has no area.
     ///
     /// `mesh` is the one seen last, `bvh` a hierarchy over all of it. Components that cannot be reduced now get no seams,
-    /// and will not be reduced before the next search. Takes O(n log n) for surfaces that meet few others.
+    /// and will not be reduced before the next search. Neither do components that the search gives up
+    /// ([`Facts::search_given_up`](super::Facts)), because their triangles have too many others near them, as in fans of
+    /// thousands of slivers around one corner, many copies at one place, or noise.
+    ///
+    /// Takes O(n log n): for surfaces whose triangles are near few others, the time that they need; for others at most a
+    /// fixed number of steps for each triangle of the mesh. The result does not depend on the number of threads.
     ///
     /// # Panics
     /// If the hierarchy or the mesh has a different number of triangles, or the hierarchy's triangle codec [moves
     /// vertices](crate::MeshCodec::moves_vertices).
     pub fn find_seams(&mut self, mesh: &Mesh, bvh: &Bvh) {
+        self.find_seams_within(mesh, bvh, STEPS_A_TRIANGLE);
+    }
+
+    /// The search with a budget of so many steps for each triangle.
+    pub(super) fn find_seams_within(&mut self, mesh: &Mesh, bvh: &Bvh, steps_a_triangle: u64) {
         let counts = [bvh.triangle_count(), mesh.indices.len()];
         assert_eq!(
             counts,
@@ -49,21 +60,20 @@ impl Topology {
         for (triangle, component) in self.seams.drain(..) {
             self.components[triangle as usize] = component;
         }
-        for shape in &mut self.shapes {
-            shape.barred = shape.outward.is_none();
-        }
 
-        let search = Search::new(self, mesh, bvh);
+        let search = Search::new(self, mesh, bvh, steps_a_triangle);
         search.mark_collisions();
         search.mark_inverted();
         let seams = (0_u32..).zip(&search.is_seam);
         let seams: Vec<u32> = seams
-            .filter(|(_, is_seam)| is_seam.load(Relaxed))
+            .filter(|(triangle, is_seam)| is_seam.load(Relaxed) && !search.is_given_up(*triangle))
             .map(|(triangle, _)| triangle)
             .collect();
 
-        let kept = self.component_count();
-        for shape in &mut self.shapes {
+        let (kept, budget) = (self.component_count(), search.budget);
+        for (component, shape) in (0..).zip(&mut self.shapes) {
+            shape.spending = budget.spending(component);
+            shape.barred = shape.outward.is_none() || shape.spending.is_exceeded();
             shape.seam_count = 0;
         }
         for triangle in seams {
@@ -85,13 +95,17 @@ struct Search<'a> {
     welded: Vec<[u32; 3]>,
     /// Of each triangle; `false` in components whose seams are not needed.
     has_area: Vec<bool>,
-    /// The result.
+    /// The result; arbitrary in components that the search gives up.
     is_seam: Vec<AtomicBool>,
+    budget: Budget,
 }
+
+/// Triangles searched by one thread without a break.
+const BLOCK: usize = 256;
 
 impl<'a> Search<'a> {
     /// Marks triangles without area.
-    fn new(topology: &'a Topology, mesh: &'a Mesh, bvh: &'a Bvh) -> Self {
+    fn new(topology: &'a Topology, mesh: &'a Mesh, bvh: &'a Bvh, steps_a_triangle: u64) -> Self {
         let shapes = topology.shapes.iter();
         let mut sides: Vec<i32> = shapes.map(|shape| shape.side().unwrap_or(0)).collect();
         sides.push(0);
@@ -104,6 +118,18 @@ impl<'a> Search<'a> {
         let is_seam = (0..components.len())
             .map(|triangle| AtomicBool::new(of_interest(triangle) && !has_area[triangle]))
             .collect();
+        let mut triangle_counts = vec![0; sides.len()];
+        for (shape, (count, side)) in topology
+            .shapes
+            .iter()
+            .zip(triangle_counts.iter_mut().zip(&sides))
+        {
+            *count = if *side == 0 {
+                0
+            } else {
+                shape.triangle_count as usize
+            };
+        }
         Self {
             mesh,
             bvh,
@@ -112,32 +138,53 @@ impl<'a> Search<'a> {
             welded: welded_triangles(mesh),
             has_area,
             is_seam,
+            budget: Budget::new(&triangle_counts, steps_a_triangle),
         }
     }
 
     /// Marks triangles that meet others of their component beyond shared corners and sides. Triangles without area are
     /// ignored, because no ray hits them.
     fn mark_collisions(&self) {
-        self.bvh.leaf_triangles().par_iter().for_each(|own| {
-            let first = own.primitive;
-            if !self.has_area[first as usize] {
-                return;
-            }
-            let face = self.face(first);
-            // The visitor never stops early.
-            let _ = for_each_within(self.bvh, &own.triangle().bounds(), |other| {
-                let second = other.primitive;
-                let is_pair = first < second
-                    && self.component(first) == self.component(second)
-                    && self.has_area[second as usize];
-                let is_known = is_pair && self.is_seam(first) && self.is_seam(second);
-                if is_pair && !is_known && collide(&face, &self.face(second)) {
-                    self.mark(first);
-                    self.mark(second);
+        let blocks = self.bvh.leaf_triangles().par_chunks(BLOCK);
+        blocks.for_each(|block| {
+            let mut meter = self.budget.meter();
+            for own in block {
+                let first = own.primitive;
+                if self.has_area[first as usize] && meter.enter(self.component(first)) {
+                    self.mark_collisions_of(own, &mut meter);
                 }
-                Continue(())
-            });
+            }
         });
+    }
+
+    /// The collisions of one triangle with those of higher numbers.
+    fn mark_collisions_of(&self, own: &LeafTriangle, meter: &mut Meter) {
+        let first = own.primitive;
+        let face = self.face(first);
+        let (mut steps, mut pair_count) = (0, 0);
+        // The visitor never stops early.
+        let _ = for_each_within(self.bvh, &own.triangle().bounds(), &mut steps, |other| {
+            let second = other.primitive;
+            let is_pair = first < second
+                && self.component(first) == self.component(second)
+                && self.has_area[second as usize];
+            if !is_pair {
+                return Continue(());
+            }
+            let second_face = self.face(second);
+            if meet_in_corner_alone(&face, &second_face) {
+                return Continue(());
+            }
+            // The count must not depend on what other threads have marked.
+            pair_count += 1;
+            let is_known = self.is_seam(first) && self.is_seam(second);
+            if !is_known && collide(&face, &second_face) {
+                self.mark(first);
+                self.mark(second);
+            }
+            Continue(())
+        });
+        meter.add(steps + PAIR_STEPS * pair_count);
     }
 
     /// Marks triangles with a negative winding number of their component at their outer side. If exactly two triangles
@@ -145,7 +192,11 @@ impl<'a> Search<'a> {
     /// whole patch of such triangles.
     fn mark_inverted(&self) {
         let mut patches = UnionFind::new(self.welded.len());
-        let is_sound = |triangle: u32| self.has_area[triangle as usize] && !self.is_seam(triangle);
+        let is_sound = |triangle: u32| {
+            self.has_area[triangle as usize]
+                && !self.is_seam(triangle)
+                && !self.is_given_up(triangle)
+        };
         Edges::new(&self.welded, self.mesh.vertices.len()).for_each(|sides| {
             if let [a, b] = sides
                 && a.is_forward() != b.is_forward()
@@ -166,7 +217,12 @@ impl<'a> Search<'a> {
             .map(|(_, patch)| patch)
             .collect();
         patches.par_iter().for_each(|patch| {
-            if self.outer_winding(patch).is_none_or(|number| number < 0) {
+            let mut meter = self.budget.meter();
+            if !meter.enter(self.component(patch[0] as u32)) {
+                return;
+            }
+            let number = self.outer_winding(patch, &mut meter);
+            if number.is_none_or(|number| number < 0) {
                 for &triangle in *patch {
                     self.mark(triangle as u32);
                 }
@@ -176,7 +232,7 @@ impl<'a> Search<'a> {
 
     /// The component's winding number at points just outside of a patch, positive for a solid. `None` if no line of sight
     /// is certain.
-    fn outer_winding(&self, patch: &[u64]) -> Option<i32> {
+    fn outer_winding(&self, patch: &[u64], meter: &mut Meter) -> Option<i32> {
         const LOOK_COUNT: usize = 24;
         (0..LOOK_COUNT).find_map(|look| {
             let triangle = patch[look % patch.len()] as u32;
@@ -184,14 +240,15 @@ impl<'a> Search<'a> {
             let corners = corners(self.mesh, triangle);
             let axis = (widest_axis(corners) + look / 8) % 3;
             let probe = Probe::new(corners, WEIGHTS[look % WEIGHTS.len()], axis, side)?;
-            Some(side * self.winding(triangle, &probe)?)
+            Some(side * self.winding(triangle, &probe, meter)?)
         })
     }
 
     /// The winding number along a probe of a triangle; `None` if uncertain.
-    fn winding(&self, triangle: u32, probe: &Probe) -> Option<i32> {
-        let mut number = 0;
-        let flow = for_each_within(self.bvh, &self.line_of_sight(probe), |other| {
+    fn winding(&self, triangle: u32, probe: &Probe, meter: &mut Meter) -> Option<i32> {
+        let (mut number, mut steps) = (0, 0);
+        let region = self.line_of_sight(probe);
+        let flow = for_each_within(self.bvh, &region, &mut steps, |other| {
             let other = other.primitive;
             if other == triangle || self.component(other) != self.component(triangle) {
                 return Continue(());
@@ -204,6 +261,7 @@ impl<'a> Search<'a> {
                 None => Break(()),
             }
         });
+        meter.add(steps);
         flow.is_continue().then_some(number)
     }
 
@@ -234,6 +292,12 @@ impl<'a> Search<'a> {
             corners: corners(self.mesh, triangle),
             ids: self.welded[triangle as usize],
         }
+    }
+
+    /// Whether the search in the triangle's component is given up.
+    fn is_given_up(&self, triangle: u32) -> bool {
+        let component = self.component(triangle);
+        self.budget.spending(component).is_exceeded()
     }
 
     fn is_seam(&self, triangle: u32) -> bool {

@@ -1,6 +1,7 @@
 //! The facts that depend on positions: each component's box, and the sign of its volume.
 
 use super::Facts;
+use super::budget::Spending;
 use crate::Mesh;
 use crate::analysis::{NONE, Volume, middle, seen_from};
 use crate::parallel::prelude::*;
@@ -22,8 +23,10 @@ pub(super) struct Shape {
     pub(super) closed: bool,
     /// Whether the front sides face outward; `None` if open or uncertain.
     pub(super) outward: Option<bool>,
-    /// Whether `outward` was unknown at the search for seams. Then its seams are unknown.
+    /// Whether its seams are unknown: `outward` was at the search for them, or the search was given up.
     pub(super) barred: bool,
+    /// Steps of the search for seams.
+    pub(super) spending: Spending,
     /// The box around it.
     pub(super) bounds: Aabb,
 }
@@ -36,6 +39,7 @@ impl Shape {
             closed: self.closed,
             outward: self.outward,
             reducible: self.outward.is_some() && !self.barred,
+            search_given_up: self.spending.is_exceeded(),
             seam_count: self.seam_count as usize,
         }
     }
@@ -122,6 +126,7 @@ pub(super) fn group(
             closed,
             outward: None,
             barred: false,
+            spending: Spending::default(),
             bounds: Aabb::EMPTY,
         });
     }

@@ -1,5 +1,6 @@
 //! Laws of [`Topology`], each with a control that would fail if the law were vacuous.
 
+mod budget;
 mod facts;
 mod oracle;
 mod properties;
@@ -8,6 +9,7 @@ mod seams;
 mod shapes;
 mod sides;
 
+use super::shape::Shape;
 use super::{Target, Topology};
 use crate::{BuildConfig, Builder, Bvh, Mesh};
 

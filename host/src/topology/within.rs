@@ -1,15 +1,17 @@
 //! Triangles near a box, found with the tree.
 
+use super::contact::touch;
 use crate::Bvh;
-use glam::Vec3;
 use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
 use std::ops::ControlFlow;
 
-/// Visits every triangle whose box touches a region, at the tree's magnitude, until the visitor stops.
+/// Visits every triangle whose box touches a region, at the tree's magnitude, until the visitor stops. Adds the nodes opened
+/// and the boxes of triangles compared to `steps`.
 pub(super) fn for_each_within(
     bvh: &Bvh,
     region: &Aabb,
+    steps: &mut u64,
     mut visit: impl FnMut(&LeafTriangle) -> ControlFlow<()>,
 ) -> ControlFlow<()> {
     let (nodes, triangles) = (bvh.nodes(), bvh.leaf_triangles());
@@ -24,12 +26,14 @@ pub(super) fn for_each_within(
         let cursor = stack[count];
         if cursor.is_leaf() {
             let first = cursor.first() as usize;
+            *steps += u64::from(cursor.count());
             for triangle in &triangles[first..first + cursor.count() as usize] {
                 if touch(&triangle.triangle().bounds(), region) {
                     visit(triangle)?;
                 }
             }
         } else {
+            *steps += 1;
             // Both children may wait: one entry a level, plus one.
             let node = &nodes[cursor.index() as usize];
             for (child, bounds) in [(node.left, node.left_box()), (node.right, node.right_box())] {
@@ -41,10 +45,4 @@ pub(super) fn for_each_within(
         }
     }
     ControlFlow::Continue(())
-}
-
-/// Whether two boxes have a point in common.
-fn touch(a: &Aabb, b: &Aabb) -> bool {
-    let gap = |a: Vec3, b: Vec3| a.x > b.x || a.y > b.y || a.z > b.z;
-    !gap(a.min, b.max) && !gap(b.min, a.max)
 }

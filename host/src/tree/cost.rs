@@ -4,7 +4,8 @@ use slimbvh_core::{Node, NodeRef};
 
 /// The expected cost of a ray that hits the root's box, at 1 for each opened node and 1 for each tested triangle: the
 /// surface area heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990). Independent of
-/// position and scale. 0 for a tree without triangles. Large triangles dominate the cost: with a wide ground plane, small
+/// position and scale. 0 for a tree without triangles; infinite for one without area, whose triangles are all in one point or
+/// on one line along an axis, so that it says nothing about other positions of the same triangles. Large triangles dominate the cost: with a wide ground plane, small
 /// objects on it count for little.
 ///
 /// `nodes` are those of a [`crate::Bvh`], the root first.
@@ -29,11 +30,7 @@ pub fn sah_cost(nodes: &[Node]) -> f64 {
     if root_area > 0.0 {
         1.0 + nodes.iter().map(area).sum::<f64>() / root_area
     } else {
-        // A tree without area is missed by every ray; a single point is hit by rays that hit all of it.
-        nodes
-            .iter()
-            .map(|node| weight(node.left) + weight(node.right))
-            .sum()
+        f64::INFINITY
     }
 }
 
@@ -74,6 +71,8 @@ mod tests {
         let expected = 1.0 + (2.0 * 11.0 + 16.0 + 3.0 * 3.0 + 2.0) / 26.0;
         assert!((sah_cost(&nodes) - expected).abs() < 1e-12);
         assert_eq!(sah_cost(&[]), 0.0);
+        let line = aabb([1.0, 2.0, 0.0], [1.0, 2.0, 3.0]);
+        assert_eq!(sah_cost(&[root.with_boxes(line, line)]), f64::INFINITY);
     }
 
     /// Exchanged triangles make the boxes of a refitted tree large.

@@ -3,7 +3,7 @@
 use super::oracle::{self, Corners};
 use super::shapes::{moved, scaled, unwelded};
 use super::*;
-use crate::topology::contact::{Face, collide};
+use crate::topology::contact::{Face, collide, meet_in_corner_alone};
 use proptest::array::{uniform3, uniform4};
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -101,6 +101,8 @@ proptest! {
         });
         prop_assert_eq!(collide(&t, &u), oracle::collide(exact[0], exact[1]));
         prop_assert_eq!(collide(&u, &t), oracle::collide(exact[0], exact[1]));
+        prop_assert!(!(meet_in_corner_alone(&t, &u) && oracle::collide(exact[0], exact[1])));
+        prop_assert_eq!(meet_in_corner_alone(&t, &u), meet_in_corner_alone(&u, &t));
     }
 
     #[test]
@@ -200,6 +202,34 @@ proptest! {
         let moved_target = Target::Point([1.25 + by[0] as f32, 2.25 + by[1] as f32, 1.5 + by[2] as f32]);
         prop_assert_eq!(expected.sides(&target), followed.sides(&moved_target));
     }
+}
+
+/// In a fan, boxes tell all but neighbours apart; two triangles that cut each other beyond their shared corner are told
+/// apart by nothing.
+#[test]
+fn boxes_tell_slivers_of_a_fan_apart() {
+    let rim = |i: u32| {
+        let (sin, cos) = (std::f32::consts::TAU * i as f32 / 100.0).sin_cos();
+        [cos, 0.25, sin]
+    };
+    let sliver = |i: u32| Face {
+        corners: [[0.0; 3], rim(i), rim(i + 1)],
+        ids: [0, 1 + i, 1 + (i + 1) % 100],
+    };
+    let apart = (2..99).filter(|&i| meet_in_corner_alone(&sliver(0), &sliver(i)));
+    assert!(apart.count() > 90);
+    let across = Face {
+        corners: [[0.0; 3], [2.0, 0.0, 0.2], [2.0, 1.0, 0.2]],
+        ids: [0, 200, 201],
+    };
+    assert!(collide(&sliver(1), &across) && !meet_in_corner_alone(&sliver(1), &across));
+    // Two shared corners, or none.
+    assert!(!meet_in_corner_alone(&sliver(0), &sliver(1)));
+    let far = Face {
+        ids: [7, 8, 9],
+        ..across
+    };
+    assert!(!meet_in_corner_alone(&sliver(40), &far));
 }
 
 /// The same laws, each broken: the comparisons above can fail.

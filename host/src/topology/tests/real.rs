@@ -12,7 +12,13 @@ fn real_meshes_are_taken_stock_of() {
         eprintln!("SKIPPED: SLIMBVH_SCENES is not set");
         return;
     };
-    for name in ["armadillo.off", "dragon.ply", "sponza.obj"] {
+    for name in [
+        "armadillo.off",
+        "dragon.ply",
+        "sponza.obj",
+        "bunny00.off",
+        "refined_elephant.off",
+    ] {
         let path = folder.join(name);
         if !path.exists() {
             eprintln!("SKIPPED: {} is not there", path.display());
@@ -39,8 +45,11 @@ fn real_meshes_are_taken_stock_of() {
         let sides = topology.sides(&middle);
         let sides_ms = ms(begin);
         let facts = topology.facts();
+        let share = |shape: &Shape| shape.spending.steps as f64 / shape.spending.budget as f64;
+        let largest = topology.shapes.iter().map(share).fold(0.0, f64::max);
         eprintln!(
-            "{name}: {} triangles, {} components, {} closed, {} reducible, {} seams, {} bytes; \
+            "{name}: {} triangles, {} components, {} closed, {} reducible, {} seams, {} bytes, \
+             at most {:.1} % of a budget; \
              new {new_ms:.1}, update {update_ms:.1}, seams {seams_ms:.0}, sides {sides_ms:.1} ms",
             mesh.indices.len(),
             facts.len(),
@@ -48,7 +57,9 @@ fn real_meshes_are_taken_stock_of() {
             facts.iter().filter(|facts| facts.reducible).count(),
             topology.seam_count(),
             topology.bytes(),
+            100.0 * largest,
         );
+        assert!(facts.iter().all(|facts| !facts.search_given_up), "{name}");
         let far = Target::Point((bounds.max + (bounds.max - bounds.min)).to_array());
         let is_reducible = topology.sides(&far).into_iter().map(|side| side != 0);
         assert!(is_reducible.eq(facts.iter().map(|f| f.reducible).chain([false])));
