@@ -44,6 +44,7 @@ struct Summary {
     vertices: usize,
     welded_vertices: usize,
     materials: usize,
+    single_sided_materials: usize,
     cameras: usize,
     lights: usize,
     left_out: Vec<LeftOutSummary>,
@@ -140,6 +141,7 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) 
         vertices: analysis.vertex_count,
         welded_vertices: analysis.welded_vertex_count,
         materials: scene.materials.len(),
+        single_sided_materials: single_sided_count(scene),
         cameras: scene.cameras.len(),
         lights: scene.lights.len(),
         left_out: told::left_out(scene),
@@ -228,7 +230,7 @@ fn describe(
         "also",
         format!(
             "{}, {}, {}",
-            things(scene.materials.len(), "material"),
+            materials(scene),
             things(scene.cameras.len(), "camera"),
             things(scene.lights.len(), "light")
         ),
@@ -285,6 +287,20 @@ fn describe(
         );
     }
     text
+}
+
+fn single_sided_count(scene: &Scene) -> usize {
+    let materials = scene.materials.iter();
+    materials.filter(|material| !material.double_sided).count()
+}
+
+/// `3 materials (2 single-sided)`.
+fn materials(scene: &Scene) -> String {
+    let all = things(scene.materials.len(), "material");
+    match single_sided_count(scene) {
+        0 => all,
+        single => format!("{all} ({single} single-sided)"),
+    }
 }
 
 fn describe_component(component: &Component) -> String {

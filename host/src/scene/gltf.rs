@@ -1,168 +1,293 @@
 //! glTF 2.0: JSON with buffers in other files, or one GLB file.
 //!
-//! The crate `gltf` reads and checks the JSON; [`document`] adds checks that it lacks. Buffers and accessors are read here,
-//! because the crate's iterators panic at accessors that do not fit, or skip them.
+//! Only members that the scene needs are read and checked, so that no fault elsewhere refuses the file.
 
 mod accessor;
 mod buffers;
 mod document;
 mod error;
+mod extensions;
+mod instances;
+mod json;
+mod materials;
+mod nodes;
 mod primitive;
+mod skin;
 mod view;
 
 pub use error::GltfError;
 
-use super::faces::{Faces, share};
+use super::error::excerpt;
+use super::faces::Faces;
 use super::load::{Found, Source};
-use super::{Camera, Light, LoadError, Material};
-use crate::Part;
-use ::gltf::{Document, Node};
+use super::vertices::Vertices;
+use super::{Camera, Light, LoadError};
+use crate::{MeshError, Part};
 use buffers::Buffers;
-use glam::Mat4;
+use document::item;
+use extensions::{Effect, effect};
+use glam::DAffine3;
+use instances::Instances;
+use json::{Index, Root};
+use nodes::{Nodes, Visited};
+use primitive::{PlaceError, Reader, Surface};
+use std::collections::BTreeSet;
+use std::rc::Rc;
 
-/// Reads the default scene, flattened: a part for each node with a mesh.
+/// Reads the default scene at the file's pose, flattened: a part for each node or instance with triangles.
 pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
-    let (document, blob) = document::parse(&bytes, source)?;
-    let buffers = Buffers::read(&document, blob, source)?;
+    let (root, blob) = document::parse(&bytes, source)?;
+    let buffers = Buffers::new(&root, blob, bytes.len(), source);
+    let mut nodes = Nodes::new(&root).map_err(|error| buffers.fault(error))?;
+    let visited = std::mem::take(&mut nodes.visited);
     let mut flat = Flat {
         source,
+        root: &root,
         buffers: &buffers,
+        nodes,
+        joints: vec![None; root.skins.len()],
         faces: Faces::new(source),
         cameras: Vec::new(),
         lights: Vec::new(),
-        default_material: document.materials().len() as u32,
     };
-    flat.walk(&document)?;
-
-    let Flat {
-        faces,
-        cameras,
-        lights,
-        default_material,
-        ..
-    } = flat;
-    let mut found = faces.into_found();
-    let scene = &mut found.scene;
-    scene.materials = document.materials().map(|m| convert(&m)).collect();
-    scene.cameras = cameras;
-    scene.lights = lights;
-    // Without materials, the list of indices has no meaning.
-    if scene.materials.is_empty() {
-        scene.mesh.materials.clear();
-    } else if scene.mesh.materials.contains(&default_material) {
-        scene.materials.push(Material::default());
+    // Most files need no more.
+    flat.faces.vertices = Vertices::Narrow(Vec::new());
+    for it in visited {
+        flat.visit(it)?;
     }
-    Ok(found)
+    flat.note();
+    Ok(flat.finish())
 }
 
 /// A scene under construction.
 struct Flat<'a> {
     source: &'a Source<'a>,
+    root: &'a Root,
     buffers: &'a Buffers<'a>,
+    nodes: Nodes<'a>,
+    /// The joints' transforms of each skin, as far as it was used.
+    joints: Vec<Option<Rc<[DAffine3]>>>,
     faces: Faces<'a>,
-    cameras: Vec<Camera>,
-    lights: Vec<Light>,
-    /// The index of the default material.
-    default_material: u32,
+    cameras: Vec<(Camera, [[f64; 3]; 2])>,
+    lights: Vec<(Light, [f64; 3])>,
 }
 
 impl Flat<'_> {
-    /// Visits every node below the roots once, parents first. Iterative, so depth cannot overflow the stack.
-    fn walk(&mut self, document: &Document) -> Result<(), LoadError> {
-        let mut is_visited = vec![false; document.nodes().len()];
-        let mut stack: Vec<(Node<'_>, Mat4)> = document::roots(document)
-            .map(|node| (node, Mat4::IDENTITY))
-            .collect();
-        stack.reverse();
-        while let Some((node, parent)) = stack.pop() {
-            if std::mem::replace(&mut is_visited[node.index()], true) {
-                let node = node.index();
-                return Err(self.error(GltfError::NotATree { node }));
+    fn visit(&mut self, it: Visited) -> Result<(), LoadError> {
+        if !it.is_hidden {
+            self.append_mesh(it)?;
+            self.append_light(it)?;
+        }
+        self.append_camera(it)
+    }
+
+    fn append_mesh(&mut self, it: Visited) -> Result<(), LoadError> {
+        let (root, buffers) = (self.root, self.buffers);
+        let node = &root.nodes[it.node];
+        let Some(index) = node.mesh else {
+            return Ok(());
+        };
+        let place = || format!("nodes[{}].mesh", it.node);
+        let mesh = item(&root.meshes, "meshes", index, place);
+        let mesh = mesh.map_err(|error| buffers.fault(error))?;
+        let name = match node.name.as_ref().or(mesh.name.as_ref()) {
+            Some(name) => name.clone(),
+            None => format!("node {}", it.node),
+        };
+
+        // Read the primitives.
+        let mut primitives = mesh.primitives.iter();
+        let has_joints = primitives.any(|it| it.attributes.contains_key("JOINTS_0"));
+        let joints = match node.skin.filter(|_| has_joints) {
+            Some(skin) => Some((skin.0, self.joints(it.node, skin)?)),
+            None => None,
+        };
+        let reader = Reader {
+            root,
+            buffers,
+            source: self.source,
+            part: &name,
+            weights: match node.weights.is_empty() {
+                true => &mesh.weights,
+                false => &node.weights,
+            },
+            joints: joints.as_ref().map(|(skin, joints)| (*skin, &**joints)),
+        };
+        let mut surfaces = Vec::new();
+        for (i, primitive) in mesh.primitives.iter().enumerate() {
+            let place = format!("meshes[{}].primitives[{i}]", index.0);
+            surfaces.extend(reader.read(primitive, &place)?);
+        }
+
+        // Place them.
+        let instancing = node.extensions.instancing.as_ref();
+        let instances = match instancing.filter(|_| !surfaces.is_empty()) {
+            Some(instancing) => Instances::new(root, it.node, instancing, buffers)?,
+            None => None,
+        };
+        match instances {
+            None => self.append_part(&surfaces, &name, it.transform),
+            // Joints place skinned meshes, not the node.
+            Some(instances) if surfaces.iter().any(Surface::is_skinned) => {
+                let count = instances.count;
+                self.source.leave_out("instances of skinned meshes", count);
+                self.append_part(&surfaces, &name, it.transform)
             }
-            let transform = parent * Mat4::from_cols_array_2d(&node.transform().matrix());
-            self.visit(&node, transform)?;
-            let children: Vec<_> = node.children().map(|child| (child, transform)).collect();
-            stack.extend(children.into_iter().rev());
+            Some(instances) => {
+                self.check_room(&surfaces, instances.count)?;
+                for instance in 0..instances.count {
+                    let name = format!("{name} {}", instance + 1);
+                    let transform = it.transform * instances.transform(instance);
+                    self.append_part(&surfaces, &name, transform)?;
+                }
+                Ok(())
+            }
+        }
+    }
+
+    /// The joints' transforms of a node's skin.
+    fn joints(&mut self, node: usize, skin: Index) -> Result<Rc<[DAffine3]>, LoadError> {
+        if let Some(Some(known)) = self.joints.get(skin.0) {
+            return Ok(known.clone());
+        }
+        let place = || format!("nodes[{node}].skin");
+        let joints = skin::joints(self.root, skin, place, &mut self.nodes, self.buffers)?;
+        let joints: Rc<[DAffine3]> = joints.into();
+        self.joints[skin.0] = Some(joints.clone());
+        Ok(joints)
+    }
+
+    /// Refuses more triangles than a tree can hold, before instances fill the memory.
+    fn check_room(&self, surfaces: &[Surface<'_>], count: usize) -> Result<(), LoadError> {
+        let limit = slimbvh_core::MAX_TRIANGLES as usize;
+        let once: usize = surfaces.iter().map(|surface| surface.face_count).sum();
+        let triangle_count = once.saturating_mul(count);
+        let triangle_count = triangle_count.saturating_add(self.faces.mesh.indices.len());
+        if triangle_count <= limit {
+            return Ok(());
+        }
+        Err(LoadError::Mesh {
+            file: self.source.file.clone(),
+            error: MeshError::TooManyTriangles {
+                triangle_count,
+                limit,
+            },
+        })
+    }
+
+    fn append_part(
+        &mut self,
+        surfaces: &[Surface<'_>],
+        name: &str,
+        transform: DAffine3,
+    ) -> Result<(), LoadError> {
+        let is_lenient = self.source.options.lenient;
+        let first = self.faces.mesh.indices.len();
+        for surface in surfaces {
+            let placed = surface.place(transform, name, is_lenient, &mut self.faces);
+            placed.map_err(|error| match error {
+                PlaceError::Gltf(error) => self.buffers.fault(error),
+                PlaceError::Load(error) => error,
+            })?;
+            let material = surface.material.unwrap_or(self.root.materials.len());
+            let mesh = &mut self.faces.mesh;
+            mesh.materials.resize(mesh.indices.len(), material as u32);
+        }
+        let mesh = &mut self.faces.mesh;
+        if mesh.indices.len() > first {
+            mesh.parts.push(Part {
+                name: name.to_owned(),
+                first_triangle: first as u32,
+                triangle_count: (mesh.indices.len() - first) as u32,
+            });
         }
         Ok(())
     }
 
-    fn visit(&mut self, node: &Node<'_>, transform: Mat4) -> Result<(), LoadError> {
-        if let Some(mesh) = node.mesh() {
-            let name = match node.name().or(mesh.name()) {
-                Some(name) => name.to_owned(),
-                None => format!("node {}", node.index()),
-            };
-            self.append_part(&mesh, name, transform)?;
+    fn append_camera(&mut self, it: Visited) -> Result<(), LoadError> {
+        let Some(index) = self.root.nodes[it.node].camera else {
+            return Ok(());
+        };
+        let fault = |error| self.buffers.fault(error);
+        let place = || format!("nodes[{}].camera", it.node);
+        let camera = item(&self.root.cameras, "cameras", index, place).map_err(fault)?;
+        let lacking = GltfError::CameraWithoutValues { camera: index.0 };
+        let projection = view::projection(camera).ok_or_else(|| fault(lacking))?;
+        let camera = projection.and_then(|projection| view::camera(projection, it.transform));
+        let camera = self.or_refuse(camera, it.node)?;
+        self.cameras.extend(camera);
+        Ok(())
+    }
+
+    fn append_light(&mut self, it: Visited) -> Result<(), LoadError> {
+        let Some(light) = &self.root.nodes[it.node].extensions.light else {
+            return Ok(());
+        };
+        let place = || format!("nodes[{}].extensions.KHR_lights_punctual.light", it.node);
+        let lights = &self.root.extensions.lights.lights;
+        let light = item(lights, "lights", light.light, place);
+        let light = light.map_err(|error| self.buffers.fault(error))?;
+        match light.kind.as_str() {
+            "directional" | "point" => {}
+            "spot" => self.source.leave_out("spot lights' cones", 1),
+            _ => {
+                self.source.leave_out("lights of unknown types", 1);
+                return Ok(());
+            }
         }
-        if let Some(camera) = node.camera() {
-            let camera = view::camera(&camera, transform);
-            self.cameras.extend(self.or_refuse(camera, node)?);
-        }
-        if let Some(light) = node.light() {
-            let light = view::light(&light, transform);
-            self.lights.extend(self.or_refuse(light, node)?);
-        }
+        let light = self.or_refuse(view::light(light, it.transform), it.node)?;
+        self.lights.extend(light);
         Ok(())
     }
 
     /// Rejects a camera or a light without a direction; with lenient options, leaves it out.
-    fn or_refuse<T>(&self, found: Option<T>, node: &Node<'_>) -> Result<Option<T>, LoadError> {
+    fn or_refuse<T>(&self, found: Option<T>, node: usize) -> Result<Option<T>, LoadError> {
         match found {
             None if !self.source.options.lenient => {
-                Err(self.error(GltfError::Degenerate { node: node.index() }))
+                Err(self.buffers.fault(GltfError::Degenerate { node }))
             }
             found => Ok(found),
         }
     }
 
-    fn append_part(
-        &mut self,
-        mesh: &::gltf::Mesh<'_>,
-        name: String,
-        transform: Mat4,
-    ) -> Result<(), LoadError> {
-        let first = self.faces.mesh.indices.len();
-        for primitive in mesh.primitives() {
-            let material = primitive.material().index();
-            primitive::append(&primitive, &name, transform, self)?;
-            let triangle_count = self.faces.mesh.indices.len();
-            let material = material.map_or(self.default_material, |index| index as u32);
-            self.faces.mesh.materials.resize(triangle_count, material);
-        }
-        self.faces.mesh.parts.push(Part {
-            name,
-            first_triangle: first as u32,
-            triangle_count: (self.faces.mesh.indices.len() - first) as u32,
-        });
-        Ok(())
-    }
-
-    fn error(&self, error: GltfError) -> LoadError {
-        LoadError::Gltf {
-            file: self.source.file.clone(),
-            error,
+    /// Notes what the file has, and the scene does not.
+    fn note(&self) {
+        let root = self.root;
+        let used: BTreeSet<u32> = self.faces.mesh.materials.iter().copied().collect();
+        let used = used
+            .into_iter()
+            .filter_map(|index| root.materials.get(index as usize));
+        materials::note(used, self.source);
+        let animation_count = root.animations.as_array().map_or(0, Vec::len);
+        self.source.leave_out("animations", animation_count);
+        let scene_count = root.scenes.len();
+        self.source.leave_out(
+            "scenes besides the default one",
+            scene_count.saturating_sub(1),
+        );
+        let names = root.extensions_used.iter().chain(&root.extensions_required);
+        let names: BTreeSet<&str> = names.map(String::as_str).collect();
+        for name in names {
+            if matches!(effect(name), Effect::Looks | Effect::Unknown) {
+                self.source.leave_out(&excerpt(name), 1);
+            }
         }
     }
-}
 
-/// The base color; a smooth metal as a mirror; a transmitting material as glass, rough or not.
-fn convert(material: &::gltf::Material<'_>) -> Material {
-    const LEAST_METALLIC: f32 = 0.5;
-    const MOST_ROUGH: f32 = 0.2;
-    let pbr = material.pbr_metallic_roughness();
-    let [r, g, b, _] = pbr.base_color_factor();
-    let is_mirror = pbr.metallic_factor() >= LEAST_METALLIC && pbr.roughness_factor() <= MOST_ROUGH;
-    Material {
-        base_color: [r, g, b].map(share),
-        mirror: match is_mirror {
-            true => share(pbr.metallic_factor()),
-            false => 0.0,
-        },
-        transmission: match material.transmission() {
-            Some(glass) => share(glass.transmission_factor()),
-            None => 0.0,
-        },
-        ior: material.ior().unwrap_or(Material::default().ior),
+    fn finish(self) -> Found {
+        let materials = &self.root.materials;
+        let mut found = self.faces.into_found();
+        let scene = &mut found.scene;
+        scene.materials = materials.iter().map(materials::convert).collect();
+        // One material needs no list of indices.
+        if scene.materials.is_empty() {
+            scene.mesh.materials.clear();
+            scene.materials.push(materials::without());
+        } else if scene.mesh.materials.contains(&(materials.len() as u32)) {
+            scene.materials.push(materials::without());
+        }
+        (scene.cameras, found.cameras) = self.cameras.into_iter().unzip();
+        (scene.lights, found.lights) = self.lights.into_iter().unzip();
+        found
     }
 }

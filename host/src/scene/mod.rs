@@ -114,6 +114,9 @@ pub struct Material {
     pub transmission: f32,
     /// The index of refraction behind the front side relative to that in front. Values not above 0 count as 1.
     pub ior: f32,
+    /// Whether the back is seen like the front; otherwise the file means it to be culled. Only glTF materials can be single-sided. It
+    /// changes no picture: every ray meets both sides.
+    pub double_sided: bool,
 }
 
 impl Default for Material {
@@ -123,6 +126,7 @@ impl Default for Material {
             mirror: 0.0,
             transmission: 0.0,
             ior: 1.5,
+            double_sided: true,
         }
     }
 }

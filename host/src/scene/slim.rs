@@ -27,7 +27,7 @@
 //!  4 materials used   4  one a triangle, or none
 //!  5 parts           16  length of the name in bytes, 0, first triangle, number of triangles
 //!  6 names            1  the parts' names in UTF-8, without separators
-//!  7 materials       32  base color: r, g, b; mirror share; transmission; index of refraction; zeros
+//!  7 materials       32  base color: r, g, b; mirror share; transmission; index of refraction; 1 if single-sided, else 0; 0
 //!  8 cameras         64  eye (3), kind (0 perspective, 1 thin lens, 2 parallel), target (3), degrees or height, up (3), lens
 //!                        radius, distance of what is sharp, zeros (3)
 //!  9 lights          64  color (3), kind (0 sun, 1 point, 2 disc, 3 rectangle), direction or place (3), range, first half

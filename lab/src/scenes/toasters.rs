@@ -71,6 +71,7 @@ const fn material(base_color: [f32; 3], mirror: f32) -> Material {
         mirror,
         transmission: 0.0,
         ior: 1.0,
+        double_sided: true,
     }
 }
 

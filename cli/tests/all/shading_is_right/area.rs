@@ -16,6 +16,7 @@ const WHITE: Material = Material {
     mirror: 0.0,
     transmission: 0.0,
     ior: 1.5,
+    double_sided: true,
 };
 
 /// The height of the board, which covers x < 0.

@@ -30,12 +30,14 @@ const MATERIALS: [Material; 2] = [
         mirror: 0.0,
         transmission: 0.0,
         ior: 1.5,
+        double_sided: true,
     },
     Material {
         base_color: [0.2, 0.6, 1.0],
         mirror: 0.0,
         transmission: 0.0,
         ior: 1.5,
+        double_sided: true,
     },
 ];
 

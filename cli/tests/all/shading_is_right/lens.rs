@@ -19,12 +19,14 @@ const COLORS: [Material; 2] = [
         mirror: 0.0,
         transmission: 0.0,
         ior: 1.5,
+        double_sided: true,
     },
     Material {
         base_color: [0.1, 0.7, 0.5],
         mirror: 0.0,
         transmission: 0.0,
         ior: 1.5,
+        double_sided: true,
     },
 ];
 

@@ -1,90 +1,151 @@
-//! The buffers of a glTF scene.
+//! The buffers of a glTF scene, each read when it is first needed.
 
 use super::super::LoadError;
 use super::super::error::excerpt;
 use super::super::load::{Source, read_file};
 use super::GltfError;
-use gltf::Document;
-use gltf::buffer::{Source as Address, View};
+use super::document::item;
+use super::json::{BufferView, Index, Root};
 use std::borrow::Cow;
+use std::cell::{Cell, OnceCell};
+
+/// Compressions of buffer views that cannot be decoded.
+const COMPRESSIONS: [&str; 2] = ["EXT_meshopt_compression", "KHR_meshopt_compression"];
 
 /// All buffers of a scene.
 pub(super) struct Buffers<'a> {
-    bytes: Vec<Cow<'a, [u8]>>,
+    root: &'a Root,
+    source: &'a Source<'a>,
+    /// A GLB file's binary chunk.
+    blob: Option<&'a [u8]>,
+    bytes: Vec<OnceCell<Cow<'a, [u8]>>>,
+    /// Bytes that may still be read. The buffers' total size has the limit of a file.
+    budget: Cell<u64>,
+    /// Bytes of the file, and of the buffers so far.
+    known_bytes: Cell<usize>,
 }
 
 impl<'a> Buffers<'a> {
-    /// Reads the buffers. Their total size has the limit of a file.
-    pub fn read(
-        document: &Document,
-        blob: Option<Cow<'a, [u8]>>,
-        source: &Source<'_>,
-    ) -> Result<Self, LoadError> {
-        let in_file = |error| LoadError::Gltf {
-            file: source.file.clone(),
-            error,
-        };
-        let mut blob = blob;
-        let mut budget = source.options.max_file_bytes;
-        let mut bytes: Vec<Cow<'a, [u8]>> = Vec::new();
-        for buffer in document.buffers() {
-            let index = buffer.index();
-            let read: Cow<'a, [u8]> = match buffer.source() {
-                Address::Bin => match blob.take() {
-                    Some(blob) => blob,
-                    None => return Err(in_file(GltfError::NoBlob { buffer: index })),
-                },
-                Address::Uri(uri) => match place(uri) {
-                    Some(BufferSource::Data(text)) => decode_base64(text)
-                        .map_err(|character| {
-                            in_file(GltfError::Base64 {
-                                buffer: index,
-                                character,
-                            })
-                        })?
-                        .into(),
-                    Some(BufferSource::Beside(path)) => {
-                        read_file(&source.beside(path), budget)?.into()
-                    }
-                    None => {
-                        return Err(in_file(GltfError::BufferElsewhere {
-                            buffer: index,
-                            uri: excerpt(uri),
-                        }));
-                    }
-                },
-            };
-            if read.len() < buffer.length() {
-                return Err(in_file(GltfError::BufferCut {
-                    buffer: index,
-                    announced: buffer.length() as u64,
-                    found: read.len() as u64,
+    pub fn new(
+        root: &'a Root,
+        blob: Option<&'a [u8]>,
+        file_bytes: usize,
+        source: &'a Source<'a>,
+    ) -> Self {
+        Self {
+            root,
+            source,
+            blob,
+            bytes: root.buffers.iter().map(|_| OnceCell::new()).collect(),
+            budget: Cell::new(source.options.max_file_bytes),
+            known_bytes: Cell::new(file_bytes),
+        }
+    }
+
+    /// Elements that an accessor without data may have.
+    pub fn most_zeros(&self) -> usize {
+        self.known_bytes.get().max(1 << 16)
+    }
+
+    /// The view and its bytes. The place in the JSON refers to it.
+    pub fn view(
+        &self,
+        index: Index,
+        place: impl FnOnce() -> String,
+    ) -> Result<(&'a BufferView, &[u8]), LoadError> {
+        let view = item(&self.root.buffer_views, "buffer views", index, place);
+        let view = view.map_err(|error| self.fault(error))?;
+        let Index(buffer) = view.buffer;
+        let place = || format!("bufferViews[{}].buffer", index.0);
+        let found = item(&self.root.buffers, "buffers", view.buffer, place);
+        let found = found.map_err(|error| self.fault(error))?;
+
+        // A fallback without data is a placeholder for what a decoder writes.
+        let mut compressions = COMPRESSIONS.iter();
+        let compression = compressions.find(|name| view.extensions.contains_key(**name));
+        if let (Some(name), None) = (compression, &found.uri) {
+            let is_fallback = COMPRESSIONS
+                .iter()
+                .any(|name| found.extensions.contains_key(*name));
+            if is_fallback || buffer > 0 || self.blob.is_none() {
+                return Err(self.fault(GltfError::Compressed {
+                    place: format!("bufferViews[{}]", index.0),
+                    extension: (*name).into(),
                 }));
             }
-            budget = budget.saturating_sub(read.len() as u64);
-            bytes.push(read);
         }
-        Ok(Self { bytes })
-    }
 
-    /// The total number of bytes.
-    pub fn total_bytes(&self) -> usize {
-        self.bytes.iter().map(|buffer| buffer.len()).sum()
-    }
-
-    /// The bytes of a view.
-    pub fn view(&self, view: &View<'_>) -> Result<&[u8], GltfError> {
-        let buffer = view.buffer().index();
-        let bytes = &self.bytes[buffer];
-        let end = view.offset().saturating_add(view.length());
-        bytes
-            .get(view.offset()..end)
-            .ok_or(GltfError::ViewBeyondBuffer {
-                view: view.index(),
+        let bytes = match self.bytes[buffer].get() {
+            Some(bytes) => bytes,
+            None => {
+                let read = self.read(buffer)?;
+                self.bytes[buffer].get_or_init(|| read)
+            }
+        };
+        let end = view.byte_offset.0.saturating_add(view.byte_length.0);
+        match bytes.get(view.byte_offset.0..end) {
+            Some(bytes) => Ok((view, bytes)),
+            None => Err(self.fault(GltfError::ViewBeyondBuffer {
+                view: index.0,
                 end: end as u64,
                 buffer,
                 length: bytes.len() as u64,
-            })
+            })),
+        }
+    }
+
+    /// Reads a buffer.
+    fn read(&self, index: usize) -> Result<Cow<'a, [u8]>, LoadError> {
+        let buffer = &self.root.buffers[index];
+        let read: Cow<'a, [u8]> = match &buffer.uri {
+            // Only the first buffer can be the binary chunk.
+            None => match self.blob.filter(|_| index == 0) {
+                Some(blob) => blob.into(),
+                None => return Err(self.fault(GltfError::NoBlob { buffer: index })),
+            },
+            Some(uri) => match place(uri) {
+                Some(BufferSource::Data(text)) => {
+                    let decoded = match text.contains('%') {
+                        true => decode_base64(&unescape(text)),
+                        false => decode_base64(text),
+                    };
+                    let base64 = |character| GltfError::Base64 {
+                        buffer: index,
+                        character,
+                    };
+                    decoded.map_err(|place| self.fault(base64(place)))?.into()
+                }
+                Some(BufferSource::Beside(path)) => {
+                    let bytes = read_file(&self.source.beside(path), self.budget.get())?;
+                    self.known_bytes
+                        .set(self.known_bytes.get().saturating_add(bytes.len()));
+                    bytes.into()
+                }
+                None => {
+                    return Err(self.fault(GltfError::BufferElsewhere {
+                        buffer: index,
+                        uri: excerpt(uri),
+                    }));
+                }
+            },
+        };
+        if read.len() < buffer.byte_length.0 {
+            return Err(self.fault(GltfError::BufferCut {
+                buffer: index,
+                announced: buffer.byte_length.0 as u64,
+                found: read.len() as u64,
+            }));
+        }
+        self.budget
+            .set(self.budget.get().saturating_sub(read.len() as u64));
+        Ok(read)
+    }
+
+    pub fn fault(&self, error: GltfError) -> LoadError {
+        LoadError::Gltf {
+            file: self.source.file.clone(),
+            error,
+        }
     }
 }
 

@@ -1,139 +1,154 @@
-//! The JSON of a glTF scene, checked.
+//! The JSON of a glTF scene, and the chunks of a GLB file.
 
 use super::super::LoadError;
+use super::super::error::excerpt;
 use super::super::load::Source;
 use super::GltfError;
+use super::extensions::{Effect, effect};
+use super::json::{Asset, Index, Root};
 use crate::text::shorten;
-use gltf::json::camera::Type;
-use gltf::json::mesh::Semantic;
-use gltf::json::validation::Checked;
-use gltf::json::{Index, Root};
-use gltf::{Document, Glb, Node};
-use std::borrow::Cow;
+use serde::Deserialize;
+use serde_json::Value;
 
 /// A document, and a GLB file's binary chunk.
-type WithBlob<'a> = (Document, Option<Cow<'a, [u8]>>);
+type WithBlob<'a> = (Root, Option<&'a [u8]>);
 
-/// Splits the file into chunks, and checks the JSON.
+/// Splits the file into chunks, and reads the JSON.
 pub(super) fn parse<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<WithBlob<'a>, LoadError> {
+    let (json, blob) = match bytes.starts_with(b"glTF") {
+        true => split(bytes, source)?,
+        false => (bytes, None),
+    };
     let in_file = |error| LoadError::Gltf {
         file: source.file.clone(),
         error,
     };
-    let (json, blob) = match bytes.starts_with(b"glTF") {
-        true => {
-            let glb = split(bytes, source)?;
-            (glb.json, glb.bin)
-        }
-        false => (bytes.into(), None),
-    };
-    let mut root = Root::from_slice(&json).map_err(|error| {
-        in_file(GltfError::Json {
-            message: shorten(&error.to_string(), 120),
-        })
-    })?;
-    root.extensions_required.retain(|name| !is_harmless(name));
-    check(&root).map_err(in_file)?;
-    let document = Document::from_json(root).map_err(|error| in_file(invalid(error)))?;
-    Ok((document, blob))
+    let root = root(trim(json)).map_err(in_file)?;
+    let mut required = root.extensions_required.iter();
+    if let Some(name) = required.find(|name| effect(name) == Effect::Unknown) {
+        return Err(in_file(GltfError::UnknownExtension {
+            name: excerpt(name),
+        }));
+    }
+    Ok((root, blob))
 }
 
-/// The chunks of a GLB file.
-fn split<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<Glb<'a>, LoadError> {
-    const HEADER_BYTES: usize = 12;
-    let glb_error = |message| LoadError::Gltf {
-        file: source.file.clone(),
-        error: GltfError::Glb { message },
-    };
-    // The crate subtracts the header from the length unchecked.
-    let Some(length) = bytes.get(HEADER_BYTES - 4..).and_then(<[u8]>::first_chunk) else {
-        return Err(LoadError::HeaderCut {
-            file: source.file.clone(),
-        });
-    };
-    let length = u32::from_le_bytes(*length);
-    if (length as usize) < HEADER_BYTES {
-        return Err(glb_error(format!("its header announces {length} bytes")));
+/// Reads the JSON. Another version is the first fault to be named.
+fn root(json: &[u8]) -> Result<Root, GltfError> {
+    #[derive(Deserialize)]
+    struct Head {
+        asset: Asset,
     }
-    if length as usize > bytes.len() {
+
+    let root = serde_json::from_slice::<Root>(json);
+    let version = match &root {
+        Ok(root) => version(&root.asset),
+        Err(_) => serde_json::from_slice::<Head>(json)
+            .ok()
+            .and_then(|head| version(&head.asset)),
+    };
+    if let Some(version) = version.filter(|version| version.split('.').next() != Some("2")) {
+        return Err(GltfError::Version {
+            version: excerpt(&version),
+        });
+    }
+    root.map_err(|error| GltfError::Json {
+        message: shorten(&error.to_string(), 120),
+    })
+}
+
+fn version(asset: &Asset) -> Option<String> {
+    match &asset.version {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(number) => Some(number.to_string()),
+        _ => None,
+    }
+}
+
+/// Takes off a byte order mark, and the zeros with which some writers fill a chunk.
+fn trim(json: &[u8]) -> &[u8] {
+    let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
+    let end = json.iter().rposition(|&byte| byte != 0);
+    &json[..end.map_or(0, |end| end + 1)]
+}
+
+/// The JSON and the binary chunk of a GLB file; glTF 2.0, section 4.4. Other chunks are skipped.
+fn split<'a>(
+    bytes: &'a [u8],
+    source: &Source<'_>,
+) -> Result<(&'a [u8], Option<&'a [u8]>), LoadError> {
+    let fault = |error| LoadError::Gltf {
+        file: source.file.clone(),
+        error,
+    };
+    let broken = |message| fault(GltfError::Glb { message });
+    let [_, version, length] = words(bytes).ok_or_else(|| LoadError::HeaderCut {
+        file: source.file.clone(),
+    })?;
+    if version != 2 {
+        return Err(fault(GltfError::Version {
+            version: version.to_string(),
+        }));
+    }
+    let length = length as usize;
+    if length < HEADER_BYTES {
+        return Err(broken(format!("its header announces {length} bytes")));
+    }
+    if length > bytes.len() {
         return Err(LoadError::EndsEarly {
             file: source.file.clone(),
             what: "bytes".into(),
-            announced: u64::from(length),
+            announced: length as u64,
             found: bytes.len() as u64,
         });
     }
-    Glb::from_slice(bytes).map_err(|error| glb_error(error.to_string()))
-}
 
-/// Whether a required extension is supported, or affects nothing that is read.
-fn is_harmless(extension: &str) -> bool {
-    const LOOKS: [&str; 4] = [
-        "KHR_materials_",
-        "KHR_texture_",
-        "EXT_texture_",
-        "MSFT_texture_",
-    ];
-    extension == "KHR_mesh_quantization" || LOOKS.iter().any(|look| extension.starts_with(look))
-}
-
-/// Finds faults that make the crate panic: its check looks up the accessor of positions before it knows that there is one,
-/// and does not compare a camera's type with its values.
-fn check(root: &Root) -> Result<(), GltfError> {
-    for (mesh, primitives) in root.meshes.iter().enumerate() {
-        for primitive in &primitives.primitives {
-            let positions = primitive
-                .attributes
-                .get(&Checked::Valid(Semantic::Positions));
-            let accessor = positions.map_or(0, Index::value);
-            if positions.is_some() && accessor >= root.accessors.len() {
-                return Err(GltfError::NoAccessor {
-                    mesh,
-                    accessor,
-                    accessor_count: root.accessors.len(),
-                });
-            }
+    let mut rest = &bytes[HEADER_BYTES..length];
+    let (mut json, mut blob) = (None, None);
+    while let Some([length, kind]) = words(rest) {
+        let behind = &rest[CHUNK_HEADER_BYTES..];
+        let Some(chunk) = behind.get(..length as usize) else {
+            return Err(broken(format!(
+                "a chunk announces {length} bytes, {} are there",
+                behind.len()
+            )));
+        };
+        match &kind.to_le_bytes() {
+            b"JSON" => json = json.or(Some(chunk)),
+            b"BIN\0" => blob = blob.or(Some(chunk)),
+            _ => {}
         }
+        // Chunks begin at multiples of four bytes.
+        rest = &behind[chunk.len().next_multiple_of(4).min(behind.len())..];
     }
-    let lacks_values = root.cameras.iter().position(|camera| match camera.type_ {
-        Checked::Valid(Type::Perspective) => camera.perspective.is_none(),
-        Checked::Valid(Type::Orthographic) => camera.orthographic.is_none(),
-        Checked::Invalid => false,
-    });
-    match lacks_values {
-        Some(camera) => Err(GltfError::CameraWithoutValues { camera }),
-        None => Ok(()),
-    }
+    let json = json.ok_or_else(|| broken("it has no JSON".into()))?;
+    Ok((json, blob))
 }
 
-/// The first fault found by the crate's check.
-fn invalid(error: gltf::Error) -> GltfError {
-    match error {
-        gltf::Error::Validation(faults) => match faults.into_iter().next() {
-            Some((path, fault)) => GltfError::Invalid {
-                path: path.to_string(),
-                fault,
-            },
-            None => unreachable!("an invalid document has a fault"),
-        },
-        other => GltfError::Json {
-            message: other.to_string(),
-        },
+const HEADER_BYTES: usize = 12;
+const CHUNK_HEADER_BYTES: usize = 8;
+
+/// The first little-endian words.
+fn words<const N: usize>(bytes: &[u8]) -> Option<[u32; N]> {
+    let (words, _) = bytes.get(..4 * N)?.as_chunks::<4>();
+    let mut numbers = [0; N];
+    for (number, word) in numbers.iter_mut().zip(words) {
+        *number = u32::from_le_bytes(*word);
     }
+    Some(numbers)
 }
 
-/// The default scene's roots, or the first scene's. Without scenes, all nodes without a parent.
-pub(super) fn roots(document: &Document) -> Box<dyn Iterator<Item = Node<'_>> + '_> {
-    if let Some(scene) = document.default_scene().or(document.scenes().next()) {
-        return Box::new(scene.nodes());
-    }
-    let mut has_parent = vec![false; document.nodes().len()];
-    for child in document.nodes().flat_map(|node| node.children()) {
-        has_parent[child.index()] = true;
-    }
-    Box::new(
-        document
-            .nodes()
-            .filter(move |node| !has_parent[node.index()]),
-    )
+/// The object with this index, which stands at a place in the JSON.
+pub(super) fn item<'a, T>(
+    list: &'a [T],
+    what: &'static str,
+    Index(index): Index,
+    place: impl FnOnce() -> String,
+) -> Result<&'a T, GltfError> {
+    list.get(index).ok_or_else(|| GltfError::NoSuch {
+        place: place(),
+        index,
+        what,
+        count: list.len(),
+    })
 }

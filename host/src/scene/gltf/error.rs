@@ -12,31 +12,59 @@ pub enum GltfError {
         /// The JSON reader's message, with line and column.
         message: String,
     },
+    /// The file follows another version of glTF.
+    #[error(
+        "the file is glTF {version}, but slimbvh reads glTF 2.0; convert it, for example with `gltf-pipeline -i in.gltf -o out.glb`"
+    )]
+    Version {
+        /// The file's version.
+        version: String,
+    },
     /// The GLB file's header or chunks are broken.
     #[error("the GLB file cannot be taken apart: {message}")]
     Glb {
-        /// The GLB reader's message.
+        /// The fault.
         message: String,
     },
-    /// The JSON breaks a rule of glTF.
-    #[error("{path}: {fault}")]
-    Invalid {
-        /// The path in the JSON.
-        path: String,
-        /// The rule that is broken.
-        fault: gltf::json::validation::Error,
-    },
-    /// A primitive's positions are in an accessor that does not exist.
+    /// A required extension that may change geometry.
     #[error(
-        "mesh {mesh} has its positions in accessor {accessor}, but there are only {accessor_count} accessors"
+        "the file requires the extension \"{name}\", which slimbvh does not know; export it without that extension"
     )]
-    NoAccessor {
-        /// The mesh.
-        mesh: usize,
-        /// The accessor's index.
-        accessor: usize,
-        /// The number of accessors.
-        accessor_count: usize,
+    UnknownExtension {
+        /// The extension.
+        name: String,
+    },
+    /// Geometry in a compression that cannot be decoded.
+    #[error(
+        "{place} is compressed by {extension}, which slimbvh cannot decode; unpack the file, for example with `gltf-transform copy in.glb out.glb`"
+    )]
+    Compressed {
+        /// The path in the JSON.
+        place: String,
+        /// The extension.
+        extension: String,
+    },
+    /// An object refers to one that does not exist.
+    #[error("{place} is {index}, but the number of {what} is {count}")]
+    NoSuch {
+        /// The path in the JSON.
+        place: String,
+        /// The index there.
+        index: usize,
+        /// The list that it refers to.
+        what: &'static str,
+        /// The list's length.
+        count: usize,
+    },
+    /// A number stands for nothing.
+    #[error("{place} is {value}, which is not {expected}")]
+    UnknownValue {
+        /// The path in the JSON.
+        place: String,
+        /// The number there.
+        value: usize,
+        /// The values that are known.
+        expected: &'static str,
     },
     /// A camera has a type without the values of that type.
     #[error("camera {camera} lacks the values of its type")]
@@ -150,14 +178,54 @@ pub enum GltfError {
         /// The number of elements.
         count: u64,
     },
-    /// The numbers of positions and normals differ.
-    #[error("mesh \"{part}\" has {normals} normals for {positions} positions")]
-    NormalCount {
+    /// An attribute has more or fewer elements than there are positions.
+    #[error("mesh \"{part}\" has {found} {what} for {positions} positions")]
+    AttributeCount {
         /// The name of the node or the mesh.
         part: String,
-        /// The number of normals.
-        normals: usize,
+        /// The attribute, in the plural.
+        what: String,
+        /// The number of its elements.
+        found: usize,
         /// The number of positions.
         positions: usize,
+    },
+    /// A skin has fewer inverse bind matrices than joints.
+    #[error("skin {skin} has {found} inverse bind matrices for {joints} joints")]
+    BindMatrices {
+        /// The skin.
+        skin: usize,
+        /// The number of matrices.
+        found: usize,
+        /// The number of joints.
+        joints: usize,
+    },
+    /// A vertex follows a joint that its skin does not have.
+    #[error(
+        "mesh \"{part}\", vertex {vertex} follows joint {joint}, but skin {skin} has only {count} joints"
+    )]
+    JointOutOfRange {
+        /// The name of the node or the mesh.
+        part: String,
+        /// The vertex in its primitive.
+        vertex: usize,
+        /// The joint.
+        joint: u32,
+        /// The skin.
+        skin: usize,
+        /// The number of its joints.
+        count: usize,
+    },
+    /// The lists of a node's instances differ in length.
+    #[error("node {node} has {found} instances by {attribute}, but {expected} by the others")]
+    InstanceCount {
+        /// The node.
+        node: usize,
+        /// `TRANSLATION`, `ROTATION` or `SCALE`.
+        attribute: &'static str,
+        /// The length of its list.
+        found: usize,
+        /// The length of the list before.
+        expected: usize,
     },
 }

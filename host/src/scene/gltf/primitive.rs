@@ -1,90 +1,380 @@
 //! Triangles of a glTF mesh.
 
 use super::super::LoadError;
-use super::super::faces::{FaceSite, unit_or_zero};
-use super::{Flat, GltfError, accessor};
+use super::super::faces::{FaceSite, Run};
+use super::super::load::Source;
+use super::super::vertices::Vertices;
+use super::accessor::{Elements, INDICES, VECTORS, elements};
+use super::buffers::Buffers;
+use super::document::item;
+use super::json::{Index, Primitive, Root};
+use super::skin::{Morph, Skinning};
+use super::{Faces, GltfError, materials};
 use crate::text::excerpt;
-use glam::{Mat3, Mat4, Vec3};
-use gltf::mesh::Mode;
-use gltf::{Primitive, Semantic};
+use glam::{DAffine3, DMat3, DVec3};
 
-/// Adds a primitive's triangles to a part. Points and lines add nothing.
-pub(super) fn append(
-    primitive: &Primitive<'_>,
-    part: &str,
-    transform: Mat4,
-    flat: &mut Flat<'_>,
-) -> Result<(), LoadError> {
-    let mode = primitive.mode();
-    let is_surface = matches!(
-        mode,
-        Mode::Triangles | Mode::TriangleStrip | Mode::TriangleFan
-    );
-    let Some(positions) = primitive.get(&Semantic::Positions).filter(|_| is_surface) else {
-        return Ok(());
-    };
+/// The inputs of reading a primitive.
+pub(super) struct Reader<'b, 'a> {
+    pub root: &'b Root,
+    pub buffers: &'b Buffers<'a>,
+    pub source: &'b Source<'a>,
+    /// The name of the part.
+    pub part: &'b str,
+    /// The weights of its morph targets.
+    pub weights: &'b [f64],
+    /// The skin, and the transforms of its joints.
+    pub joints: Option<(usize, &'b [DAffine3])>,
+}
 
-    // Read the lists.
-    let read = |result: Result<_, GltfError>| result.map_err(|error| flat.error(error));
-    let positions = read(accessor::vectors(&positions, flat.buffers))?;
-    let normals = match primitive.get(&Semantic::Normals) {
-        Some(normals) => read(accessor::vectors(&normals, flat.buffers))?,
-        None => Vec::new(),
-    };
-    if !normals.is_empty() && normals.len() != positions.len() {
-        return Err(flat.error(GltfError::NormalCount {
-            part: excerpt(part),
-            normals: normals.len(),
-            positions: positions.len(),
-        }));
-    }
-    let indices = match primitive.indices() {
-        Some(indices) => accessor::indices(&indices, flat.buffers),
-        None => Ok((0..positions.len() as u32).collect()),
-    };
-    let indices = indices.map_err(|error| flat.error(error))?;
+/// A primitive's triangles, not yet placed.
+pub(super) struct Surface<'b> {
+    mode: Mode,
+    /// `None` for all positions in order.
+    indices: Option<Vec<u32>>,
+    positions: Elements<'b>,
+    normals: Option<Elements<'b>>,
+    morph: Morph<'b>,
+    skinning: Option<Skinning<'b>>,
+    /// The positions that triangles use, sorted; `None` for all.
+    used: Option<Vec<u32>>,
+    /// The material, if it names one.
+    pub material: Option<usize>,
+    pub face_count: usize,
+}
 
-    let face_count = triangle_count(mode, indices.len());
-    if face_count == 0 {
-        return Ok(());
-    }
+/// The triangles that corners form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mode {
+    Triangles,
+    Strip,
+    Fan,
+}
 
-    // Place the vertices.
-    let run = flat.faces.next_run(positions.len())?;
-    let mesh = &mut flat.faces.mesh;
-    let first_vertex = flat.faces.vertices.len();
-    let place = |p: [f32; 3]| transform.transform_point3(Vec3::from_array(p)).to_array();
-    for position in positions {
-        flat.faces.vertices.push(place(position).map(f64::from));
-    }
-    if !normals.is_empty() {
-        let turn = normal_matrix(transform);
-        mesh.normals.resize(first_vertex, [0.0; 3]);
-        let turned = normals.into_iter().map(|n| turn * Vec3::from_array(n));
-        mesh.normals
-            .extend(turned.map(|n| unit_or_zero(n.to_array())));
-    } else if !mesh.normals.is_empty() {
-        mesh.normals.resize(flat.faces.vertices.len(), [0.0; 3]);
-    }
-
-    // A mirroring transform flips triangles, so flip them back.
-    let is_mirrored = transform.determinant() < 0.0;
-    for face in 0..face_count {
-        let mut corners = corners(mode, face).map(|corner| i64::from(indices[corner]));
-        if is_mirrored {
-            corners.swap(1, 2);
+impl<'b> Reader<'b, '_> {
+    /// The triangles of a primitive, which stands at a place in the JSON. Points, lines and what is invisible are noted.
+    pub fn read(
+        &self,
+        primitive: &Primitive,
+        place: &str,
+    ) -> Result<Option<Surface<'b>>, LoadError> {
+        let fault = |error| self.buffers.fault(error);
+        let material = primitive.material.map(|index| {
+            let place = || format!("{place}.material");
+            item(&self.root.materials, "materials", index, place)
+        });
+        let material = material.transpose().map_err(fault)?;
+        let Some(mode) = self.mode(primitive, place).map_err(fault)? else {
+            return Ok(None);
+        };
+        if material.is_some_and(materials::is_invisible) {
+            self.source.leave_out("invisible primitives (alpha)", 1);
+            return Ok(None);
         }
-        let place = FaceSite {
+        self.refuse_compressed(primitive, place).map_err(fault)?;
+        let Some(positions) = self.vectors(primitive, place, "POSITION")? else {
+            self.source.leave_out("primitives without positions", 1);
+            return Ok(None);
+        };
+
+        // Read the lists.
+        let indices = primitive.indices.map(|index| {
+            let place = || format!("{place}.indices");
+            elements(self.root, index, place, &INDICES, self.buffers)
+        });
+        let indices = indices.transpose()?.map(|list| list.all_unsigned());
+        let normals = self.vectors(primitive, place, "NORMAL")?;
+        let morph = Morph::new(self.root, primitive, place, self.weights, self.buffers)?;
+        let skinning = match self.joints {
+            Some(joints) => Skinning::new(self.root, primitive, place, joints, self.buffers)?,
+            None => None,
+        };
+        let counts = normals.iter().map(|list| ("normals", list.len()));
+        let counts = counts.chain(morph.lists());
+        let mut counts = counts.chain(skinning.iter().flat_map(Skinning::lists));
+        if let Some((what, found)) = counts.find(|(_, count)| *count != positions.len()) {
+            return Err(fault(GltfError::AttributeCount {
+                part: excerpt(self.part),
+                what: what.into(),
+                found,
+                positions: positions.len(),
+            }));
+        }
+        drop(counts);
+        if primitive.attributes.contains_key("COLOR_0") {
+            self.source.leave_out("vertex colours", positions.len());
+        }
+
+        let corner_count = indices.as_ref().map_or(positions.len(), Vec::len);
+        let face_count = triangle_count(mode, corner_count);
+        if face_count == 0 {
+            return Ok(None);
+        }
+        Ok(Some(Surface {
+            used: used(indices.as_deref(), positions.len(), face_count),
+            mode,
+            indices,
+            positions,
+            normals,
+            morph,
+            skinning,
+            material: primitive.material.map(|index| index.0),
+            face_count,
+        }))
+    }
+
+    /// The mode; `None` for points and lines.
+    fn mode(&self, primitive: &Primitive, place: &str) -> Result<Option<Mode>, GltfError> {
+        let corners = primitive
+            .indices
+            .or(primitive.attributes.get("POSITION").copied());
+        let corners = corners.and_then(|accessor| self.root.accessors.get(accessor.0));
+        let corners = corners.map_or(0, |accessor| accessor.count.0);
+        let (what, count) = match primitive.mode.unwrap_or(Index(4)).0 {
+            0 => ("points", corners),
+            1 => ("lines", corners / 2),
+            2 => ("lines", corners),
+            3 => ("lines", corners.saturating_sub(1)),
+            4 => return Ok(Some(Mode::Triangles)),
+            5 => return Ok(Some(Mode::Strip)),
+            6 => return Ok(Some(Mode::Fan)),
+            value => {
+                return Err(GltfError::UnknownValue {
+                    place: format!("{place}.mode"),
+                    value,
+                    expected: "a mode of primitives",
+                });
+            }
+        };
+        self.source.leave_out(what, count);
+        Ok(None)
+    }
+
+    /// Refuses a compressed primitive unless its accessors have data, too.
+    fn refuse_compressed(&self, primitive: &Primitive, place: &str) -> Result<(), GltfError> {
+        const DRACO: &str = "KHR_draco_mesh_compression";
+        if !primitive.extensions.contains_key(DRACO) {
+            return Ok(());
+        }
+        let has_data = |index: &Index| {
+            let accessor = self.root.accessors.get(index.0);
+            accessor.is_none_or(|it| it.buffer_view.is_some() || it.sparse.is_some())
+        };
+        let attribute = |name: &str| primitive.attributes.get(name);
+        let is_plain = attribute("POSITION").is_some_and(has_data)
+            && attribute("NORMAL").is_none_or(has_data)
+            && primitive.indices.as_ref().is_none_or(has_data);
+        match is_plain {
+            true => Ok(()),
+            false => Err(GltfError::Compressed {
+                place: place.into(),
+                extension: DRACO.into(),
+            }),
+        }
+    }
+
+    fn vectors(
+        &self,
+        primitive: &Primitive,
+        place: &str,
+        name: &str,
+    ) -> Result<Option<Elements<'b>>, LoadError> {
+        let place = || format!("{place}.attributes.{name}");
+        let accessor = primitive.attributes.get(name);
+        let read = |&accessor| elements(self.root, accessor, place, &VECTORS, self.buffers);
+        accessor.map(read).transpose()
+    }
+}
+
+impl Surface<'_> {
+    /// Whether it follows joints instead of its node.
+    pub const fn is_skinned(&self) -> bool {
+        self.skinning.is_some()
+    }
+
+    /// Adds the triangles to a part. A transform that mirrors turns them around, so that their front stays outside.
+    pub fn place(
+        &self,
+        transform: DAffine3,
+        part: &str,
+        is_lenient: bool,
+        faces: &mut Faces<'_>,
+    ) -> Result<(), PlaceError> {
+        let site = |face| FaceSite {
             line: None,
             part: Some(part),
             face,
         };
-        flat.faces.polygon(&corners, run, place)?;
+        let count = self.vertex_count();
+        let run = faces.next_run(count)?;
+        if !is_lenient && let Some(face) = self.first_broken_face() {
+            let count = self.positions.len();
+            faces.polygon(&self.corners(face), Run { count, ..run }, site(face))?;
+        }
+        let is_mirrored = self.place_vertices(transform, part, is_lenient, faces)?;
+        let place = |corner: i64| match &self.used {
+            None => corner,
+            // An index out of range stays out of range.
+            Some(used) => match used.binary_search(&(corner as u32)) {
+                Ok(place) => place as i64,
+                Err(_) => count as i64,
+            },
+        };
+        for face in 0..self.face_count {
+            let mut corners = self.corners(face).map(place);
+            if is_mirrored.of(corners[0]) {
+                corners.swap(1, 2);
+            }
+            faces.polygon(&corners, run, site(face))?;
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// Adds the vertices and their normals.
+    fn place_vertices(
+        &self,
+        transform: DAffine3,
+        part: &str,
+        is_lenient: bool,
+        faces: &mut Faces<'_>,
+    ) -> Result<Mirrored, GltfError> {
+        let is_still = self.skinning.is_none() && transform == DAffine3::IDENTITY;
+        let is_narrow = is_still && self.morph.is_empty() && self.positions.is_narrow();
+        if let (Vertices::Narrow(list), false) = (&faces.vertices, is_narrow) {
+            faces.vertices = Vertices::Wide(list.iter().map(|v| v.map(f64::from)).collect());
+        }
+        let first = faces.vertices.len();
+        let count = self.vertex_count();
+        faces.vertices.reserve(count);
+        let vertex = |i: usize| self.used.as_ref().map_or(i, |used| used[i] as usize);
+        let position = |vertex| {
+            let position = DVec3::from_array(self.positions.numbers(vertex));
+            self.morph.position(vertex, position)
+        };
+        let normal = |list: &Elements<'_>, vertex| {
+            self.morph
+                .normal(vertex, DVec3::from_array(list.numbers(vertex)))
+        };
+        if self.normals.is_some() {
+            faces.mesh.normals.resize(first, [0.0; 3]);
+            faces.mesh.normals.reserve(count);
+        }
+
+        let mirrored = if let Some(skinning) = &self.skinning {
+            let mut mirrored = Vec::with_capacity(count);
+            for vertex in (0..count).map(vertex) {
+                let transform = match skinning.transform(vertex, part) {
+                    // The faces of the vertex are dropped.
+                    Err(_) if is_lenient => DAffine3::from_translation(DVec3::NAN),
+                    transform => transform?,
+                };
+                let at = transform.transform_point3(position(vertex));
+                faces.vertices.push(at.to_array());
+                if let Some(normals) = &self.normals {
+                    let turn = normal_matrix(transform.matrix3);
+                    let normal = turn * normal(normals, vertex);
+                    faces.mesh.normals.push(unit(normal));
+                }
+                mirrored.push(transform.matrix3.determinant() < 0.0);
+            }
+            Mirrored::Some(mirrored)
+        } else {
+            for vertex in (0..count).map(vertex) {
+                let mut at = position(vertex);
+                if !is_still {
+                    at = transform.transform_point3(at);
+                }
+                faces.vertices.push(at.to_array());
+            }
+            if let Some(normals) = &self.normals {
+                let turn = normal_matrix(transform.matrix3);
+                let turned = (0..count).map(|i| unit(turn * normal(normals, vertex(i))));
+                faces.mesh.normals.extend(turned);
+            }
+            Mirrored::All(transform.matrix3.determinant() < 0.0)
+        };
+        if !faces.mesh.normals.is_empty() {
+            faces.mesh.normals.resize(first + count, [0.0; 3]);
+        }
+        Ok(mirrored)
+    }
+
+    /// The number of vertices that are placed.
+    fn vertex_count(&self) -> usize {
+        self.used.as_ref().map_or(self.positions.len(), Vec::len)
+    }
+
+    /// The positions of a triangle's corners.
+    fn corners(&self, face: usize) -> [i64; 3] {
+        let corners = corners(self.mode, face);
+        match &self.indices {
+            Some(indices) => corners.map(|corner| i64::from(indices[corner])),
+            None => corners.map(|corner| corner as i64),
+        }
+    }
+
+    /// The first triangle with an index out of range.
+    fn first_broken_face(&self) -> Option<usize> {
+        let count = self.positions.len();
+        let is_broken = |&index: &u32| index as usize >= count;
+        if !self.indices.as_ref()?.iter().any(is_broken) {
+            return None;
+        }
+        let is_outside = |corner: i64| corner as usize >= count;
+        (0..self.face_count).find(|&face| self.corners(face).into_iter().any(is_outside))
+    }
 }
 
-fn triangle_count(mode: Mode, corner_count: usize) -> usize {
+/// Whether transforms turn triangles around.
+enum Mirrored {
+    All(bool),
+    /// By vertex.
+    Some(Vec<bool>),
+}
+
+impl Mirrored {
+    /// By the first corner of the triangle.
+    fn of(&self, corner: i64) -> bool {
+        match self {
+            Self::All(all) => *all,
+            Self::Some(list) => list.get(corner as usize).is_some_and(|it| *it),
+        }
+    }
+}
+
+/// Why a surface cannot be placed.
+pub(super) enum PlaceError {
+    Gltf(GltfError),
+    Load(LoadError),
+}
+
+impl From<GltfError> for PlaceError {
+    fn from(error: GltfError) -> Self {
+        Self::Gltf(error)
+    }
+}
+
+impl From<LoadError> for PlaceError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}
+
+/// The positions that triangles use, if these are far fewer than all: many primitives can share one list.
+fn used(indices: Option<&[u32]>, position_count: usize, face_count: usize) -> Option<Vec<u32>> {
+    if position_count <= 3 * face_count {
+        return None;
+    }
+    let is_there = |index: &u32| (*index as usize) < position_count;
+    let mut used: Vec<u32> = match indices {
+        Some(indices) => indices.iter().copied().filter(is_there).collect(),
+        None => return None,
+    };
+    used.sort_unstable();
+    used.dedup();
+    Some(used)
+}
+
+const fn triangle_count(mode: Mode, corner_count: usize) -> usize {
     match mode {
         Mode::Triangles => corner_count / 3,
         _ => corner_count.saturating_sub(2),
@@ -92,18 +382,22 @@ fn triangle_count(mode: Mode, corner_count: usize) -> usize {
 }
 
 /// The indices of a triangle's corners; glTF 2.0, section 3.7.2.1.
-fn corners(mode: Mode, face: usize) -> [usize; 3] {
+const fn corners(mode: Mode, face: usize) -> [usize; 3] {
     match mode {
-        Mode::TriangleStrip => [face, face + 1 + face % 2, face + 2 - face % 2],
-        Mode::TriangleFan => [face + 1, face + 2, 0],
-        _ => [3 * face, 3 * face + 1, 3 * face + 2],
+        Mode::Strip => [face, face + 1 + face % 2, face + 2 - face % 2],
+        Mode::Fan => [face + 1, face + 2, 0],
+        Mode::Triangles => [3 * face, 3 * face + 1, 3 * face + 2],
     }
 }
 
+/// The normal, with length 1. Zero (flat shading) if it has no direction.
+fn unit(normal: DVec3) -> [f32; 3] {
+    normal.normalize_or_zero().as_vec3().to_array()
+}
+
 /// The inverse transpose up to a positive factor, defined also for singular matrices.
-fn normal_matrix(transform: Mat4) -> Mat3 {
-    let m = Mat3::from_mat4(transform);
-    let cofactors = Mat3::from_cols(
+fn normal_matrix(m: DMat3) -> DMat3 {
+    let cofactors = DMat3::from_cols(
         m.y_axis.cross(m.z_axis),
         m.z_axis.cross(m.x_axis),
         m.x_axis.cross(m.y_axis),
@@ -120,25 +414,40 @@ mod tests {
 
     #[test]
     fn strips_keep_their_winding() {
-        let strip = |face| corners(Mode::TriangleStrip, face);
+        let strip = |face| corners(Mode::Strip, face);
         assert_eq!(
             [strip(0), strip(1), strip(2)],
             [[0, 1, 2], [1, 3, 2], [2, 3, 4]]
         );
-        assert_eq!(corners(Mode::TriangleFan, 1), [2, 3, 0]);
-        assert_eq!(triangle_count(Mode::TriangleStrip, 5), 3);
-        assert_eq!(triangle_count(Mode::TriangleFan, 1), 0);
+        assert_eq!(corners(Mode::Fan, 1), [2, 3, 0]);
+        assert_eq!(triangle_count(Mode::Strip, 5), 3);
+        assert_eq!(triangle_count(Mode::Fan, 1), 0);
         assert_eq!(triangle_count(Mode::Triangles, 8), 2);
     }
 
     #[test]
     fn normals_stay_perpendicular_and_outside() {
         // A plane x + y = 1 stretched by 2 along x becomes x/2 + y = 1.
-        let stretched =
-            normal_matrix(Mat4::from_scale(Vec3::new(2.0, 1.0, 1.0))) * Vec3::new(1.0, 1.0, 0.0);
-        assert_eq!(stretched.normalize(), Vec3::new(1.0, 2.0, 0.0).normalize());
-        let mirrored = normal_matrix(Mat4::from_scale(Vec3::new(-1.0, 2.0, 3.0)));
-        assert_eq!((mirrored * Vec3::X).normalize(), -Vec3::X);
-        assert_eq!((mirrored * Vec3::Y).normalize(), Vec3::Y);
+        let scaled = |x, y, z| normal_matrix(DMat3::from_diagonal(DVec3::new(x, y, z)));
+        let stretched = scaled(2.0, 1.0, 1.0) * DVec3::new(1.0, 1.0, 0.0);
+        assert_eq!(stretched.normalize(), DVec3::new(1.0, 2.0, 0.0).normalize());
+        let mirrored = scaled(-1.0, 2.0, 3.0);
+        assert_eq!((mirrored * DVec3::X).normalize(), -DVec3::X);
+        assert_eq!((mirrored * DVec3::Y).normalize(), DVec3::Y);
+    }
+
+    #[test]
+    fn normals_of_any_length_have_a_direction() {
+        assert_eq!(unit(DVec3::new(0.0, 3e-60, 4e-60)), [0.0, 0.6, 0.8]);
+        assert_eq!(unit(DVec3::new(f64::NAN, 1.0, 2.0)), [0.0; 3]);
+        assert_eq!(unit(DVec3::ZERO), [0.0; 3]);
+    }
+
+    #[test]
+    fn positions_that_no_triangle_uses_are_left_out() {
+        assert_eq!(used(Some(&[5, 9, 5]), 10, 1), Some(vec![5, 9]));
+        assert_eq!(used(Some(&[5, 99, 5]), 10, 1), Some(vec![5]));
+        assert_eq!(used(Some(&[2, 1, 0]), 3, 1), None);
+        assert_eq!(used(None, 30, 1), None);
     }
 }

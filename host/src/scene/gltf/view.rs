@@ -1,69 +1,76 @@
 //! Cameras and lights of a glTF scene. Both look along their node's -z.
 
 use super::super::{Camera, Light, Projection};
-use glam::{Mat4, Vec3};
-use gltf::camera::Projection as GltfProjection;
-use gltf::khr_lights_punctual::Kind;
+use super::json;
+use glam::{DAffine3, DVec3};
 
-/// The camera, with its target at distance 1. `None` without a direction, an up direction, or an extent.
-pub(super) fn camera(camera: &gltf::Camera<'_>, transform: Mat4) -> Option<Camera> {
+/// The camera with its eye and its target, which is at distance 1. `None` without a direction, an up direction, or an extent.
+pub(super) fn camera(
+    projection: Projection,
+    transform: DAffine3,
+) -> Option<(Camera, [[f64; 3]; 2])> {
     let (eye, forward) = position_and_direction(transform)?;
-    let up = transform.transform_vector3(Vec3::Y).try_normalize()?;
-    if up.cross(forward) == Vec3::ZERO {
+    let up = transform.transform_vector3(DVec3::Y).try_normalize()?;
+    if up.as_vec3().cross(forward.as_vec3()) == glam::Vec3::ZERO {
         return None;
     }
-    let projection = match camera.projection() {
-        GltfProjection::Perspective(p) => {
-            let vertical_fov = p.yfov().to_degrees();
-            (vertical_fov > 0.0 && vertical_fov < 180.0)
-                .then_some(Projection::Perspective { vertical_fov })
-        }
-        GltfProjection::Orthographic(o) => {
-            let height = 2.0 * o.ymag().abs();
-            (height > 0.0 && height.is_finite()).then_some(Projection::Orthographic { height })
-        }
-    }?;
-    Some(Camera {
-        eye: eye.to_array(),
-        target: (eye + forward).to_array(),
-        up: up.to_array(),
+    let camera = Camera {
+        eye: eye.as_vec3().to_array(),
+        target: (eye + forward).as_vec3().to_array(),
+        up: up.as_vec3().to_array(),
         projection,
-    })
+    };
+    Some((camera, [eye.to_array(), (eye + forward).to_array()]))
 }
 
-/// The light; a spot as a point. `None` without a direction, or with a color that is not finite.
-pub(super) fn light(
-    light: &gltf::khr_lights_punctual::Light<'_>,
-    transform: Mat4,
-) -> Option<Light> {
-    let color = light.color().map(|channel| channel * light.intensity());
+/// The projection; the outer `None` without the values of its type, the inner one without an extent.
+pub(super) fn projection(camera: &json::Camera) -> Option<Option<Projection>> {
+    match camera.kind.as_str() {
+        "perspective" => {
+            let vertical_fov = camera.perspective.as_ref()?.yfov.to_degrees();
+            let is_sound = vertical_fov > 0.0 && vertical_fov < 180.0;
+            Some(is_sound.then_some(Projection::Perspective { vertical_fov }))
+        }
+        "orthographic" => {
+            let height = 2.0 * camera.orthographic.as_ref()?.ymag.abs();
+            let is_sound = height > 0.0 && height.is_finite();
+            Some(is_sound.then_some(Projection::Orthographic { height }))
+        }
+        _ => None,
+    }
+}
+
+/// The light with its position; a spot as a point. `None` without a direction, or with a color that is not finite.
+pub(super) fn light(light: &json::Light, transform: DAffine3) -> Option<(Light, [f64; 3])> {
+    let intensity = light.intensity.unwrap_or(1.0);
+    let color = light.color.unwrap_or([1.0; 3]);
+    let color = color.map(|channel| channel * intensity);
     if !color.iter().all(|channel| channel.is_finite()) {
         return None;
     }
-    match light.kind() {
-        Kind::Directional => {
-            let (_, direction) = position_and_direction(transform)?;
-            Some(Light::Directional {
-                direction: direction.to_array(),
-                color,
-            })
+    let position = transform.translation;
+    let light = if light.kind == "directional" {
+        let (_, direction) = position_and_direction(transform)?;
+        Light::Directional {
+            direction: direction.as_vec3().to_array(),
+            color,
         }
-        Kind::Point | Kind::Spot { .. } => {
-            let position = transform.w_axis.truncate();
-            position.is_finite().then_some(Light::Point {
-                position: position.to_array(),
-                color,
-                range: light
-                    .range()
-                    .filter(|range| *range > 0.0)
-                    .unwrap_or(f32::INFINITY),
-            })
-        }
-    }
+    } else {
+        position.as_vec3().is_finite().then_some(Light::Point {
+            position: position.as_vec3().to_array(),
+            color,
+            range: light
+                .range
+                .filter(|range| *range > 0.0)
+                .unwrap_or(f32::INFINITY),
+        })?
+    };
+    Some((light, position.to_array()))
 }
 
-fn position_and_direction(transform: Mat4) -> Option<(Vec3, Vec3)> {
-    let position = transform.w_axis.truncate();
-    let direction = transform.transform_vector3(Vec3::NEG_Z).try_normalize()?;
-    position.is_finite().then_some((position, direction))
+fn position_and_direction(transform: DAffine3) -> Option<(DVec3, DVec3)> {
+    let position = transform.translation;
+    let direction = transform.transform_vector3(DVec3::NEG_Z).try_normalize()?;
+    let is_finite = position.as_vec3().is_finite();
+    is_finite.then_some((position, direction))
 }

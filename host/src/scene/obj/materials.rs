@@ -63,6 +63,7 @@ pub(super) fn convert(material: &tobj::Material) -> Material {
             mirror: 0.0,
             transmission: 1.0,
             ior: material.optical_density.unwrap_or(Material::default().ior),
+            ..Material::default()
         };
     }
     let specular = material.specular.unwrap_or_default();

@@ -32,8 +32,10 @@ pub struct MaterialRecord {
     transmission: f32,
     /// Bytes 20–23.
     ior: f32,
-    /// Bytes 24–31: zeros.
-    zeros: [u32; 2],
+    /// Bytes 24–27: 1 for a single-sided material, 0 for a double-sided one.
+    single_sided: u32,
+    /// Bytes 28–31: zero.
+    zero: u32,
 }
 
 const _: () = assert!(size_of::<MaterialRecord>() == 32);
@@ -45,7 +47,8 @@ impl From<&Material> for MaterialRecord {
             mirror: material.mirror,
             transmission: material.transmission,
             ior: material.ior,
-            zeros: [0; 2],
+            single_sided: u32::from(!material.double_sided),
+            zero: 0,
         }
     }
 }
@@ -57,6 +60,7 @@ impl From<&MaterialRecord> for Material {
             mirror: record.mirror,
             transmission: record.transmission,
             ior: record.ior,
+            double_sided: record.single_sided == 0,
         }
     }
 }

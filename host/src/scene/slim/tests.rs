@@ -67,6 +67,7 @@ fn scene(subdivisions: u32) -> Scene {
                 mirror: 0.5,
                 transmission: 0.75,
                 ior: 1.5,
+                double_sided: false,
             },
         ],
         cameras: vec![camera, parallel],

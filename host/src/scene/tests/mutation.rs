@@ -93,4 +93,5 @@ fn broken_obj() {
 fn broken_gltf() {
     torture("x.gltf", gltf::sample().as_bytes());
     torture("x.glb", &gltf::binary());
+    torture("x.gltf", gltf::every_part().as_bytes());
 }

@@ -1,0 +1,171 @@
+//! What the file has and the scene does not is noted.
+
+use super::draft::*;
+use super::*;
+use serde_json::json;
+
+/// The box with this material.
+fn with_material(material: serde_json::Value) -> Draft {
+    let mut draft = Draft::new();
+    draft.json["materials"] = json!([{"normalTexture": {"index": 7}}, material]);
+    draft.primitive()["material"] = json!(1);
+    draft
+}
+
+fn note(material: serde_json::Value) -> Vec<String> {
+    left_out(&with_material(material).load())
+}
+
+#[test]
+fn materials_in_use_are_noted() {
+    assert!(note(json!({})).is_empty());
+    assert_eq!(note(json!({"emissiveTexture": {"index": 3}})), ["textures"]);
+    let textures = json!({
+        "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 1}},
+        "normalTexture": {"index": 2}, "occlusionTexture": {"index": 1},
+        "extensions": {"KHR_materials_transmission": {"transmissionTexture": {"index": 4}}}
+    });
+    assert_eq!(note(textures), ["4 textures"]);
+    assert_eq!(
+        note(json!({"emissiveFactor": [0, 0, 0.5]})),
+        ["materials with emission"]
+    );
+    let coated = json!({"extensions": {"KHR_materials_clearcoat": {}, "KHR_materials_unlit": {}, "KHR_materials_ior": {}}});
+    assert_eq!(
+        note(coated),
+        ["KHR_materials_clearcoat", "KHR_materials_unlit"]
+    );
+}
+
+#[test]
+fn transparency_is_noted_where_it_has_an_effect() {
+    let alpha = |mode: &str, alpha: f32, texture: bool| {
+        let mut material = json!({"alphaMode": mode, "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, alpha]}});
+        if texture {
+            material["pbrMetallicRoughness"]["baseColorTexture"] = json!({"index": 0});
+        }
+        note(material)
+    };
+    let transparent = "materials with transparency (alphaMode)";
+    assert_eq!(alpha("BLEND", 0.5, false), [transparent]);
+    assert_eq!(alpha("MASK", 1.0, true), ["textures", transparent]);
+    assert!(alpha("BLEND", 1.0, false).is_empty());
+    assert!(alpha("MASK", 0.75, false).is_empty());
+    assert!(alpha("OPAQUE", 0.0, false).is_empty());
+}
+
+#[test]
+fn what_has_no_alpha_is_invisible() {
+    for material in [
+        json!({"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.0]}}),
+        json!({"alphaMode": "MASK", "alphaCutoff": 0.875, "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.75]}}),
+        json!({"alphaMode": "BLEND", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0]}}),
+    ] {
+        let mut draft = with_material(material);
+        draft.push(
+            "meshes",
+            json!({"primitives": [{"attributes": {"POSITION": 0}}]}),
+        );
+        draft.json["nodes"] = json!([{"mesh": 0}, {"mesh": 1}]);
+        draft.json["scenes"][0]["nodes"] = json!([0, 1]);
+        let scene = draft.load();
+        assert_eq!(scene.mesh.indices.len(), 2);
+        assert_eq!(left_out(&scene), ["invisible primitives (alpha)"]);
+    }
+}
+
+#[test]
+fn sides_are_those_of_the_file() {
+    let sides = |material| with_material(material).load().material_of(0).double_sided;
+    assert!(sides(json!({"doubleSided": true})));
+    assert!(!sides(json!({"doubleSided": false})));
+    assert!(!sides(json!({})));
+    let mut draft = with_material(json!({"doubleSided": true}));
+    draft
+        .primitive()
+        .as_object_mut()
+        .expect("a primitive")
+        .remove("material");
+    let scene = draft.load();
+    assert_eq!(scene.materials.len(), 3);
+    assert!(!scene.material_of(0).double_sided);
+    assert!(Material::default().double_sided);
+}
+
+#[test]
+fn points_lines_and_colours_are_noted() {
+    let mut draft = Draft::new();
+    let primitives = draft
+        .at("/meshes/0/primitives")
+        .as_array_mut()
+        .expect("primitives");
+    primitives[0]["attributes"]["COLOR_0"] = json!(99);
+    primitives.extend([
+        json!({"attributes": {"POSITION": 0}, "mode": 0}),
+        json!({"attributes": {"POSITION": 0}, "mode": 1}),
+        json!({"attributes": {"POSITION": 0}, "mode": 2}),
+        json!({"attributes": {"POSITION": 0}, "mode": 3}),
+        json!({"attributes": {"NORMAL": 0}}),
+    ]);
+    let scene = draft.load();
+    assert_is_box(&scene);
+    assert_eq!(
+        left_out(&scene),
+        [
+            "8 vertex colours",
+            "8 points",
+            "19 lines",
+            "primitives without positions"
+        ]
+    );
+    draft.primitive()["mode"] = json!(7);
+    assert_eq!(
+        draft.refusal(),
+        "\"x.gltf\": meshes[0].primitives[0].mode is 7, which is not a mode of primitives"
+    );
+}
+
+#[test]
+fn animations_lights_and_extensions_are_noted() {
+    let mut draft = Draft::new();
+    draft.json["animations"] = json!([{}, {}]);
+    draft.json["scenes"] = json!([{"nodes": [0]}, {}]);
+    draft.json["extensions"] =
+        json!({"KHR_lights_punctual": {"lights": [{"type": "spot"}, {"type": "tube"}]}});
+    draft.json["nodes"][0]["children"] = json!([1, 2]);
+    draft.push(
+        "nodes",
+        json!({"extensions": {"KHR_lights_punctual": {"light": 0}}}),
+    );
+    draft.push(
+        "nodes",
+        json!({"extensions": {"KHR_lights_punctual": {"light": 1}}}),
+    );
+    draft.json["extensionsUsed"] = json!([
+        "ABC_unknown",
+        "EXT_lights_image_based",
+        "EXT_structural_metadata",
+        "KHR_animation_pointer",
+        "KHR_lights_punctual",
+        "KHR_materials_sheen",
+        "KHR_materials_variants",
+        "KHR_node_visibility",
+        "KHR_texture_transform",
+        "KHR_xmp_json_ld",
+        "MSFT_lod"
+    ]);
+    draft.json["extensionsRequired"] = json!(["EXT_lights_image_based", "KHR_materials_sheen"]);
+    let scene = draft.load();
+    assert_eq!(scene.lights.len(), 1);
+    assert_eq!(
+        left_out(&scene),
+        [
+            "spot lights' cones",
+            "lights of unknown types",
+            "2 animations",
+            "scenes besides the default one",
+            "ABC_unknown",
+            "EXT_lights_image_based"
+        ]
+    );
+}
