@@ -177,7 +177,7 @@ fn faults_name_the_face() {
     );
     assert_eq!(
         refusal("vertex 1 2e0 3", "vertex 1 nan 3"),
-        "\"x.stl\": mesh \"a box\", face 2 has vertex 3 at (1, NaN, 3), which is not finite"
+        "\"x.stl\": mesh \"a box\", face 2 has vertex 6 at (1, NaN, 3), which is not finite"
     );
     assert_eq!(
         refusal("outer loop", "outer circle"),
