@@ -73,7 +73,7 @@ pub struct AnimateArguments {
     #[arg(long, value_name = "K", default_value_t = 1, value_parser = |text: &str| options::whole(text, 1..=MOST_TIMES))]
     shutter_times: u32,
 
-    /// The output: a folder for frame-0000.png and so on, or one looping GIF. Without it no frame is kept
+    /// The output: a folder for frame-0000.png and so on, or one looping GIF; "-" is a GIF to standard output. Without it no frame is kept
     #[arg(long, value_name = "FOLDER|FILE.gif")]
     out: Option<PathBuf>,
 
@@ -122,9 +122,8 @@ pub fn run(arguments: &AnimateArguments) -> Result<()> {
     let chosen = choose(&arguments.backend)?;
     let work = || animate(arguments, &chosen, &mut scene, &place);
     let run = arguments.threads.run(work)??;
-    if !output::is_stdout(arguments.json.as_deref()) {
-        output::print(&report::describe(arguments, &scene, &run))?;
-    }
+    let outputs = [arguments.out.as_deref(), arguments.json.as_deref()];
+    output::print_beside(&outputs, &report::describe(arguments, &scene, &run))?;
     if let Some(path) = &arguments.json {
         output::write_json(path, &report::summarize(arguments, &scene, &run))?;
     }

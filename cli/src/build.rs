@@ -26,7 +26,7 @@ pub struct BuildArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
-    /// File for the scene and its hierarchy
+    /// File for the scene and its hierarchy; "-" is standard output
     #[arg(short, long, value_name = "FILE.slim", default_value = "slimbvh.slim")]
     output: PathBuf,
 
@@ -75,18 +75,17 @@ pub fn run(arguments: &BuildArguments) -> Result<()> {
     arguments.storage.check()?;
     let file = arguments.output.as_path();
     let extension = file.extension();
-    if !extension.is_some_and(|extension| extension.eq_ignore_ascii_case("slim")) {
+    let is_slim = extension.is_some_and(|extension| extension.eq_ignore_ascii_case("slim"));
+    if !is_slim && !output::is_stdout(Some(file)) {
         bail!(
             "{:?} does not end in .slim; hierarchies are saved as slim files",
             file.display().to_string()
         );
     }
-    let scene = arguments.scene.scene.as_deref();
+    let scene = arguments.scene.file();
     output::check_places(file, scene, arguments.json.as_deref())?;
     let (summary, text) = arguments.threads.run(|| build(arguments))??;
-    if !output::is_stdout(arguments.json.as_deref()) {
-        output::print(&text)?;
-    }
+    output::print_beside(&[Some(file), arguments.json.as_deref()], &text)?;
     if let Some(path) = &arguments.json {
         output::write_json(path, &summary)?;
     }

@@ -19,7 +19,7 @@ pub struct InfoArguments {
 
     /// List the usable GPUs and their limits instead
     #[cfg(feature = "gpu")]
-    #[arg(long, conflicts_with_all = ["scene", "lenient", "all"])]
+    #[arg(long, conflicts_with_all = ["scene", "format", "lenient", "all"])]
     adapters: bool,
 
     /// List all connected components, not only the largest
@@ -89,7 +89,7 @@ struct ComponentSummary {
 pub fn run(arguments: &InfoArguments) -> Result<()> {
     let json_on_stdout = output::is_stdout(arguments.json.as_deref());
     if let Some(json) = arguments.json.as_deref().filter(|_| !json_on_stdout) {
-        output::check_place(json, arguments.scene.scene.as_deref().as_slice())?;
+        output::check_place(json, arguments.scene.file().as_slice())?;
     }
     #[cfg(feature = "gpu")]
     if arguments.adapters {

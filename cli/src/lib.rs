@@ -7,6 +7,7 @@ mod animate;
 pub mod backend;
 mod build;
 mod info;
+mod input;
 mod median;
 pub mod options;
 pub mod output;
@@ -23,7 +24,8 @@ pub use median::median;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};
-use slimbvh::scene::{LoadOptions, load};
+use input::Input;
+use slimbvh::scene::{Format, LoadError, LoadOptions, load, load_bytes, slim};
 use slimbvh::{Aabb, Bvh, Scene};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -85,40 +87,80 @@ enum Command {
 /// The scene to load.
 #[derive(Debug, Args)]
 struct SceneArguments {
-    /// Scene file: gltf, glb, obj, ply, stl, off or slim. Without a file: the built-in default scene
+    /// Scene file: gltf, glb, obj, ply, stl, off or slim; "-" is standard input. Without a file: the built-in default scene
     scene: Option<PathBuf>,
+
+    /// Format of the scene file; default: that of its extension, and for "-" what its content looks like
+    #[arg(long, value_name = "FORMAT", value_enum, requires = "scene")]
+    format: Option<Format>,
 
     /// Drop and count faces with invalid numbers or indices instead of rejecting the file
     #[arg(long)]
     lenient: bool,
+
+    /// Standard input, if it was read.
+    #[arg(skip)]
+    input: Input,
 }
 
 impl SceneArguments {
+    /// The scene's file, if it has one.
+    fn file(&self) -> Option<&Path> {
+        self.scene.as_deref().filter(|path| !is_dash(path))
+    }
+
+    /// Reads standard input, if that is the scene.
+    fn read_input(&self) -> Result<()> {
+        match &self.scene {
+            Some(path) if is_dash(path) => {
+                let _progress = output::spinner("reading standard input".into());
+                self.input.read(LoadOptions::default().max_file_bytes)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The format by the option, by standard input's content, or by the extension.
+    fn format(&self) -> Option<Format> {
+        let by_path = || Format::of_path(self.file()?);
+        self.format.or_else(|| self.input.format()).or_else(by_path)
+    }
+
     fn load(&self) -> Result<Scene> {
         let Some(path) = &self.scene else {
             return Ok(slimbvh::generate::default_scene());
         };
+        self.read_input()?;
         let options = LoadOptions {
             lenient: self.lenient,
+            format: self.format(),
             ..LoadOptions::default()
         };
-        let _progress = output::spinner(format!("reading {}", path.display()));
-        Ok(load(path, &options)?)
+        let name = self.name();
+        let _progress = output::spinner(format!("reading {name}"));
+        Ok(match self.input.take() {
+            Some(bytes) => load_bytes(name.as_ref(), bytes, &options)?,
+            None => load(path, &options)?,
+        })
     }
 
-    /// Whether the scene is a slim file, which holds a hierarchy.
+    /// Whether the scene is a slim file, which holds a hierarchy. Standard input must have been read.
     fn is_saved(&self) -> bool {
-        let extension = self.scene.as_deref().and_then(Path::extension);
-        extension.is_some_and(|extension| extension.eq_ignore_ascii_case("slim"))
+        self.format() == Some(Format::Slim)
     }
 
     /// Loads the scene and, from a slim file, its hierarchy and framing.
     fn open(&self) -> Result<(Scene, Option<Kept>)> {
+        self.read_input()?;
         match &self.scene {
             Some(path) if self.is_saved() => {
-                let _progress = output::spinner(format!("reading {}", path.display()));
-                let saved =
-                    slimbvh::scene::slim::load(path, LoadOptions::default().max_file_bytes)?;
+                let name = self.name();
+                let _progress = output::spinner(format!("reading {name}"));
+                let saved = match self.input.take() {
+                    Some(bytes) => slim::read(&bytes)
+                        .map_err(|error| LoadError::Saved { file: name, error })?,
+                    None => slim::load(path, LoadOptions::default().max_file_bytes)?,
+                };
                 let (bvh, framing) = (saved.bvh, saved.framing);
                 Ok((saved.scene, Some(Kept { bvh, framing })))
             }
@@ -128,10 +170,16 @@ impl SceneArguments {
 
     fn name(&self) -> String {
         match &self.scene {
+            Some(path) if is_dash(path) => "standard input".into(),
             Some(path) => path.display().to_string(),
             None => "default scene".into(),
         }
     }
+}
+
+/// Whether a path is `-`, for standard input or output.
+fn is_dash(path: &Path) -> bool {
+    path == Path::new("-")
 }
 
 /// The contents of a slim file other than the scene.

@@ -5,7 +5,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use slimbvh::Picture;
 use std::fs::File;
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::time::Duration;
@@ -20,12 +20,23 @@ pub fn print(text: &str) -> Result<()> {
     written.context("cannot write to standard output")
 }
 
+/// Writes text to standard output, unless one of the outputs goes there.
+///
+/// # Errors
+/// If standard output cannot be written.
+pub fn print_beside(outputs: &[Option<&Path>], text: &str) -> Result<()> {
+    match outputs.iter().any(|path| is_stdout(*path)) {
+        true => Ok(()),
+        false => print(text),
+    }
+}
+
 /// Prints a note to standard error.
 pub fn warn(text: &str) {
     eprintln!("note: {text}");
 }
 
-/// Whether the report goes to standard output.
+/// Whether an output goes to standard output.
 #[must_use]
 pub fn is_stdout(path: Option<&Path>) -> bool {
     path == Some(Path::new("-"))
@@ -92,14 +103,10 @@ fn part(path: &Path) -> PathBuf {
 pub fn write_json(path: &Path, value: &impl Serialize) -> Result<()> {
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
-    if path == Path::new("-") {
-        print(&text)
-    } else {
-        write_whole(path, text.as_bytes())
-    }
+    write_whole(path, text.as_bytes())
 }
 
-/// Writes a picture as an 8-bit sRGB PNG.
+/// Writes a picture as an 8-bit sRGB PNG, to a file, or to standard output for `-`.
 ///
 /// # Errors
 /// If the file cannot be written.
@@ -124,7 +131,7 @@ pub fn png_bytes([width, height]: [u32; 2], pixels: &[u8]) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Writes a file atomically: the path holds the whole new file, or what it held before.
+/// Writes a file atomically: the path holds the whole new file, or what it held before. `-` is standard output.
 ///
 /// # Errors
 /// If the file cannot be written.
@@ -136,7 +143,16 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<()> {
 ///
 /// # Errors
 /// If the file cannot be written, or if `write` fails.
-pub fn write_with<T>(path: &Path, write: impl FnOnce(&mut File) -> Result<T>) -> Result<T> {
+pub fn write_with<T>(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<T>) -> Result<T> {
+    if is_stdout(Some(path)) {
+        // Not through its buffer of lines.
+        let mut out = BufWriter::with_capacity(1 << 16, std::io::stdout().lock());
+        let written = write(&mut out).and_then(|done| {
+            out.flush()?;
+            Ok(done)
+        });
+        return written.context("cannot write to standard output");
+    }
     let create = |path: &Path| write(&mut File::create(path)?);
     let written = if is_special(path) {
         create(path)
@@ -151,12 +167,16 @@ pub fn write_with<T>(path: &Path, write: impl FnOnce(&mut File) -> Result<T>) ->
     written.with_context(|| format!("cannot write {:?}", path.display().to_string()))
 }
 
-/// [`check_place`] for an output file and its JSON report. Neither may replace the scene, nor the report the output file.
+/// [`check_place`] for an output file and its JSON report. Neither may replace the scene, nor the report the output file, nor may both
+/// go to standard output.
 ///
 /// # Errors
-/// Those of [`check_place`].
+/// Those of [`check_place`], and for two outputs to standard output.
 pub fn check_places(file: &Path, scene: Option<&Path>, json: Option<&Path>) -> Result<()> {
-    check_place(file, scene.as_slice())?;
+    check_one_on_stdout(file, json)?;
+    if !is_stdout(Some(file)) {
+        check_place(file, scene.as_slice())?;
+    }
     match json {
         Some(json) if !is_stdout(Some(json)) => {
             let taken: Vec<_> = scene.into_iter().chain([file]).collect();
@@ -164,6 +184,19 @@ pub fn check_places(file: &Path, scene: Option<&Path>, json: Option<&Path>) -> R
         }
         _ => Ok(()),
     }
+}
+
+/// Checks that no more than one of an output and its JSON report goes to standard output.
+///
+/// # Errors
+/// If both do.
+pub fn check_one_on_stdout(output: &Path, json: Option<&Path>) -> Result<()> {
+    if is_stdout(Some(output)) && is_stdout(json) {
+        bail!(
+            "the output and the JSON report cannot both go to standard output; write one of them to a file"
+        );
+    }
+    Ok(())
 }
 
 /// A progress display on the terminal, shown from one second after its creation until it is dropped.

@@ -26,6 +26,7 @@ Examples:
   slimbvh render
   slimbvh render model.glb -o model.png --spp 16
   slimbvh render model.slim --backend gpu
+  curl https://example.org/model.glb | slimbvh render - -o - > model.png
   slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"
   slimbvh render --spp 64 --light \"disc=-4,5,3 normal=4,-5,-3 radius=1 color=130,120,100\"
   slimbvh render --spp 64 --camera \"lens=0.15 focus=8\"";
@@ -41,7 +42,7 @@ pub struct RenderArguments {
     #[command(flatten)]
     scene: SceneArguments,
 
-    /// The file to write the picture to
+    /// The file to write the picture to; "-" is standard output
     #[arg(short, long, value_name = "FILE.png", default_value = "slimbvh.png")]
     output: PathBuf,
 
@@ -106,6 +107,7 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     check_places(arguments)?;
     // The file is read before an adapter is opened, so that a missing one is told at once.
     arguments.backend.check()?;
+    arguments.scene.read_input()?;
     let (summary, text, picture) = if arguments.scene.is_saved() {
         saved::check(arguments)?;
         let opened = arguments.threads.run(|| saved::open(arguments))??;
@@ -120,9 +122,8 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
         arguments.threads.run(work)??
     };
     output::write_png(&arguments.output, &picture)?;
-    if !output::is_stdout(arguments.json.as_deref()) {
-        output::print(&text)?;
-    }
+    let outputs = [Some(&*arguments.output), arguments.json.as_deref()];
+    output::print_beside(&outputs, &text)?;
     if let Some(path) = &arguments.json {
         output::write_json(path, &summary)?;
     }
@@ -135,13 +136,13 @@ fn check_places(arguments: &RenderArguments) -> Result<()> {
     let is_png = picture
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("png"));
-    if !is_png {
+    if !is_png && !output::is_stdout(Some(picture)) {
         bail!(
             "{:?} does not end in .png; pictures are written as PNG",
             picture.display().to_string()
         );
     }
-    let scene = arguments.scene.scene.as_deref();
+    let scene = arguments.scene.file();
     output::check_places(picture, scene, arguments.json.as_deref())
 }
 

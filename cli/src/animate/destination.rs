@@ -35,10 +35,15 @@ pub enum Sink<'p> {
 impl Destination {
     /// Checks the paths of all output files before any work starts.
     pub fn check(arguments: &AnimateArguments) -> Result<Self> {
-        let scene = arguments.scene.scene.as_deref();
+        let scene = arguments.scene.file();
         let mut taken: Vec<PathBuf> = scene.into_iter().map(Path::to_owned).collect();
         let place = match &arguments.out {
             None => Self::Nowhere,
+            Some(path) if output::is_stdout(Some(path)) => {
+                output::check_one_on_stdout(path, arguments.json.as_deref())?;
+                check_gif_size(arguments)?;
+                Self::Gif(path.clone())
+            }
             Some(path) if path.is_dir() => {
                 let frames = (0..arguments.frames).map(|frame| frame_path(path, frame));
                 let frames: Vec<PathBuf> = frames.collect();
@@ -50,13 +55,7 @@ impl Destination {
             }
             Some(path) if is_gif(path) => {
                 check(path, &taken)?;
-                let [width, height] = arguments.picture.sight.size;
-                if width.max(height) > MOST_GIF_SIDE {
-                    bail!(
-                        "--size {width}x{height} is too large for a GIF, whose sides have at most {MOST_GIF_SIDE} \
-                         pixels; take a folder"
-                    );
-                }
+                check_gif_size(arguments)?;
                 taken.push(path.clone());
                 Self::Gif(path.clone())
             }
@@ -119,6 +118,17 @@ impl Sink<'_> {
             Self::Gif { path, encoder, .. } => output::write_whole(path, &encoder.into_inner()?),
         }
     }
+}
+
+fn check_gif_size(arguments: &AnimateArguments) -> Result<()> {
+    let [width, height] = arguments.picture.sight.size;
+    if width.max(height) > MOST_GIF_SIDE {
+        bail!(
+            "--size {width}x{height} is too large for a GIF, whose sides have at most {MOST_GIF_SIDE} \
+             pixels; take a folder"
+        );
+    }
+    Ok(())
 }
 
 fn frame_path(folder: &Path, frame: u32) -> PathBuf {

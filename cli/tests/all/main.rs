@@ -12,6 +12,7 @@ mod gpu;
 #[cfg(target_os = "linux")]
 mod interrupted;
 mod output;
+mod pipes;
 mod process;
 mod reduce;
 mod refusal;

@@ -111,6 +111,19 @@ impl Folder {
         }
     }
 
+    /// Runs the binary with these bytes as standard input. Returns its exit code, standard output and standard error.
+    pub fn pipe(&self, input: &[u8], arguments: &[&str]) -> (Option<i32>, Vec<u8>, String) {
+        let said = tempfile::tempdir().expect("the system has a place for temporary files");
+        let path = said.path().join("in");
+        std::fs::write(&path, input).expect("the folder is ours");
+        let mut command = command();
+        command.args(arguments).current_dir(self.path());
+        command.stdin(File::open(&path).expect("the folder is ours"));
+        let output = command.output().expect("the binary was built");
+        let stderr = String::from_utf8(output.stderr).expect("the binary writes UTF-8");
+        (output.status.code(), output.stdout, stderr)
+    }
+
     /// Runs the binary, which must succeed and print nothing to standard error. Returns its standard output.
     pub fn succeed<S: AsRef<OsStr>>(&self, arguments: impl IntoIterator<Item = S>) -> String {
         let outcome = self.run(arguments);

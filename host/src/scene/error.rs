@@ -1,9 +1,11 @@
 //! Why a scene cannot be loaded.
 
+use super::LeftOut;
 use super::gltf::GltfError;
 use super::slim::FileError;
 use crate::MeshError;
 pub(super) use crate::text::excerpt;
+use crate::text::things;
 use std::io;
 use thiserror::Error;
 
@@ -99,7 +101,7 @@ pub enum LoadError {
         /// Its first word.
         header: String,
     },
-    /// A word in place of a number.
+    /// A word in place of a number, or of a keyword.
     #[error("\"{file}\", line {line}: \"{text}\" is not {expected}")]
     BadNumber {
         /// The path as given.
@@ -108,7 +110,7 @@ pub enum LoadError {
         line: usize,
         /// The word's first characters.
         text: String,
-        /// `a number`, `a count` or `an index`.
+        /// What is expected, such as `a number`, `a count` or `an index`.
         expected: &'static str,
     },
     /// A binary file has an impossible list length or index.
@@ -155,36 +157,6 @@ pub enum LoadError {
         /// The length of the list.
         count: usize,
     },
-    /// The OBJ reader rejects the file.
-    #[error("\"{file}\"{}: {error}", at(*line))]
-    Obj {
-        /// The path as given.
-        file: String,
-        /// The line, counted from 1, if known.
-        line: Option<usize>,
-        /// The reader's error.
-        #[source]
-        error: tobj::LoadError,
-    },
-    /// The PLY header is incomplete or contradicts itself.
-    #[error("\"{file}\": {message}")]
-    PlyHeader {
-        /// The path as given.
-        file: String,
-        /// The header reader's message.
-        message: String,
-    },
-    /// The STL reader rejects a face.
-    #[error("\"{file}\", face {face}: {error}")]
-    Stl {
-        /// The path as given.
-        file: String,
-        /// The face, counted from 0.
-        face: usize,
-        /// The reader's error.
-        #[source]
-        error: io::Error,
-    },
     /// An STL text ends before `endsolid`.
     #[error("\"{file}\" ends early: face {face} is not complete, or \"endsolid\" is missing")]
     StlCut {
@@ -221,12 +193,16 @@ pub enum LoadError {
         error: MeshError,
     },
     /// The file holds no triangles.
-    #[error("\"{file}\" holds no triangles{}", left_out(*dropped_face_count))]
+    #[error("\"{file}\" holds no triangles{}", instead(*dropped_face_count, *point_count, left_out))]
     NoTriangles {
         /// The path as given.
         file: String,
         /// The number of broken faces that were dropped.
         dropped_face_count: usize,
+        /// The number of points.
+        point_count: usize,
+        /// What else the file holds.
+        left_out: Vec<LeftOut>,
     },
     /// A reader panicked on the file.
     #[error("the {format} reader failed on \"{file}\": {message}; please report it with the file")]
@@ -270,10 +246,17 @@ fn at(line: Option<usize>) -> String {
     line.map_or_else(String::new, |line| format!(", line {line}"))
 }
 
-fn left_out(dropped_face_count: usize) -> String {
-    match dropped_face_count {
-        0 => String::new(),
-        count => format!("; {count} broken faces were left out"),
+/// What a file without triangles holds.
+fn instead(dropped_face_count: usize, point_count: usize, left_out: &[LeftOut]) -> String {
+    let mut all: Vec<String> = left_out.iter().map(ToString::to_string).collect();
+    match (dropped_face_count, point_count) {
+        (0, 0) => {}
+        (0, count) => all.insert(0, things(count, "point")),
+        (count, _) => return format!("; {count} broken faces were left out"),
+    }
+    match &all[..] {
+        [] => String::new(),
+        all => format!(", only {}", all.join(", ")),
     }
 }
 

@@ -1,10 +1,12 @@
-//! Polygons to triangles, with their vertex indices checked.
+//! Polygons, with their vertex indices checked, to triangles.
 
+use super::cut::Cutter;
 use super::error::{Indexed, excerpt};
 use super::load::{Found, Source};
 use super::vertices::Vertices;
 use super::{LoadError, Scene};
 use crate::{Mesh, MeshError};
+use glam::DVec3;
 
 /// A mesh under construction.
 pub(super) struct Faces<'a> {
@@ -14,6 +16,8 @@ pub(super) struct Faces<'a> {
     pub vertices: Vertices,
     /// Faces left out so far.
     pub dropped_count: usize,
+    cutter: Cutter,
+    small_count: usize,
 }
 
 /// The place of a face, for messages.
@@ -43,6 +47,8 @@ impl<'a> Faces<'a> {
             mesh: Mesh::default(),
             vertices: Vertices::default(),
             dropped_count: 0,
+            cutter: Cutter::default(),
+            small_count: 0,
         }
     }
 
@@ -60,38 +66,61 @@ impl<'a> Faces<'a> {
         })
     }
 
-    /// Adds a polygon as a fan around its first corner. Fewer than three corners add nothing. With lenient options, a
-    /// polygon with an index out of range is left out.
+    /// Adds a polygon whose vertices are there already. With lenient options, one with an index out of range is left out.
     pub fn polygon(
         &mut self,
         corners: &[i64],
         run: Run,
         place: FaceSite<'_>,
     ) -> Result<(), LoadError> {
-        let outside = |&&corner: &&i64| !usize::try_from(corner).is_ok_and(|i| i < run.count);
-        if let Some(&index) = corners.iter().find(outside) {
-            if self.source.options.lenient {
-                self.dropped_count += 1;
-                return Ok(());
-            }
-            return Err(LoadError::IndexOutOfRange {
-                file: self.source.file.clone(),
-                line: place.line,
-                part: place
-                    .part
-                    .map_or_else(String::new, |part| format!("mesh \"{}\", ", excerpt(part))),
-                face: place.face,
-                list: Indexed::Vertices,
-                index,
-                count: run.count,
-            });
+        if !self.are_inside(corners, run, place)? {
+            return Ok(());
         }
         // Less than `run.count`, and so less than 2^32.
-        let vertex = |i: usize| run.first + corners[i] as u32;
-        for i in 2..corners.len() {
-            self.mesh
-                .indices
-                .push([vertex(0), vertex(i - 1), vertex(i)]);
+        self.cut(corners.len(), |i| run.first + corners[i] as u32)
+    }
+
+    /// Whether all indices are in range. If not, the face is dropped with lenient options, else an error.
+    pub fn are_inside(
+        &mut self,
+        corners: &[i64],
+        run: Run,
+        place: FaceSite<'_>,
+    ) -> Result<bool, LoadError> {
+        let outside = |&&corner: &&i64| !usize::try_from(corner).is_ok_and(|i| i < run.count);
+        let Some(&index) = corners.iter().find(outside) else {
+            return Ok(true);
+        };
+        if self.source.options.lenient {
+            self.dropped_count += 1;
+            return Ok(false);
+        }
+        Err(LoadError::IndexOutOfRange {
+            file: self.source.file.clone(),
+            line: place.line,
+            part: place
+                .part
+                .map_or_else(String::new, |part| format!("mesh \"{}\", ", excerpt(part))),
+            face: place.face,
+            list: Indexed::Vertices,
+            index,
+            count: run.count,
+        })
+    }
+
+    /// Adds the triangles of a polygon of `count` corners, whose vertices are in the mesh. Fewer than three corners add nothing, which is
+    /// noted.
+    pub fn cut(&mut self, count: usize, vertex: impl Fn(usize) -> u32) -> Result<(), LoadError> {
+        match count {
+            0..3 => self.small_count += 1,
+            3 => self.mesh.indices.push([vertex(0), vertex(1), vertex(2)]),
+            _ => {
+                let vertices = &self.vertices;
+                let position = |i| DVec3::from(vertices.get(vertex(i)).unwrap_or_default());
+                let indices = &mut self.mesh.indices;
+                let push = |t: [u32; 3]| indices.push(t.map(|i| vertex(i as usize)));
+                self.cutter.cut((0..count).map(position), push);
+            }
         }
         self.check_triangle_count()
     }
@@ -117,6 +146,8 @@ impl<'a> Faces<'a> {
 
     /// A scene with only the mesh.
     pub fn into_found(self) -> Found {
+        let small = "faces with fewer than three corners";
+        self.source.leave_out(small, self.small_count);
         Found {
             scene: Scene {
                 mesh: self.mesh,

@@ -2,11 +2,14 @@
 
 use super::contain::contain;
 use super::vertices::Vertices;
-use super::{LeftOut, Light, LoadError, Scene, gltf, obj, off, ply, slim, stl};
+use super::{Format, LeftOut, Light, LoadError, Scene, gltf, obj, off, ply, slim, stl};
 use std::cell::RefCell;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+
+/// Kinds of what a scene leaves out that are told apart, at most: a file can name many.
+const MOST_KINDS: usize = 32;
 
 /// How to load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +18,8 @@ pub struct LoadOptions {
     pub lenient: bool,
     /// The largest file that is read, in bytes. A glTF scene's buffers together have the same limit.
     pub max_file_bytes: u64,
+    /// The format; `None` for that of the extension.
+    pub format: Option<Format>,
 }
 
 impl Default for LoadOptions {
@@ -22,11 +27,12 @@ impl Default for LoadOptions {
         Self {
             lenient: false,
             max_file_bytes: 4 << 30,
+            format: None,
         }
     }
 }
 
-/// Loads a scene from a file. The extension gives the format: gltf, glb, obj, ply, stl, off or slim. The mesh is
+/// Loads a scene from a file. The extension gives the format, if `options` do not: gltf, glb, obj, ply, stl, off or slim. The mesh is
 /// [valid](crate::Mesh::validate) and has at least one triangle.
 ///
 /// Textures, animations and skins are ignored. Files that the scene refers to are read too: buffers of a glTF scene, and
@@ -36,33 +42,37 @@ impl Default for LoadOptions {
 /// If the file cannot be read, does not follow its format, or has a broken face and `options` are not lenient.
 pub fn load(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
     let source = Source::new(path, options);
-    let reader = reader(&source)?;
+    let format = format(&source)?;
     let bytes = read_file(path, options.max_file_bytes)?;
-    parse(source, reader, bytes)
+    parse(source, format, bytes)
 }
 
-/// [`load`] for a file in memory. The path gives the format, and the folder of files that the scene refers to; no file need
+/// [`load`] for a file in memory. The path gives the format, if `options` do not, and the folder of files that the scene refers to; no file need
 /// exist there.
 ///
 /// # Errors
 /// Those of [`load`].
 pub fn load_bytes(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<Scene, LoadError> {
     let source = Source::new(path, options);
-    let reader = reader(&source)?;
-    parse(source, reader, bytes)
+    let format = format(&source)?;
+    parse(source, format, bytes)
 }
 
-/// Parses with one of the readers, and checks the result.
-fn parse(
-    source: Source<'_>,
-    (format, read): (&'static str, Reader),
-    bytes: Vec<u8>,
-) -> Result<Scene, LoadError> {
+/// Parses with the reader of a format, and checks the result.
+fn parse(source: Source<'_>, format: Format, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+    let read = match format {
+        Format::Gltf => gltf::read,
+        Format::Obj => obj::read,
+        Format::Ply => ply::read,
+        Format::Stl => stl::read,
+        Format::Off => off::read,
+        Format::Slim => slim::read_scene,
+    };
     match contain(|| read(&source, bytes)) {
         Ok(found) => finish(found?.into_scene(), &source),
         Err(message) => Err(LoadError::Panicked {
             file: source.file,
-            format,
+            format: format.name(),
             message,
         }),
     }
@@ -157,12 +167,17 @@ impl<'a> Source<'a> {
 }
 
 impl Source<'_> {
-    /// Notes what the file holds and the scene does not.
+    /// Notes what the file holds and the scene does not. Kinds beyond the first are one.
     pub fn leave_out(&self, what: &str, count: usize) {
         if count == 0 {
             return;
         }
         let mut all = self.left_out.borrow_mut();
+        let is_known = all.iter().any(|known| known.what == what);
+        let what = match is_known || all.len() < MOST_KINDS {
+            true => what,
+            false => "other things",
+        };
         match all.iter_mut().find(|known| known.what == what) {
             Some(known) => known.count += count,
             None => all.push(LeftOut {
@@ -178,28 +193,19 @@ impl Source<'_> {
     }
 }
 
-type Reader = fn(&Source<'_>, Vec<u8>) -> Result<Found, LoadError>;
-
-/// The format's name and reader, by the file's extension.
-fn reader(source: &Source<'_>) -> Result<(&'static str, Reader), LoadError> {
-    let Some(extension) = source.path.extension() else {
-        return Err(LoadError::NoExtension {
-            file: source.file.clone(),
-        });
-    };
-    let extension = extension.to_string_lossy();
-    match extension.to_ascii_lowercase().as_str() {
-        "gltf" | "glb" => Ok(("glTF", gltf::read)),
-        "obj" => Ok(("OBJ", obj::read)),
-        "ply" => Ok(("PLY", ply::read)),
-        "stl" => Ok(("STL", stl::read)),
-        "off" => Ok(("OFF", off::read)),
-        "slim" => Ok(("slim", slim::read_scene)),
-        _ => Err(LoadError::UnknownExtension {
-            file: source.file.clone(),
-            extension: extension.into_owned(),
-        }),
-    }
+/// The format by the options, else by the extension.
+fn format(source: &Source<'_>) -> Result<Format, LoadError> {
+    let given = source.options.format.or(Format::of_path(source.path));
+    given.ok_or_else(|| {
+        let file = source.file.clone();
+        match source.path.extension() {
+            None => LoadError::NoExtension { file },
+            Some(extension) => LoadError::UnknownExtension {
+                file,
+                extension: extension.to_string_lossy().into_owned(),
+            },
+        }
+    })
 }
 
 /// A file's bytes, if it is a regular file of at most this size.
@@ -250,6 +256,8 @@ fn finish(mut scene: Scene, source: &Source<'_>) -> Result<Scene, LoadError> {
         return Err(LoadError::NoTriangles {
             file: source.file.clone(),
             dropped_face_count: scene.dropped_face_count,
+            point_count: scene.mesh.vertices.len(),
+            left_out: scene.left_out,
         });
     }
     Ok(scene)

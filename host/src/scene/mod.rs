@@ -4,9 +4,13 @@ mod area;
 #[cfg(feature = "scenes")]
 mod contain;
 #[cfg(feature = "scenes")]
+mod cut;
+#[cfg(feature = "scenes")]
 mod error;
 #[cfg(feature = "scenes")]
 mod faces;
+#[cfg(feature = "scenes")]
+mod format;
 mod frustum;
 #[cfg(feature = "scenes")]
 mod gltf;
@@ -29,9 +33,13 @@ mod tests;
 #[cfg(feature = "scenes")]
 mod vertices;
 mod view;
+#[cfg(feature = "scenes")]
+mod words;
 
 #[cfg(feature = "scenes")]
 pub use error::{Indexed, LoadError};
+#[cfg(feature = "scenes")]
+pub use format::Format;
 #[cfg(feature = "scenes")]
 pub use gltf::GltfError;
 #[cfg(feature = "scenes")]

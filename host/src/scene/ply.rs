@@ -1,95 +1,135 @@
 //! PLY: elements with declared properties, as text or binary in either byte order.
-//!
-//! `ply-rs-bw` reads the header. The rows are read here, because its grammar rejects numbers such as `nan`, `.5` and `1.`,
-//! which occur in files, and it allocates a list for every face.
 
+mod header;
 mod rows;
 
 use super::LoadError;
 use super::error::excerpt;
-use super::faces::{FaceSite, Faces, unit_or_zero};
+use super::faces::{FaceSite, Faces, Run, unit_or_zero};
 use super::load::{Found, Source};
 use super::vertices::Vertices;
-use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{DefaultElement, ElementDef, PropertyType, ScalarType};
-use rows::{Fault, Rows};
-use std::io::ErrorKind;
+use super::words::without_mark;
+use header::{Element, Encoding, Header, Kind, Scalar};
+use rows::{Fault, Rows, RowsIn};
 
 /// The vertex properties that are used.
 const KEPT: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
-/// Reads the elements `vertex` and `face`, and skips all others.
+/// Reads the elements `vertex`, `face` and `tristrips`, in any order.
 pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
-    // Read the header; the rest are the rows.
-    let mut reader = Reader::new(bytes.as_slice());
-    let header = Parser::<DefaultElement>::new()
-        .read_header(&mut reader)
-        .map_err(|error| header_error(&error, source, &bytes))?;
-    let first_line = reader.line();
-    let mut rows = Rows::new(reader.into_inner(), &header.encoding, first_line);
+    let bytes = without_mark(bytes);
+    let header = Header::read(&bytes, source)?;
+    if !header.elements.iter().any(|e| e.name == "vertex") {
+        return Err(missing("element \"vertex\"".into(), source));
+    }
 
-    let mut faces = Faces::new(source);
-    let vertices = header.elements.get("vertex");
-    let vertex_count = vertices
-        .ok_or_else(|| missing("element \"vertex\"".into(), source))?
-        .count;
-    for element in header.elements.values() {
-        match element.name.as_str() {
-            "vertex" => read_vertices(&mut rows, element, &mut faces, source)?,
-            "face" => read_faces(&mut rows, element, vertex_count, &mut faces, source)?,
-            _ => skip(&mut rows, element, source)?,
+    let mut rows = header.rows(RowsIn::Lines);
+    let mut faces = read_elements(&header, &mut rows, source);
+    // Rows that are not each a line are rare, and known by a line with too few or too many words.
+    if header.encoding == Encoding::Text && (faces.is_err() || rows.has_spare()) {
+        let mut rows = header.rows(RowsIn::Words);
+        let by_words = read_elements(&header, &mut rows, source);
+        if by_words.is_ok() && !rows.has_spare() {
+            faces = by_words;
         }
     }
-    Ok(faces.into_found())
+    let found = faces?.into_found();
+    note(&header, source);
+    Ok(found)
+}
+
+/// Notes what the header announces and no reader wants.
+fn note(header: &Header<'_>, source: &Source<'_>) {
+    source.leave_out("textures", header.texture_count);
+    for element in &header.elements {
+        let count = element.count;
+        let coloured = if element.has_colours() { count } else { 0 };
+        match element.name.as_str() {
+            "vertex" => source.leave_out("vertex colours", coloured),
+            "face" | "tristrips" => source.leave_out("face colours", coloured),
+            "edge" => source.leave_out("edges", count),
+            other => source.leave_out(&plural(other), count),
+        }
+    }
+}
+
+fn read_elements<'a>(
+    header: &Header<'_>,
+    rows: &mut Rows<'_>,
+    source: &'a Source<'a>,
+) -> Result<Faces<'a>, LoadError> {
+    let mut faces = Faces::new(source);
+    let vertex_count = header.count("vertex");
+    // Faces before the vertices wait for these.
+    let mut waiting = Vec::new();
+    for element in &header.elements {
+        let corners = Corners::of(element, source)?;
+        match corners {
+            Some(corners) if faces.vertices.len() == vertex_count => {
+                read_faces(rows, element, corners, &mut faces, source)?;
+            }
+            Some(corners) => {
+                waiting.push((rows.clone(), element, corners));
+                skip(rows, element, source)?;
+            }
+            None if element.name == "vertex" => read_vertices(rows, element, &mut faces, source)?,
+            None => skip(rows, element, source)?,
+        }
+    }
+    for (mut rows, element, corners) in waiting {
+        read_faces(&mut rows, element, corners, &mut faces, source)?;
+    }
+    Ok(faces)
 }
 
 fn read_vertices(
     rows: &mut Rows<'_>,
-    element: &ElementDef,
+    element: &Element,
     faces: &mut Faces<'_>,
     source: &Source<'_>,
 ) -> Result<(), LoadError> {
     // For each property, the used value that it holds.
-    let plan: Vec<(Option<usize>, &PropertyType)> = element
-        .properties
-        .values()
-        .map(|p| (KEPT.iter().position(|kept| *kept == p.name), &p.data_type))
-        .collect();
-    let is_scalar = |name: &str| {
-        let property = element.properties.get(name);
-        property.is_some_and(|p| matches!(p.data_type, PropertyType::Scalar(_)))
+    let scalar = |name: &str| match element.property(name) {
+        Some((place, Kind::Scalar(scalar))) => Some((place, scalar)),
+        _ => None,
     };
-    if let Some(name) = KEPT[..3].iter().find(|name| !is_scalar(name)) {
+    let places = KEPT.map(scalar);
+    if let Some(i) = places[..3].iter().position(Option::is_none) {
         return Err(missing(
-            format!("property \"{name}\" of element \"vertex\""),
+            format!("property \"{}\" of element \"vertex\"", KEPT[i]),
             source,
         ));
     }
-    let has_normals = KEPT[3..].iter().all(|name| is_scalar(name));
+    let has_normals = places[3..].iter().all(Option::is_some);
+    let plan = (0..).zip(&element.properties).map(|(i, property)| {
+        let kept = places.iter().position(|p| p.is_some_and(|(at, _)| at == i));
+        (kept, property.kind)
+    });
+    let plan: Vec<(Option<usize>, Kind)> = plan.collect();
 
     // A row has at least a byte a property, so a false count reserves no more memory than the file has bytes.
-    let believed = element
-        .count
-        .min(rows.byte_count() / element.properties.len().max(1));
-    let is_float = |name: &str| {
-        let property = element.properties.get(name);
-        let float = PropertyType::Scalar(ScalarType::Float);
-        property.is_some_and(|p| p.data_type == float)
-    };
-    if !rows.is_text() && KEPT[..3].iter().all(|name| is_float(name)) {
+    let least = rows.byte_count() / element.properties.len().max(1);
+    let believed = element.count.min(least);
+    let is_f32 = |place: &Option<(usize, Scalar)>| place.is_some_and(|(_, s)| s == Scalar::F32);
+    if rows.line().is_none() && faces.vertices.len() == 0 && places[..3].iter().all(is_f32) {
         faces.vertices = Vertices::Narrow(Vec::new());
+    }
+    // A second list of vertices may have normals, or none, where the first differs.
+    let first = faces.vertices.len();
+    if has_normals {
+        faces.mesh.normals.resize(first, [0.0; 3]);
     }
     faces.vertices.reserve(believed);
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
         let mut kept = [0.0_f64; KEPT.len()];
-        for (place, data_type) in &plan {
-            match (place, data_type) {
-                (Some(place), PropertyType::Scalar(kind)) => {
-                    kept[*place] = rows.number(kind).map_err(fault)?;
+        for (place, kind) in &plan {
+            match (place, kind) {
+                (Some(place), Kind::Scalar(kind)) => {
+                    kept[*place] = rows.number(*kind).map_err(fault)?;
                 }
-                _ => rows.skip(data_type).map_err(fault)?,
+                _ => rows.skip(*kind).map_err(fault)?,
             }
         }
         let [x, y, z, nx, ny, nz] = kept;
@@ -99,53 +139,106 @@ fn read_vertices(
             faces.mesh.normals.push(unit_or_zero(normal));
         }
     }
+    if !faces.mesh.normals.is_empty() {
+        faces.mesh.normals.resize(faces.vertices.len(), [0.0; 3]);
+    }
     Ok(())
+}
+
+/// The list that has the corners of an element's faces.
+#[derive(Clone, Copy)]
+struct Corners {
+    /// Among the properties.
+    place: usize,
+    are_strips: bool,
+}
+
+impl Corners {
+    /// `None` for an element that has no faces.
+    fn of(element: &Element, source: &Source<'_>) -> Result<Option<Self>, LoadError> {
+        let are_strips = match element.name.as_str() {
+            "face" => false,
+            "tristrips" => true,
+            _ => return Ok(None),
+        };
+        // The list has either name.
+        let place = ["vertex_indices", "vertex_index"].iter().find_map(|name| {
+            let is_list = |kind| matches!(kind, Kind::List { .. });
+            let mut properties = element.properties.iter();
+            properties.position(|p| p.name == **name && is_list(p.kind))
+        });
+        match place {
+            Some(place) => Ok(Some(Self { place, are_strips })),
+            // An element without rows needs none.
+            None if element.count == 0 => Ok(None),
+            None => Err(missing(
+                format!("list \"vertex_indices\" of element \"{}\"", element.name),
+                source,
+            )),
+        }
+    }
 }
 
 fn read_faces(
     rows: &mut Rows<'_>,
-    element: &ElementDef,
-    vertex_count: usize,
+    element: &Element,
+    list: Corners,
     faces: &mut Faces<'_>,
     source: &Source<'_>,
 ) -> Result<(), LoadError> {
-    // Find the list, which has either name.
-    let list = ["vertex_indices", "vertex_index"]
-        .iter()
-        .find_map(|name| match element.properties.get(*name)?.data_type {
-            PropertyType::List(_, _) => Some(*name),
-            PropertyType::Scalar(_) => None,
-        })
-        .ok_or_else(|| missing("list \"vertex_indices\" of element \"face\"".into(), source))?;
-
-    let run = super::faces::Run {
+    let run = Run {
         first: 0,
-        count: vertex_count,
+        count: faces.vertices.len(),
     };
     let mut corners: Vec<i64> = Vec::new();
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
-        for property in element.properties.values() {
-            match &property.data_type {
-                PropertyType::List(count, kind) if property.name == list => {
-                    rows.indices(count, kind, &mut corners).map_err(fault)?;
+        for (place, property) in element.properties.iter().enumerate() {
+            match property.kind {
+                Kind::List { count, item } if place == list.place => {
+                    rows.indices(count, item, &mut corners).map_err(fault)?;
                 }
                 other => rows.skip(other).map_err(fault)?,
             }
         }
-        let place = FaceSite {
+        let site = FaceSite {
             line: rows.line(),
             part: None,
             face: row,
         };
-        faces.polygon(&corners, run, place)?;
+        if list.are_strips {
+            read_strips(&corners, run, site, faces)?;
+        } else {
+            faces.polygon(&corners, run, site)?;
+        }
+    }
+    Ok(())
+}
+
+/// Adds strips of triangles, which -1 separates. Every other triangle is turned, and those with a corner twice are seams.
+fn read_strips(
+    corners: &[i64],
+    run: Run,
+    site: FaceSite<'_>,
+    faces: &mut Faces<'_>,
+) -> Result<(), LoadError> {
+    let is_end = |corner: &i64| *corner == -1 || *corner == i64::from(u32::MAX);
+    for strip in corners.split(is_end) {
+        for (i, triangle) in strip.windows(3).enumerate() {
+            let [a, b, c] = [triangle[0], triangle[1], triangle[2]];
+            if a == b || b == c || c == a {
+                continue;
+            }
+            let triangle = if i % 2 == 0 { [a, b, c] } else { [b, a, c] };
+            faces.polygon(&triangle, run, site)?;
+        }
     }
     Ok(())
 }
 
 /// Skips an element's rows.
-fn skip(rows: &mut Rows<'_>, element: &ElementDef, source: &Source<'_>) -> Result<(), LoadError> {
+fn skip(rows: &mut Rows<'_>, element: &Element, source: &Source<'_>) -> Result<(), LoadError> {
     // Rows without properties take no bytes, whatever their number.
     if element.properties.is_empty() {
         return Ok(());
@@ -153,8 +246,8 @@ fn skip(rows: &mut Rows<'_>, element: &ElementDef, source: &Source<'_>) -> Resul
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
-        for property in element.properties.values() {
-            rows.skip(&property.data_type).map_err(fault)?;
+        for property in &element.properties {
+            rows.skip(property.kind).map_err(fault)?;
         }
     }
     Ok(())
@@ -167,33 +260,8 @@ fn missing(what: String, source: &Source<'_>) -> LoadError {
     }
 }
 
-fn header_error(error: &ParseError, source: &Source<'_>, bytes: &[u8]) -> LoadError {
-    let file = source.file.clone();
-    if error.kind() == ErrorKind::UnexpectedEof {
-        return LoadError::HeaderCut { file };
-    }
-    let Some(line) = error.line() else {
-        let message = error.to_string();
-        return LoadError::PlyHeader {
-            file,
-            message: message.lines().next().unwrap_or_default().into(),
-        };
-    };
-    let mut lines = bytes.split_inclusive(|&byte| byte == b'\n');
-    let text = lines.nth(line.saturating_sub(1)).unwrap_or_default();
-    // A line without an end is the last one, but the header should have more.
-    if line > 1 && !text.ends_with(b"\n") {
-        return LoadError::HeaderCut { file };
-    }
-    LoadError::HeaderLine {
-        file,
-        line,
-        text: excerpt(&String::from_utf8_lossy(text)),
-    }
-}
-
 /// Adds the element and the row of a fault.
-fn row_error(fault: Fault, element: &ElementDef, row: usize, source: &Source<'_>) -> LoadError {
+fn row_error(fault: Fault, element: &Element, row: usize, source: &Source<'_>) -> LoadError {
     let file = source.file.clone();
     match fault {
         Fault::End => LoadError::EndsEarly {
@@ -236,6 +304,7 @@ fn plural(element: &str) -> String {
     match element {
         "vertex" => "vertices".into(),
         "face" => "faces".into(),
-        other => format!("rows of \"{other}\""),
+        "tristrips" => "strips".into(),
+        other => format!("rows of \"{}\"", excerpt(other)),
     }
 }

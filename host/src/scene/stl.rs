@@ -1,61 +1,45 @@
-//! STL: triangles with separate corners, as text or binary. Equal corners weld to one vertex.
-//!
-//! `stl_io` reads the triangles. It takes any file that starts with `solid ` for text, stops at the first `endsolid`, and
-//! trusts a binary file's count; this module checks all three first.
+//! STL: triangles with separate corners, as text or binary. Equal corners weld to one vertex. Normals are not read.
 
+use super::LoadError;
+use super::faces::Faces;
 use super::load::{Found, Source};
-use super::{LoadError, Scene};
-use crate::{Mesh, Part};
+use super::words::{self, Lines, Words, bad_word, number};
+use crate::Part;
 use std::collections::HashMap;
-use std::io::{Cursor, ErrorKind};
+use std::hash::Hash;
 
 /// Bytes before the first triangle of a binary file: 80 arbitrary ones, then the count.
 const HEADER_BYTES: usize = 84;
-/// Bytes of a binary triangle.
+/// Bytes of a binary triangle: its normal, three corners, and a word that some programs keep a color in.
 const TRIANGLE_BYTES: usize = 50;
 
 /// Reads text, with a part for each solid, or binary.
-pub(super) fn read(source: &Source<'_>, mut bytes: Vec<u8>) -> Result<Found, LoadError> {
-    let mut weld = Weld::new(source);
-    if is_text(&bytes) {
-        // The reader knows lower case only.
-        let names: Vec<String> = solids(&bytes).map(name).collect();
-        bytes.make_ascii_lowercase();
-        for (solid, name) in solids(&bytes).zip(names) {
-            let first = weld.mesh.indices.len();
-            weld.triangles(&text_for_reader(solid))?;
-            weld.mesh.parts.push(Part {
-                name,
-                first_triangle: first as u32,
-                triangle_count: (weld.mesh.indices.len() - first) as u32,
-            });
-        }
-        // A single unnamed solid needs no part.
-        if matches!(&weld.mesh.parts[..], [part] if part.name.is_empty()) {
-            weld.mesh.parts.clear();
-        }
-    } else {
-        check_length(&bytes, source)?;
-        // The file is binary, whatever its header says.
-        bytes[..HEADER_BYTES - 4].fill(0);
-        weld.triangles(&bytes)?;
+pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
+    if !has_exact_length(&bytes) {
+        let bytes = words::without_mark(bytes);
+        return match is_text(&bytes) {
+            true => read_text(source, &bytes),
+            false => read_binary(source, &bytes),
+        };
     }
-    let scene = Scene {
-        mesh: weld.mesh,
-        dropped_face_count: weld.dropped_count,
-        ..Scene::default()
-    };
-    Ok(scene.into())
+    read_binary(source, &bytes)
 }
 
-/// Whether the file starts with `solid` and is not binary; length and zero bytes reveal a binary file that starts so.
+/// Whether the length is that of a binary file with its count of triangles: then it is one, even if it begins with `solid`.
+fn has_exact_length(bytes: &[u8]) -> bool {
+    announced(bytes).is_some_and(|count| expected_bytes(count) == bytes.len() as u64)
+}
+
+/// Whether a file of an unknown format is STL.
+pub(super) fn is_stl(bytes: &[u8]) -> bool {
+    has_exact_length(bytes) || is_text(bytes)
+}
+
+/// Whether a file begins as text does, and has no zero bytes.
 fn is_text(bytes: &[u8]) -> bool {
-    let begins = |bytes: &[u8]| {
-        let word = bytes.trim_ascii_start().get(..5);
-        word.is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
-    };
-    let exact = announced(bytes).is_some_and(|count| expected_bytes(count) == bytes.len() as u64);
-    begins(bytes) && !exact && !bytes.iter().take(512).any(|&byte| byte == 0)
+    let word = Words::new(bytes).next().unwrap_or_default();
+    let begins = ["solid", "facet"].iter().any(|begin| is(word, begin));
+    begins && !bytes.iter().take(512).any(|&byte| byte == 0)
 }
 
 /// The count in a binary file's header.
@@ -68,126 +52,244 @@ fn expected_bytes(count: u32) -> u64 {
     HEADER_BYTES as u64 + u64::from(count) * TRIANGLE_BYTES as u64
 }
 
-fn check_length(bytes: &[u8], source: &Source<'_>) -> Result<(), LoadError> {
-    let file = source.file.clone();
-    let Some(count) = announced(bytes) else {
-        return Err(LoadError::HeaderCut { file });
-    };
-    if expected_bytes(count) <= bytes.len() as u64 {
-        return Ok(());
+/// Reads binary. If its count does not fit its length, the length is right where it is that of whole triangles; bytes behind the last
+/// triangle are skipped.
+fn read_binary(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
+    let file = || source.file.clone();
+    let count = announced(bytes).ok_or_else(|| LoadError::HeaderCut { file: file() })? as usize;
+    let (triangles, rest) = bytes[HEADER_BYTES..].as_chunks::<TRIANGLE_BYTES>();
+    let held = triangles.len();
+    if count > held && (held == 0 || !rest.is_empty()) {
+        return Err(LoadError::EndsEarly {
+            file: file(),
+            what: "triangles".into(),
+            announced: count as u64,
+            found: held as u64,
+        });
     }
-    Err(LoadError::EndsEarly {
-        file,
-        what: "triangles".into(),
-        announced: u64::from(count),
-        found: ((bytes.len() - HEADER_BYTES) / TRIANGLE_BYTES) as u64,
-    })
+    let read = if rest.is_empty() || count == 0 {
+        held
+    } else {
+        count
+    };
+    source.leave_out("announced triangles, which are not there", {
+        count.saturating_sub(held)
+    });
+    let behind = (held - read) * TRIANGLE_BYTES + rest.len();
+    source.leave_out("bytes behind the last triangle", behind);
+
+    let mut weld = Weld::new(source);
+    weld.faces.vertices = super::vertices::Vertices::Narrow(Vec::new());
+    weld.faces.mesh.indices.reserve(read);
+    let mut colored = 0;
+    for triangle in &triangles[..read] {
+        let (numbers, rest) = triangle.as_chunks::<4>();
+        let [_, a, b, c, ..] = numbers.as_chunks::<3>().0 else {
+            continue;
+        };
+        colored += usize::from(rest != [0, 0]);
+        for corner in [a, b, c] {
+            let corner = corner.map(f32::from_le_bytes);
+            weld.corner(corner.map(|x| (x + 0.0).to_bits()), corner.map(f64::from));
+        }
+        weld.close()?;
+    }
+    source.leave_out("facet colours", colored);
+    Ok(weld.faces.into_found())
 }
 
-/// The solids of a text file, each up to and including its `endsolid` line; the last may lack that.
-fn solids(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
-    let mut lines = bytes.split_inclusive(|&byte| byte == b'\n');
-    let mut rest = bytes;
-    std::iter::from_fn(move || {
-        let mut length = 0;
-        for line in lines.by_ref() {
-            length += line.len();
-            let word = line.trim_ascii_start().get(..8);
-            if word.is_some_and(|word| word.eq_ignore_ascii_case(b"endsolid")) {
-                break;
+/// Reads text.
+fn read_text(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
+    let mut text = Text::new(bytes);
+    let mut weld = Weld::new(source);
+    // Facets that have ended; whether a solid has begun, and whether the current facet is sound.
+    let (mut face, mut is_open, mut is_sound, mut colors) = (0, false, true, 0);
+    let mut has_part = false;
+    let cut = |face| LoadError::StlCut {
+        file: source.file.clone(),
+        face,
+    };
+    while let Some(word) = text.next() {
+        if is(word, "solid") {
+            weld.part(text.solid_name());
+            (is_open, has_part) = (true, true);
+        } else if is(word, "endsolid") {
+            text.skip_line();
+            (is_open, has_part) = (false, false);
+        } else if is(word, "facet") {
+            if !has_part {
+                weld.part(String::new());
+                has_part = true;
+            }
+            weld.corners.clear();
+            is_sound = true;
+            // A normal may be anything.
+            while text.peek().is_some_and(|word| !begins_loop(word)) {
+                text.next();
+            }
+        } else if is(word, "vertex") {
+            let mut corner = [0.0; 3];
+            for x in &mut corner {
+                let word = text.next().ok_or_else(|| cut(face))?;
+                match number(word) {
+                    Some(number) => *x = number,
+                    None if source.options.lenient => is_sound = false,
+                    None => return Err(bad_word(source, text.line, word, "a number")),
+                }
+            }
+            weld.corner(corner.map(|x| (x + 0.0).to_bits()), corner);
+        } else if is(word, "endfacet") {
+            face += 1;
+            match is_sound {
+                true => weld.close()?,
+                false => {
+                    weld.faces.dropped_count += 1;
+                    weld.corners.clear();
+                }
+            }
+        } else if is(word, "color") {
+            colors += 1;
+            text.skip_line();
+        } else if !["outer", "loop", "endloop"].iter().any(|w| is(word, w)) {
+            if !source.options.lenient {
+                return Err(bad_word(source, text.line, word, "a word of STL"));
+            }
+            is_sound = false;
+        }
+    }
+    if is_open || !weld.corners.is_empty() {
+        return Err(cut(face));
+    }
+    weld.end_part();
+    source.leave_out("facet colours", colors);
+    // A single unnamed solid needs no part.
+    let parts = &mut weld.faces.mesh.parts;
+    if matches!(&parts[..], [part] if part.name.is_empty()) {
+        parts.clear();
+    }
+    Ok(weld.faces.into_found())
+}
+
+fn is(word: &[u8], keyword: &str) -> bool {
+    word.eq_ignore_ascii_case(keyword.as_bytes())
+}
+
+/// Whether the word ends what stands behind `facet`.
+fn begins_loop(word: &[u8]) -> bool {
+    ["outer", "loop", "vertex", "endfacet"]
+        .iter()
+        .any(|begin| is(word, begin))
+}
+
+/// The words of a text, over all its lines.
+#[derive(Clone)]
+struct Text<'a> {
+    lines: Lines<'a>,
+    words: Words<'a>,
+    line: usize,
+}
+
+impl<'a> Text<'a> {
+    const fn new(text: &'a [u8]) -> Self {
+        Self {
+            lines: Lines::new(text),
+            words: Words::new(&[]),
+            line: 0,
+        }
+    }
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        loop {
+            if let Some(word) = self.words.next() {
+                return Some(word);
+            }
+            let (line, text) = self.lines.next()?;
+            (self.line, self.words) = (line, Words::new(text));
+        }
+    }
+
+    fn peek(&self) -> Option<&'a [u8]> {
+        self.clone().next()
+    }
+
+    fn skip_line(&mut self) {
+        self.words = Words::new(&[]);
+    }
+
+    /// The rest of the line, or up to a facet if one begins in it.
+    fn solid_name(&mut self) -> String {
+        let name = self.words.rest();
+        let mut ahead = self.words.clone();
+        loop {
+            let rest = ahead.rest();
+            match ahead.next() {
+                Some(word) if is(word, "facet") => {
+                    if ahead.clone().next().is_some_and(|word| is(word, "normal")) {
+                        self.words = Words::new(rest);
+                        return words::name(&name[..name.len() - rest.len()]);
+                    }
+                }
+                Some(_) => {}
+                None => {
+                    self.skip_line();
+                    return words::name(name);
+                }
             }
         }
-        let (solid, behind) = rest.split_at(length);
-        rest = behind;
-        (!solid.trim_ascii().is_empty()).then_some(solid)
-    })
-}
-
-/// The text after the word `solid`.
-fn name(solid: &[u8]) -> String {
-    let line = solid.trim_ascii_start().split(|&byte| byte == b'\n').next();
-    let name = line.and_then(|line| line.get(5..)).unwrap_or_default();
-    String::from_utf8_lossy(name.trim_ascii()).into_owned()
-}
-
-/// The solid with a first line that the reader accepts: a space after `solid`, and UTF-8.
-fn text_for_reader(solid: &[u8]) -> Vec<u8> {
-    let solid = solid.trim_ascii_start();
-    let end_of_line = solid.iter().position(|&byte| byte == b'\n');
-    let facets = &solid[end_of_line.unwrap_or(solid.len())..];
-    [b"solid ", facets].concat()
-}
-
-/// The number of faces that a text starts.
-fn facet_count(text: &[u8]) -> usize {
-    text.split(|&byte| byte == b'\n')
-        .filter(|line| line.trim_ascii_start().starts_with(b"facet"))
-        .count()
+    }
 }
 
 /// A mesh under construction, with the vertex of every corner so far.
-struct Weld<'a> {
-    source: &'a Source<'a>,
-    mesh: Mesh,
-    dropped_count: usize,
-    /// By the bits of the coordinates.
-    vertices: HashMap<[u32; 3], u32>,
+struct Weld<'a, K> {
+    faces: Faces<'a>,
+    /// By the bits of the coordinates; both zeros are one.
+    vertices: HashMap<[K; 3], u32>,
+    /// Those of the current facet.
+    corners: Vec<u32>,
 }
 
-impl<'a> Weld<'a> {
+impl<'a, K: Eq + Hash> Weld<'a, K> {
     fn new(source: &'a Source<'a>) -> Self {
         Self {
-            source,
-            mesh: Mesh::default(),
-            dropped_count: 0,
+            faces: Faces::new(source),
             vertices: HashMap::new(),
+            corners: Vec::new(),
         }
     }
 
-    /// Adds all triangles of a file as `stl_io` knows it.
-    fn triangles(&mut self, bytes: &[u8]) -> Result<(), LoadError> {
-        let first = self.mesh.indices.len();
-        let mut cursor = Cursor::new(bytes);
-        let reader = stl_io::create_stl_reader(&mut cursor).map_err(|e| self.error(e))?;
-        let mut has_bad_face = false;
-        for triangle in reader {
-            match triangle {
-                Ok(triangle) => {
-                    let corners = triangle.vertices.map(|corner| self.vertex(corner.into()));
-                    self.mesh.indices.push(corners);
-                }
-                // The reader resumes at the next line, and so at the next face.
-                Err(e) if self.source.options.lenient && e.kind() == ErrorKind::InvalidData => {
-                    has_bad_face = true;
-                }
-                Err(e) => return Err(self.error(e)),
-            }
+    fn corner(&mut self, bits: [K; 3], position: [f64; 3]) {
+        let next = self.faces.vertices.len() as u32;
+        let vertex = *self.vertices.entry(bits).or_insert(next);
+        if vertex == next {
+            self.faces.vertices.push(position);
         }
-        if has_bad_face {
-            let sound = self.mesh.indices.len() - first;
-            self.dropped_count += facet_count(bytes).saturating_sub(sound);
-        }
+        self.corners.push(vertex);
+    }
+
+    /// Adds the current facet.
+    fn close(&mut self) -> Result<(), LoadError> {
+        let corners = &self.corners;
+        self.faces.cut(corners.len(), |i| corners[i])?;
+        self.corners.clear();
         Ok(())
     }
 
-    /// The error at the face after those read.
-    fn error(&self, error: std::io::Error) -> LoadError {
-        let (file, face) = (self.source.file.clone(), self.mesh.indices.len());
-        match error.kind() {
-            ErrorKind::UnexpectedEof => LoadError::StlCut { file, face },
-            _ => LoadError::Stl { file, face, error },
-        }
+    /// Begins a part.
+    fn part(&mut self, name: String) {
+        self.end_part();
+        let first_triangle = self.faces.mesh.indices.len() as u32;
+        self.faces.mesh.parts.push(Part {
+            name,
+            first_triangle,
+            triangle_count: 0,
+        });
     }
 
-    fn vertex(&mut self, corner: [f32; 3]) -> u32 {
-        let next = self.mesh.vertices.len() as u32;
-        let vertex = *self
-            .vertices
-            .entry(corner.map(f32::to_bits))
-            .or_insert(next);
-        if vertex == next {
-            self.mesh.vertices.push(corner);
+    /// Ends the part that began last.
+    fn end_part(&mut self) {
+        let count = self.faces.mesh.indices.len() as u32;
+        if let Some(part) = self.faces.mesh.parts.last_mut() {
+            part.triangle_count = count - part.first_triangle;
         }
-        vertex
     }
 }

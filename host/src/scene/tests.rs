@@ -143,8 +143,8 @@ fn larger_files_than_allowed_are_not_read() {
     let files = Files::with("box.off", off::sample());
     let size = off::sample().len() as u64;
     let options = |max_file_bytes| LoadOptions {
-        lenient: false,
         max_file_bytes,
+        ..LoadOptions::default()
     };
     assert_is_box(
         &files

@@ -69,6 +69,7 @@ fn check(path: &Path, data: &[u8]) {
         let options = LoadOptions {
             lenient,
             max_file_bytes: 1 << 20,
+            ..LoadOptions::default()
         };
         match load_bytes(path, data.to_vec(), &options) {
             Ok(scene) => use_it(scene),

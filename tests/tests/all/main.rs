@@ -24,6 +24,7 @@ mod negative_controls;
 mod next_rays;
 mod odd_rays;
 mod packets;
+mod polygons;
 mod reduced;
 mod reduced_plans;
 mod reduced_scenes;

@@ -1,82 +1,133 @@
-//! Material libraries (MTL).
+//! Material libraries (MTL). After <https://paulbourke.net/dataformats/mtl/>.
 
+use super::super::Material;
 use super::super::faces::share;
-use super::super::load::{Source, read_file};
-use super::super::{LoadError, Material};
-use std::io::ErrorKind;
-use std::path::Path;
+use super::super::load::Source;
+use super::super::words::{self, Words, number, whole};
+use super::lines::Lines;
 
-/// The materials of a library, which may be missing. `tobj` reads only the lines that are used and readable: it panics at a
-/// color of fewer than three numbers, and rejects the library at one that is not a number.
-pub(super) fn read(
-    library: &Path,
-    source: &Source<'_>,
-) -> Result<(Vec<tobj::Material>, Names), LoadError> {
-    let path = source.beside(library);
-    let bytes = match read_file(&path, source.options.max_file_bytes) {
-        Ok(bytes) => bytes,
-        Err(LoadError::Read { error, .. }) if error.kind() == ErrorKind::NotFound => {
-            return Ok(Default::default());
-        }
-        Err(error) => return Err(error),
-    };
-    let text = String::from_utf8_lossy(&bytes);
-    let lines: Vec<&str> = text.lines().filter(|line| is_readable(line)).collect();
-    tobj::load_mtl_buf(&mut lines.join("\n").as_bytes()).map_err(|error| LoadError::Obj {
-        file: path.display().to_string(),
-        line: None,
-        error,
-    })
+/// Illumination models with a reflection, and with a refraction.
+const REFLECTION: i64 = 3;
+const REFRACTION: [i64; 2] = [6, 7];
+
+/// What libraries hold and materials have no place for.
+#[derive(Default)]
+pub(super) struct LeftOut {
+    textures: usize,
+    transparent: usize,
+    emissive: usize,
 }
 
-/// Materials by name.
-type Names = std::collections::HashMap<String, usize>;
-
-/// Whether the line starts a material, or is a readable value that [`convert`] uses.
-fn is_readable(line: &str) -> bool {
-    let mut words = line.split_whitespace();
-    match words.next() {
-        Some("newmtl") => words.next().is_some(),
-        Some("Kd" | "Ks" | "Tf") => color(words).is_some(),
-        Some("Ni") => words.next().is_some_and(|word| word.parse::<f32>().is_ok()),
-        Some("illum") => words.next().is_some_and(|word| word.parse::<u8>().is_ok()),
-        _ => false,
+impl LeftOut {
+    pub fn note(&self, source: &Source<'_>) {
+        source.leave_out("textures", self.textures);
+        source.leave_out("transparent materials", self.transparent);
+        source.leave_out("emissive materials", self.emissive);
     }
 }
 
-/// Three numbers.
-fn color<'a>(words: impl Iterator<Item = &'a str>) -> Option<[f32; 3]> {
-    let numbers: Vec<f32> = words.take(3).map_while(|word| word.parse().ok()).collect();
-    numbers.try_into().ok()
+/// A material as a library describes it.
+#[derive(Default)]
+struct Lit {
+    name: String,
+    diffuse: Option<[f32; 3]>,
+    specular: [f32; 3],
+    /// The transmission filter.
+    filter: Option<[f32; 3]>,
+    ior: Option<f32>,
+    model: i64,
+    is_transparent: bool,
+    is_emissive: bool,
 }
 
-/// The diffuse color. The specular color as a mirror, if the illumination model has reflection. Glass with the color of the
-/// transmission filter, if it has refraction.
-pub(super) fn convert(material: &tobj::Material) -> Material {
-    const REFLECTION: u8 = 3;
-    const REFRACTION: [u8; 2] = [6, 7];
-    if REFRACTION.map(Some).contains(&material.illumination_model) {
-        let filter = material.unknown_param.get("Tf");
-        let filter = filter.and_then(|text| color(text.split_whitespace()));
-        return Material {
-            base_color: filter.map_or([1.0; 3], |filter| filter.map(share)),
-            mirror: 0.0,
-            transmission: 1.0,
-            ior: material.optical_density.unwrap_or(Material::default().ior),
-            ..Material::default()
+/// The materials of a library, with their names. Lines that cannot be read count for nothing.
+pub(super) fn read(bytes: Vec<u8>, left_out: &mut LeftOut) -> Vec<(String, Material)> {
+    let bytes = words::without_mark(bytes);
+    let mut all = Vec::new();
+    let mut current: Option<Lit> = None;
+    for (_, line) in Lines::new(&bytes) {
+        let mut words = Words::new(&line);
+        let Some(keyword) = words.next() else {
+            continue;
         };
+        if keyword == b"newmtl" {
+            all.extend(current.take().map(|lit| lit.convert(left_out)));
+            let name = words::name(words.rest());
+            current = (!name.is_empty()).then(|| Lit {
+                name,
+                ..Lit::default()
+            });
+            continue;
+        }
+        let Some(lit) = &mut current else {
+            continue;
+        };
+        let mut value = || words.next().and_then(number).map(|x| x as f32);
+        match keyword {
+            b"Kd" => lit.diffuse = color(words).or(lit.diffuse),
+            b"Ks" => lit.specular = color(words).unwrap_or(lit.specular),
+            b"Tf" => lit.filter = color(words).or(lit.filter),
+            b"Ke" => lit.is_emissive = color(words).is_some_and(|light| light != [0.0; 3]),
+            b"Ni" => lit.ior = value().or(lit.ior),
+            b"illum" => lit.model = words.next().and_then(whole).unwrap_or(lit.model),
+            // Opacity, and its opposite. `d -halo` is that of a rim.
+            b"d" => {
+                let opacity = words.filter_map(number).next();
+                lit.is_transparent |= opacity.is_some_and(|share| share < 1.0);
+            }
+            b"Tr" => lit.is_transparent |= value().is_some_and(|share| share > 0.0),
+            b"bump" | b"disp" | b"decal" | b"refl" | b"norm" => {
+                left_out.textures += usize::from(words.next().is_some());
+            }
+            // `map_aat` is an option of the next one.
+            other if other.starts_with(b"map_") && other != b"map_aat" => {
+                left_out.textures += usize::from(words.next().is_some());
+            }
+            _ => {}
+        }
     }
-    let specular = material.specular.unwrap_or_default();
-    let is_mirror = material.illumination_model == Some(REFLECTION);
-    Material {
-        base_color: match material.diffuse {
-            Some(diffuse) => diffuse.map(share),
-            None => Material::default().base_color,
-        },
-        mirror: match is_mirror {
-            true => share(specular.into_iter().fold(0.0, f32::max)),
-            false => 0.0,
-        },
-        ..Material::default()
+    all.extend(current.map(|lit| lit.convert(left_out)));
+    all
+}
+
+/// Three numbers, or one for all three.
+fn color(words: Words<'_>) -> Option<[f32; 3]> {
+    let mut words = words.map(number);
+    let [r, g, b] = [words.next(), words.next(), words.next()];
+    let color = match (r??, g, b) {
+        (grey, None, _) => [grey; 3],
+        (r, Some(g), Some(b)) => [r, g?, b?],
+        _ => return None,
+    };
+    Some(color.map(|x| x as f32))
+}
+
+impl Lit {
+    /// The diffuse color. The specular color as a mirror, if the illumination model has reflection. Glass with the color of the
+    /// transmission filter, if it has refraction.
+    fn convert(self, left_out: &mut LeftOut) -> (String, Material) {
+        left_out.emissive += usize::from(self.is_emissive);
+        let default = Material::default();
+        if REFRACTION.contains(&self.model) {
+            let glass = Material {
+                base_color: self.filter.unwrap_or([1.0; 3]).map(share),
+                mirror: 0.0,
+                transmission: 1.0,
+                ior: self.ior.unwrap_or(default.ior),
+                ..default
+            };
+            return (self.name, glass);
+        }
+        left_out.transparent += usize::from(self.is_transparent);
+        let specular = self.specular.into_iter().fold(0.0, f32::max);
+        let material = Material {
+            base_color: self.diffuse.map_or(default.base_color, |c| c.map(share)),
+            mirror: match self.model {
+                REFLECTION => share(specular),
+                _ => 0.0,
+            },
+            ..default
+        };
+        (self.name, material)
     }
 }

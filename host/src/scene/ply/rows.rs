@@ -1,30 +1,43 @@
 //! The rows of a PLY file, number by number.
 
 use super::super::error::excerpt;
-use super::{PropertyType, ScalarType};
-use ply_rs_bw::ply::Encoding;
+use super::super::words::{self, Lines, Words};
+use super::header::{Encoding, Kind, Scalar};
 
 /// The position of the reader.
+#[derive(Clone)]
 pub(super) struct Rows<'a> {
-    /// The unread bytes; for text, those after the current line.
-    rest: &'a [u8],
     form: Form<'a>,
 }
 
-enum Form<'a> {
-    Text(TextRow<'a>),
-    Bytes { big_endian: bool },
+/// What separates rows of text.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum RowsIn {
+    /// Each row is a line.
+    Lines,
+    /// A row may take several lines, and a line several rows.
+    Words,
 }
 
-/// The rest of the current line.
-struct TextRow<'a> {
-    /// Counted from 1.
+#[derive(Clone)]
+enum Form<'a> {
+    Text(Text<'a>),
+    Bytes { rest: &'a [u8], big_endian: bool },
+}
+
+#[derive(Clone)]
+struct Text<'a> {
+    lines: Lines<'a>,
+    rows_in: RowsIn,
+    /// The current line's number, and the rest of it.
     line: usize,
-    rest: &'a [u8],
-    /// The number of numbers read.
+    words: Words<'a>,
+    /// The number of numbers read of the row.
     found: u64,
     /// The number of numbers required, for messages.
     needed: u64,
+    /// Whether a line had more words than its row.
+    has_spare: bool,
 }
 
 /// Why a number cannot be read.
@@ -48,83 +61,78 @@ pub(super) enum Fault {
 }
 
 impl<'a> Rows<'a> {
-    /// The rows after the header; the first is at the given line.
-    pub fn new(rest: &'a [u8], encoding: &Encoding, first_line: usize) -> Self {
+    /// The rows behind the header; the first is at the given line.
+    pub fn new(rest: &'a [u8], encoding: Encoding, first_line: usize, rows_in: RowsIn) -> Self {
         let form = match encoding {
-            Encoding::Ascii => Form::Text(TextRow {
-                line: first_line.saturating_sub(1),
-                rest: &[],
+            Encoding::Text => Form::Text(Text {
+                lines: Lines::from(rest, first_line),
+                rows_in,
+                line: first_line,
+                words: Words::new(&[]),
                 found: 0,
                 needed: 0,
+                has_spare: false,
             }),
-            Encoding::BinaryBigEndian => Form::Bytes { big_endian: true },
-            Encoding::BinaryLittleEndian => Form::Bytes { big_endian: false },
+            encoding => Form::Bytes {
+                rest,
+                big_endian: encoding == Encoding::BigEndian,
+            },
         };
-        Self { rest, form }
-    }
-
-    /// Whether rows are text.
-    pub const fn is_text(&self) -> bool {
-        matches!(self.form, Form::Text(_))
+        Self { form }
     }
 
     /// The number of bytes left.
-    pub fn byte_count(&self) -> usize {
-        self.rest.len()
+    pub const fn byte_count(&self) -> usize {
+        match &self.form {
+            Form::Text(text) => text.lines.rest().len(),
+            Form::Bytes { rest, .. } => rest.len(),
+        }
     }
 
-    /// The current row's line, if rows are text.
-    pub fn line(&self) -> Option<usize> {
+    /// The current line, if rows are text.
+    pub const fn line(&self) -> Option<usize> {
         match &self.form {
-            Form::Text(row) => Some(row.line),
+            Form::Text(text) => Some(text.line),
             Form::Bytes { .. } => None,
         }
     }
 
-    /// Starts a row of at least `needed` numbers: for text, at the next line that is not blank.
+    /// Starts a row of at least `needed` numbers.
+    #[inline]
     pub fn start(&mut self, needed: usize) -> Result<(), Fault> {
-        let Form::Text(row) = &mut self.form else {
-            return Ok(());
-        };
-        loop {
-            if self.rest.is_empty() {
-                return Err(Fault::End);
-            }
-            let end = self.rest.iter().position(|&byte| byte == b'\n');
-            let (line, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
-            self.rest = rest.get(1..).unwrap_or_default();
-            row.line += 1;
-            row.rest = line.trim_ascii();
-            if !row.rest.is_empty() {
-                break;
-            }
+        match &mut self.form {
+            Form::Text(text) => text.start(needed),
+            Form::Bytes { .. } => Ok(()),
         }
-        (row.found, row.needed) = (0, needed as u64);
-        Ok(())
+    }
+
+    /// Whether text has words that are in no row.
+    pub fn has_spare(&self) -> bool {
+        match &self.form {
+            Form::Text(text) => text.has_spare || text.clone().next_word().is_some(),
+            Form::Bytes { .. } => false,
+        }
     }
 
     /// The next number, of the kind that the header declares. Text is read as `f64`, whatever that is.
     #[inline]
-    pub fn number(&mut self, kind: &ScalarType) -> Result<f64, Fault> {
+    pub fn number(&mut self, kind: Scalar) -> Result<f64, Fault> {
         match &mut self.form {
-            Form::Text(row) => row.number(),
-            Form::Bytes { big_endian } => {
-                let big_endian = *big_endian;
-                self.binary(kind, big_endian)
-            }
+            Form::Text(text) => text.number(),
+            Form::Bytes { rest, big_endian } => binary(rest, kind, *big_endian),
         }
     }
 
     /// The next list of indices.
     pub fn indices(
         &mut self,
-        count: &ScalarType,
-        kind: &ScalarType,
+        count: Scalar,
+        item: Scalar,
         indices: &mut Vec<i64>,
     ) -> Result<(), Fault> {
         indices.clear();
         for _ in 0..self.list_length(count)? {
-            let index = self.number(kind)?;
+            let index = self.number(item)?;
             if index.fract() != 0.0 {
                 return Err(self.unexpected(index, "an index"));
             }
@@ -134,27 +142,27 @@ impl<'a> Rows<'a> {
     }
 
     /// Skips a property.
-    pub fn skip(&mut self, data_type: &PropertyType) -> Result<(), Fault> {
-        match data_type {
-            PropertyType::Scalar(kind) => {
-                self.number(kind)?;
+    pub fn skip(&mut self, kind: Kind) -> Result<(), Fault> {
+        match kind {
+            Kind::Scalar(scalar) => {
+                self.number(scalar)?;
             }
-            PropertyType::List(count, kind) => {
+            Kind::List { count, item } => {
                 for _ in 0..self.list_length(count)? {
-                    self.number(kind)?;
+                    self.number(item)?;
                 }
             }
         }
         Ok(())
     }
 
-    fn list_length(&mut self, kind: &ScalarType) -> Result<u64, Fault> {
+    fn list_length(&mut self, kind: Scalar) -> Result<u64, Fault> {
         let length = self.number(kind)?;
         if !(length >= 0.0 && length.fract() == 0.0) {
             return Err(self.unexpected(length, "a count"));
         }
-        if let Form::Text(row) = &mut self.form {
-            row.needed = row.needed.saturating_add(length as u64);
+        if let Form::Text(text) = &mut self.form {
+            text.needed = text.needed.saturating_add(length as u64);
         }
         Ok(length as u64)
     }
@@ -169,50 +177,76 @@ impl<'a> Rows<'a> {
             None => Fault::Value { value, expected },
         }
     }
-
-    fn binary(&mut self, kind: &ScalarType, big_endian: bool) -> Result<f64, Fault> {
-        Ok(match kind {
-            ScalarType::Char => f64::from(i8::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::UChar => f64::from(u8::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::Short => f64::from(i16::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::UShort => f64::from(u16::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::Int => f64::from(i32::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::UInt => f64::from(u32::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::Float => f64::from(f32::from_le_bytes(self.take(big_endian)?)),
-            ScalarType::Double => f64::from_le_bytes(self.take(big_endian)?),
-        })
-    }
-
-    /// The next bytes, the least significant first.
-    #[inline]
-    fn take<const N: usize>(&mut self, big_endian: bool) -> Result<[u8; N], Fault> {
-        let (bytes, rest) = self.rest.split_first_chunk().ok_or(Fault::End)?;
-        self.rest = rest;
-        let mut bytes: [u8; N] = *bytes;
-        if big_endian {
-            bytes.reverse();
-        }
-        Ok(bytes)
-    }
 }
 
-impl TextRow<'_> {
+#[inline]
+fn binary(rest: &mut &[u8], kind: Scalar, big_endian: bool) -> Result<f64, Fault> {
+    Ok(match kind {
+        Scalar::I8 => f64::from(i8::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::U8 => f64::from(u8::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::I16 => f64::from(i16::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::U16 => f64::from(u16::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::I32 => f64::from(i32::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::U32 => f64::from(u32::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::I64 => i64::from_le_bytes(take(rest, big_endian)?) as f64,
+        Scalar::U64 => u64::from_le_bytes(take(rest, big_endian)?) as f64,
+        Scalar::F32 => f64::from(f32::from_le_bytes(take(rest, big_endian)?)),
+        Scalar::F64 => f64::from_le_bytes(take(rest, big_endian)?),
+    })
+}
+
+/// The next bytes, the least significant first.
+#[inline]
+fn take<const N: usize>(rest: &mut &[u8], big_endian: bool) -> Result<[u8; N], Fault> {
+    let (bytes, behind) = rest.split_first_chunk().ok_or(Fault::End)?;
+    *rest = behind;
+    let mut bytes: [u8; N] = *bytes;
+    if big_endian {
+        bytes.reverse();
+    }
+    Ok(bytes)
+}
+
+impl<'a> Text<'a> {
+    fn start(&mut self, needed: usize) -> Result<(), Fault> {
+        (self.found, self.needed) = (0, needed as u64);
+        if self.rows_in == RowsIn::Words {
+            return Ok(());
+        }
+        self.has_spare |= self.words.next().is_some();
+        // The next line that is not blank.
+        loop {
+            let (line, text) = self.lines.next().ok_or(Fault::End)?;
+            (self.line, self.words) = (line, Words::new(text));
+            if self.words.clone().next().is_some() {
+                return Ok(());
+            }
+        }
+    }
+
+    /// The next word, of this line or a later one.
+    fn next_word(&mut self) -> Option<&'a [u8]> {
+        loop {
+            if let Some(word) = self.words.next() {
+                return Some(word);
+            }
+            let (line, text) = self.lines.next()?;
+            (self.line, self.words) = (line, Words::new(text));
+        }
+    }
+
+    #[inline]
     fn number(&mut self) -> Result<f64, Fault> {
-        if self.rest.is_empty() {
-            return Err(Fault::TooFew {
+        let word = match self.rows_in {
+            RowsIn::Lines => self.words.next().ok_or(Fault::TooFew {
                 line: self.line,
                 needed: self.needed,
                 found: self.found,
-            });
-        }
-        let end = self.rest.iter().position(u8::is_ascii_whitespace);
-        let (word, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
-        self.rest = rest.trim_ascii_start();
+            })?,
+            RowsIn::Words => self.next_word().ok_or(Fault::End)?,
+        };
         self.found += 1;
-
-        let text = std::str::from_utf8(word).ok();
-        let number = text.and_then(|text| text.parse().ok());
-        number.ok_or_else(|| Fault::Word {
+        words::number(word).ok_or_else(|| Fault::Word {
             line: self.line,
             text: excerpt(&String::from_utf8_lossy(word)),
             expected: "a number",

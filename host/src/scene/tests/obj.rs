@@ -98,7 +98,7 @@ fn libraries_may_be_broken() {
     let files = Files::with("box.obj", sample());
     files.put(
         "box.mtl",
-        b"newmtl\nnewmtl red\nKd 1\nKd 1 zwei 3\nillum many\nKs\nd\nmap_Kd\n\xff\nnewmtl mirror\n",
+        b"newmtl\nnewmtl red\nKd 1 2\nKd 1 zwei 3\nillum many\nKs\nd\nmap_Kd\n\xff\nnewmtl mirror\n",
     );
     let scene = files.load("box.obj");
     assert_eq!(scene.materials, [Material::default(); 2]);
@@ -139,21 +139,25 @@ fn faults_name_line_and_face() {
     );
     assert_eq!(
         refusal(&format!("{good}f 1 2 x\n")),
-        "\"x.obj\", line 7: face parse error"
+        "\"x.obj\", line 7: \"x\" is not a corner such as 3, 3/1, 3//2 or 3/1/2"
     );
     assert_eq!(
         refusal(&format!("{good}f\n")),
-        "\"x.obj\", line 7: face parse error"
+        "\"x.obj\", line 7: 3 numbers are needed, 0 are there"
     );
     assert_eq!(
         refusal(&format!("{good}v 1 2\n")),
-        "\"x.obj\", line 7: position parse error"
+        "\"x.obj\", line 7: 3 numbers are needed, 2 are there"
     );
     assert_eq!(
         refusal("v nan 0 0\nv 0 2 0\nv 0 0 3\ng thing\nf 1 2 3\n"),
         "\"x.obj\": mesh \"thing\", face 0 has vertex 0 at (NaN, 0, 0), which is not finite"
     );
-    assert_eq!(refusal("v 1 0 0\n"), "\"x.obj\" holds no triangles");
+    assert_eq!(
+        refusal("v 1 0 0\nsurf 0 1 0 1 1\nl 1 1\n"),
+        "\"x.obj\" holds no triangles, only 1 point, lines, free-form surfaces"
+    );
+    assert_eq!(refusal("# nothing\n"), "\"x.obj\" holds no triangles");
 }
 
 #[test]
@@ -173,4 +177,181 @@ fn lenient_loading_leaves_broken_faces_out() {
 fn text_need_not_be_utf_8() {
     let bytes = [b"# caf\xe9\n".as_slice(), sample().as_bytes()].concat();
     assert_is_box(&Files::with("box.obj", bytes).load("box.obj"));
+}
+
+/// What is left out, as it is printed.
+fn left_out(scene: &Scene) -> Vec<String> {
+    scene.left_out.iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn lines_end_and_go_on_in_all_ways() {
+    let plain = sample().replace("mtllib box.mtl\n", "");
+    for text in [
+        format!("\u{feff}{plain}"),
+        plain.replace('\n', "\r\n"),
+        plain.replace('\n', "\r"),
+        plain.replace("f 5 6", "f 5\\\n 6"),
+        plain.replace(" 3 7", " \\  \r\n3 \\\n\t7"),
+        plain.replace("\nf", " # comment \\\nf"),
+        plain.replace(' ', "  \t"),
+    ] {
+        let scene = Files::with("box.obj", &text).load("box.obj");
+        assert_is_box(&scene);
+    }
+    let utf_16 = plain.encode_utf16().flat_map(u16::to_le_bytes);
+    let utf_16: Vec<u8> = [0xff, 0xfe].into_iter().chain(utf_16).collect();
+    assert_is_box(&Files::with("box.obj", utf_16).load("box.obj"));
+    // The line of a fault is that of the file.
+    let text = "v 0 0 \\\n 0\r\nv 1 0 0\r\nf 1 2 \\\r\n 9\r\n";
+    let refusal = Files::with("x.obj", text).refusal("x.obj");
+    assert!(
+        refusal.contains("line 4: face 0 names vertex 9"),
+        "{refusal}"
+    );
+}
+
+#[test]
+fn faces_may_come_before_their_vertices() {
+    let text =
+        "g a\nf 1 2 3\nf 1 2 9\ng b\nf 1//1 2//1 3//1\nv 1 0 0\nv 0 2 0\nv 0 0 3\nvn 0 0 1\n";
+    let files = Files::with("x.obj", text);
+    assert_eq!(
+        files.refusal("x.obj"),
+        "\"x.obj\", line 3: face 1 names vertex 9, but there are only 3 vertices"
+    );
+    let scene = files.load_leniently("x.obj");
+    assert_eq!((scene.mesh.indices.len(), scene.dropped_face_count), (2, 1));
+    let parts = scene.mesh.parts.iter();
+    let parts: Vec<_> = parts.map(|p| (&*p.name, p.first_triangle)).collect();
+    assert_eq!(parts, [("a", 0), ("b", 1)]);
+}
+
+#[test]
+fn weights_and_colours_may_follow_a_position() {
+    let text = "v 1 0 0 1 0 0\nv 0 2 0\nv 0 0 3 1.0\nv 1 1 1 1 .5 .5 .5\nf 1 2 3 # x\nf 2 3 4#y\n";
+    let scene = Files::with("x.obj", text).load("x.obj");
+    assert_eq!(scene.mesh.indices, [[0, 1, 2], [1, 2, 3]]);
+    assert_eq!(left_out(&scene), ["2 vertex colours"]);
+}
+
+#[test]
+fn positions_are_read_in_f64() {
+    let text = |x: f64| {
+        let v = |dx: f64, y: f64| format!("v {} {y} 0\n", x + dx);
+        format!("{}{}{}f 1 2 3\n", v(0.0, 0.0), v(0.125, 0.0), v(0.0, 0.25))
+    };
+    let far = Files::with("x.obj", text(4_649_776.375)).load("x.obj");
+    let near = Files::with("x.obj", text(0.0)).load("x.obj");
+    assert_ne!(far.origin, [0.0; 3]);
+    for (far_vertex, near) in far.mesh.vertices.iter().zip(&near.mesh.vertices) {
+        let x = f64::from(far_vertex[0]) + far.origin[0] - 4_649_776.375;
+        assert_eq!(x, f64::from(near[0]));
+    }
+}
+
+#[test]
+fn libraries_are_found_by_all_their_names() {
+    const BLUE: &str = "newmtl blue\nKd 0 0 1\n";
+    const RED: &str = "newmtl red # 1\nKd 1 0 0\n";
+    let load = |line: &str, files: &[(&str, &str)]| {
+        let folder = Files::with(
+            "x.obj",
+            format!("{line}\nv 1 0 0\nv 0 2 0\nv 0 0 3\nusemtl blue\nf 1 2 3\n"),
+        );
+        for (name, text) in files {
+            folder.put(name, text);
+        }
+        folder.load("x.obj")
+    };
+    for (line, name) in [
+        ("mtllib none.mtl b.mtl", "b.mtl"),
+        ("mtllib none.mtl\nmtllib b.mtl", "b.mtl"),
+        ("mtllib my house.mtl", "my house.mtl"),
+        ("mtllib none.mtl my house.mtl", "my house.mtl"),
+        ("mtllib \"my house.mtl\"", "my house.mtl"),
+        ("mtllib C:\\models\\b.mtl", "b.mtl"),
+        ("mtllib .\\b.mtl", "b.mtl"),
+        ("mtllib b.mtl\r", "b.mtl"),
+        ("mtllib no_extension", "no_extension"),
+    ] {
+        let scene = load(line, &[(name, BLUE)]);
+        assert_eq!(scene.materials[0].base_color, [0.0, 0.0, 1.0], "{line}");
+        assert_eq!(scene.mesh.materials, [0], "{line}");
+        let missing = "material library none.mtl, which is not there";
+        let expected = if line.contains("none") {
+            vec![missing]
+        } else {
+            vec![]
+        };
+        assert_eq!(left_out(&scene), expected, "{line}");
+    }
+    // The last material of a name counts; without a library no face has one.
+    let both = [("a.mtl", RED), ("b.mtl", BLUE)];
+    assert_eq!(load("mtllib a.mtl b.mtl", &both).mesh.materials, [1]);
+    let scene = load("mtllib a.mtl", &both[..1]);
+    assert_eq!(scene.materials.len(), 2);
+    assert_eq!(left_out(&scene), ["materials that no library has"]);
+    let scene = load("mtllib a.mtl c.mtl c.mtl", &[]);
+    assert_eq!(left_out(&scene).len(), 3);
+}
+
+#[test]
+fn what_is_not_drawn_is_noted() {
+    let files = Files::with(
+        "x.obj",
+        "mtllib x.mtl\ns 1\ns off\ns 2\ns 1\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\nf 1 2\nl 1 2\nl 2 3\np 1 2 3\ncurv 0 1 1 2\ncall other.obj\n",
+    );
+    files.put(
+        "x.mtl",
+        "newmtl a\nmap_Kd -s 1 1 1 a.png\nbump b.png\nKe 0 1 0\nd 0.5\nnewmtl b\nKe 0 0 0\nd 1\nTr 0\nnewmtl c\nTr 0.25\n",
+    );
+    let scene = files.load("x.obj");
+    assert_eq!(
+        left_out(&scene),
+        [
+            "2 lines",
+            "3 points",
+            "free-form curves",
+            "2 smoothing groups",
+            "unknown statements",
+            "2 textures",
+            "2 transparent materials",
+            "emissive materials",
+            "faces with fewer than three corners",
+        ]
+    );
+    let with_normals = Files::with(
+        "x.obj",
+        "s 1\nvn 0 0 1\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1//1 2//1 3//1\n",
+    );
+    assert!(with_normals.load("x.obj").left_out.is_empty());
+}
+
+#[test]
+fn many_missing_libraries_are_told_in_short() {
+    let names: String = (0..100).map(|i| format!("mtllib {i}.mtl\n")).collect();
+    let text = format!("{names}v 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\n");
+    let scene = Files::with("x.obj", text).load("x.obj");
+    let total: usize = scene.left_out.iter().map(|left| left.count).sum();
+    assert_eq!((scene.left_out.len(), total), (33, 100));
+}
+
+#[test]
+fn concave_polygons_are_cut_along_their_ears() {
+    // An L, from a corner whose fan leaves it; a square with a square hole by a bridge; a dart.
+    let l = "v 0 0 0\nv 3 0 0\nv 3 1 0\nv 1 1 0\nv 1 3 0\nv 0 3 0\nf 2 3 4 5 6 1\n";
+    let keyhole = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\nf 1 2 3 4 1 5 6 7 8 5\n";
+    let dart = "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 2 3 4 1\n";
+    for (text, area, count) in [(l, 5.0, 4), (keyhole, 12.0, 8), (dart, 4.0, 2)] {
+        let mesh = Files::with("x.obj", text).load("x.obj").mesh;
+        assert_eq!(mesh.indices.len(), count, "{text}");
+        let doubles = mesh.indices.iter().map(|triangle| {
+            let [a, b, c] = triangle.map(|i| glam::Vec3::from(mesh.vertices[i as usize]));
+            (b - a).cross(c - a).z
+        });
+        let doubles: Vec<f32> = doubles.collect();
+        assert!(doubles.iter().all(|double| *double >= 0.0), "{doubles:?}");
+        assert_eq!(doubles.iter().sum::<f32>(), 2.0 * area, "{text}");
+    }
 }

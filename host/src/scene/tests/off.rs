@@ -100,10 +100,10 @@ fn other_kinds_are_refused() {
         refusal("OFF BINARY\n"),
         format!("\"a.off\" begins with \"OFF BINARY\"; {rest}")
     );
-    assert_eq!(
-        refusal("8 6 0\n"),
-        format!("\"a.off\" begins with \"8\"; {rest}")
-    );
+    for header in ["nOFF", "ply", "-8", "OFFLINE"] {
+        let expected = format!("\"a.off\" begins with \"{header}\"; {rest}");
+        assert_eq!(refusal(&format!("{header} 1\n")), expected);
+    }
 }
 
 #[test]
@@ -133,4 +133,47 @@ fn text_need_not_be_utf_8() {
     assert_is_box(&Files::with("box.off", bytes).load("box.off"));
     let refusal = Files::with("a.off", b"OFF\n1 1\n0 \xe9 0").refusal("a.off");
     assert_eq!(refusal, "\"a.off\", line 3: \"\u{fffd}\" is not a number");
+}
+
+#[test]
+fn headers_have_many_forms() {
+    for header in [
+        "OFF8 6 0",
+        "8 6 0",
+        "OFF\n8\n6\n0",
+        "OFF 8\n6 0",
+        "OFF\r\n\r\n8 6",
+        "COFF8 6 0",
+        "STOFF\n8 6 0",
+        "\u{feff}OFF # comment\n# another\n8 6 0",
+    ] {
+        let text = sample().replace("OFF\n# a box of 1×2×3\n8 6 0", header);
+        for text in [text.replace('\n', "\r"), text] {
+            let scene = Files::with("box.off", &text).load("box.off");
+            assert_is_box(&scene);
+            assert_eq!(scene.left_out[0].to_string(), "6 face colours");
+        }
+    }
+}
+
+#[test]
+fn rows_may_take_several_lines_and_lines_several_rows() {
+    let numbers = sample().replace("255 0 128 # side", "");
+    let numbers: Vec<&str> = numbers
+        .lines()
+        .skip(2)
+        .flat_map(str::split_whitespace)
+        .collect();
+    for in_line in [2, 5, 1000] {
+        let lines = numbers[3..].chunks(in_line).map(|words| words.join(" "));
+        let text = format!("OFF 8 6 0\n{}", lines.collect::<Vec<_>>().join("\n"));
+        assert_is_box(&Files::with("box.off", text).load("box.off"));
+    }
+}
+
+#[test]
+fn vertex_colours_are_noted() {
+    let text = "OFF 3 1 0\n1 0 0 255 0 0\n0 2 0 0 0 0 255\n0 0 3\n3 0 1 2\n";
+    let scene = Files::with("x.off", text).load("x.off");
+    assert_eq!(scene.left_out[0].to_string(), "2 vertex colours");
 }

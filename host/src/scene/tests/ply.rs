@@ -166,7 +166,7 @@ fn headers_must_make_sense() {
     );
     assert_eq!(
         refusal("format ascii 1.0\n", ""),
-        "\"x.ply\": No format line found."
+        "\"x.ply\" has no format line"
     );
     assert_eq!(
         Files::with("x.ply", "solid\n").refusal("x.ply"),
@@ -176,7 +176,7 @@ fn headers_must_make_sense() {
         text("1 0 0\n", "").replace("element face 0\nproperty list uchar int vertex_index\n", "");
     assert_eq!(
         Files::with("x.ply", cloud).refusal("x.ply"),
-        "\"x.ply\" holds no triangles"
+        "\"x.ply\" holds no triangles, only 1 point"
     );
 }
 
@@ -229,4 +229,164 @@ fn lenient_loading_leaves_broken_faces_out() {
         files.refusal("x.ply"),
         "\"x.ply\": face 1 has vertex 3 at (NaN, 0, 0), which is not finite"
     );
+}
+
+/// The box as text, with these rows.
+fn box_text(rows: &str) -> String {
+    text("", "")
+        .replace("vertex 0", "vertex 8")
+        .replace("face 0", "face 6")
+        + rows
+}
+
+fn numbers() -> Vec<String> {
+    let vertices = CORNERS.iter().flatten().map(ToString::to_string);
+    let faces = SIDES.iter().flat_map(|side| [4].iter().chain(side));
+    vertices.chain(faces.map(ToString::to_string)).collect()
+}
+
+#[test]
+fn rows_may_take_several_lines_and_lines_several_rows() {
+    let numbers = numbers();
+    for in_line in [1, 2, 5, 7, 1000] {
+        let lines = numbers.chunks(in_line).map(|words| words.join(" "));
+        let rows: Vec<String> = lines.collect();
+        for end in ["\n", "\r\n", "\r", "\n\n"] {
+            let text = box_text(&rows.join(end));
+            assert_is_box(&Files::with("box.ply", text).load("box.ply"));
+        }
+    }
+    // Words behind a row that is a line are skipped, as before.
+    let rows = String::from_utf8(sample("ascii")).expect("ASCII");
+    let spare = rows.replace(" 255\n", " 255 7 7\n");
+    assert_is_box(&Files::with("box.ply", spare).load("box.ply"));
+    // One number too few is a fault in any case.
+    let text = box_text(&numbers[1..].join("\n"));
+    assert!(
+        Files::with("x.ply", text)
+            .refusal("x.ply")
+            .contains("line 10: 3 numbers are needed, 1 are there")
+    );
+}
+
+#[test]
+fn headers_end_in_all_ways_and_say_what_they_like() {
+    for encoding in ENCODINGS {
+        let whole = sample(encoding);
+        let text = String::from_utf8_lossy(&whole);
+        let end = text.find("end_header\n").expect("a header") + 11;
+        // Lossy text is longer only behind the header and its multiplication signs.
+        let header = text[..end].replace("1×2×3", "1x2x3");
+        let rows = &whole[whole.len() - (whole.len() - (header.len() + 2))..];
+        for (mark, line_end) in [("", "\n"), ("\u{feff}", "\n"), ("", "\r\n"), ("", "\r")] {
+            let header = header
+                .replace("comment", "obj_info x\n\ncomment")
+                .replace('\n', line_end);
+            let mut bytes = [mark.as_bytes(), header.as_bytes(), rows].concat();
+            assert_is_box(&Files::with("box.ply", &bytes).load("box.ply"));
+            // Latin-1 in a comment.
+            let comment = bytes
+                .windows(5)
+                .position(|w| w == b"a box")
+                .expect("a comment");
+            bytes[comment] = 0xe9;
+            assert_is_box(&Files::with("box.ply", &bytes).load("box.ply"));
+        }
+    }
+    // With CR alone, a line feed is the first byte of the rows.
+    let mut bytes = b"ply\rformat binary_little_endian 1.0\relement first 1\rproperty uchar n\relement vertex 3\rproperty float x\rproperty float y\rproperty float z\relement face 1\rproperty list uchar uchar vertex_index\rend_header\r\n".to_vec();
+    for x in [1_f32, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0] {
+        bytes.extend(x.to_le_bytes());
+    }
+    bytes.extend([3, 0, 1, 2]);
+    assert_eq!(
+        Files::with("x.ply", bytes).load("x.ply").mesh.indices,
+        [[0, 1, 2]]
+    );
+}
+
+#[test]
+fn a_property_may_be_there_twice() {
+    let text = text("1 0 0 9\n0 2 0 9\n0 0 3 9\n", "3 0 1 2 1 5\n")
+        .replace("property float z\n", "property float z\nproperty float x\n")
+        .replace(
+            "vertex_index\n",
+            "vertex_index\nproperty list int int vertex_index\n",
+        );
+    let scene = Files::with("x.ply", text).load("x.ply");
+    assert_eq!(
+        scene.mesh.vertices,
+        [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]]
+    );
+    assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+}
+
+#[test]
+fn faces_may_come_before_vertices() {
+    for encoding in ["ascii", "binary_little_endian"] {
+        let header = format!(
+            "ply\nformat {encoding} 1.0\nelement face 1\nproperty list uint8 uint8 vertex_indices\nelement vertex 3\n\
+             property double x\nproperty double y\nproperty double z\nend_header\n"
+        );
+        let places = [1_f64, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 3.0];
+        let rows = match encoding {
+            "ascii" => b"3 0 1 2\n1 0 0\n0 2 0\n0 0 3\n".to_vec(),
+            _ => [3, 0, 1, 2]
+                .into_iter()
+                .chain(places.iter().flat_map(|x| x.to_le_bytes()))
+                .collect(),
+        };
+        let mut bytes = [header.as_bytes(), &rows].concat();
+        let scene = Files::with("x.ply", &bytes).load("x.ply");
+        assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+        if encoding != "ascii" {
+            bytes[header.len() + 3] = 7;
+            assert_eq!(
+                Files::with("x.ply", bytes).refusal("x.ply"),
+                "\"x.ply\": face 0 names vertex 7, but there are only 3 vertices"
+            );
+        }
+    }
+}
+
+#[test]
+fn strips_turn_every_other_triangle() {
+    let vertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+    let strips = |rows: &str| text(vertices, rows).replace("element face", "element tristrips");
+    let load = |rows: &str| {
+        Files::with("x.ply", strips(rows))
+            .load("x.ply")
+            .mesh
+            .indices
+    };
+    assert_eq!(load("4 0 1 2 3\n"), [[0, 1, 2], [2, 1, 3]]);
+    assert_eq!(
+        load("8 0 1 2 3 -1 3 2 1\n"),
+        [[0, 1, 2], [2, 1, 3], [3, 2, 1]]
+    );
+    assert_eq!(
+        load("4 0 1 2 4294967295\n3 1 3 2\n"),
+        [[0, 1, 2], [1, 3, 2]]
+    );
+    // A seam of equal corners.
+    assert_eq!(load("7 0 1 2 2 1 1 3\n"), [[0, 1, 2]]);
+    let refusal = Files::with("x.ply", strips("4 0 1 2 9\n")).refusal("x.ply");
+    assert!(refusal.contains("face 0 names vertex 9"), "{refusal}");
+}
+
+#[test]
+fn what_is_not_drawn_is_noted() {
+    let text = text("1 0 0 9\n0 2 0 9\n0 0 3 9\n", "3 0 1 2\n")
+        .replace(
+            "property float z\n",
+            "property float z\nproperty uchar red\n",
+        )
+        .replace(
+            "element face",
+            "comment TextureFile a.png\nelement edge 2\nproperty int vertex1\nelement face",
+        );
+    let text = text.replace("9\n3 0", "9\n0\n1\n3 0");
+    let scene = Files::with("x.ply", text).load("x.ply");
+    let left_out: Vec<_> = scene.left_out.iter().map(ToString::to_string).collect();
+    assert_eq!(left_out, ["textures", "3 vertex colours", "2 edges"]);
 }

@@ -88,10 +88,83 @@ fn huge_counts_are_not_believed() {
     let mut bytes = binary();
     bytes[..80].fill(b'x');
     bytes[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+    let scene = Files::with("x.stl", &bytes).load("x.stl");
+    assert_is_box(&scene);
+    assert_eq!(
+        scene.left_out[0].to_string(),
+        "4294967283 announced triangles, which are not there"
+    );
+    bytes.push(0);
     assert_eq!(
         Files::with("x.stl", bytes).refusal("x.stl"),
         "\"x.stl\" ends early: 4294967295 triangles are announced, 12 are there"
     );
+}
+
+#[test]
+fn the_length_counts_where_the_count_does_not_fit() {
+    for count in [0_u32, 5, 12] {
+        let mut bytes = binary();
+        bytes[80..84].copy_from_slice(&count.to_le_bytes());
+        let scene = Files::with("x.stl", &bytes).load("x.stl");
+        assert_is_box(&scene);
+        assert!(scene.left_out.is_empty());
+        // Behind the last triangle, anything may follow.
+        bytes.extend(b"anything");
+        let scene = Files::with("x.stl", &bytes).load("x.stl");
+        let triangle_count = if count == 0 { 12 } else { count as usize };
+        assert_eq!(scene.mesh.indices.len(), triangle_count);
+        let behind = 8 + 50 * (12 - triangle_count);
+        let expected = format!("{behind} bytes behind the last triangle");
+        assert_eq!(scene.left_out[0].to_string(), expected);
+    }
+}
+
+#[test]
+fn normals_and_colours_are_not_read() {
+    let mut bytes = binary();
+    bytes[84..88].copy_from_slice(&f32::NAN.to_le_bytes());
+    bytes[84 + 48] = 1;
+    let scene = Files::with("x.stl", bytes).load("x.stl");
+    assert_is_box(&scene);
+    assert_eq!(scene.left_out[0].to_string(), "facet colours");
+    for normal in [
+        " normal nan -nan(ind) 1.#QNAN",
+        " normal",
+        "",
+        " normal x y z w",
+        "\nnormal 0 0\n1",
+    ] {
+        let text = text().replace(" normal 0 0 0", normal);
+        assert_is_box(&Files::with("x.stl", text).load("x.stl"));
+    }
+}
+
+#[test]
+fn words_of_text_stand_anywhere() {
+    for text in [
+        text().replace('\n', "\r"),
+        text().replace('\n', " "),
+        format!(
+            "\u{feff}  {}",
+            text()
+                .replace("solid", "SOLID")
+                .replace("vertex 1", "VERTEX 1.0E+00")
+        ),
+        text()
+            .replace("solid a box\n  facet", "facet")
+            .replace("endsolid a box", ""),
+        text().replace("endsolid a box", "endsolid"),
+    ] {
+        let scene = Files::with("x.stl", &text).load("x.stl");
+        assert_is_box(&scene);
+    }
+    // Far positions keep their places.
+    let far = text()
+        .replace("vertex 1", "vertex 4649777.125")
+        .replace("vertex 0", "vertex 4649776.125");
+    let scene = Files::with("x.stl", far).load("x.stl");
+    assert_eq!(volume(&scene), 6.0);
 }
 
 #[test]
@@ -100,11 +173,15 @@ fn faults_name_the_face() {
         |old: &str, new: &str| Files::with("x.stl", text().replacen(old, new, 1)).refusal("x.stl");
     assert_eq!(
         refusal("vertex 1 2e0 3", "vertex 1 two 3"),
-        "\"x.stl\", face 2: invalid float literal"
+        "\"x.stl\", line 20: \"two\" is not a number"
     );
     assert_eq!(
         refusal("vertex 1 2e0 3", "vertex 1 nan 3"),
-        "\"x.stl\", face 2: expected finite f32, got NaN which is Nan"
+        "\"x.stl\": mesh \"a box\", face 2 has vertex 6 at (1, NaN, 3), which is not finite"
+    );
+    assert_eq!(
+        refusal("outer loop", "outer circle"),
+        "\"x.stl\", line 3: \"circle\" is not a word of STL"
     );
     assert_eq!(
         refusal("endsolid a box\n", ""),

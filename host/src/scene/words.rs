@@ -1,0 +1,258 @@
+//! Lines, words and numbers of text.
+
+use super::LoadError;
+use super::error::excerpt;
+use super::load::Source;
+
+/// The text in UTF-8 and without a byte order mark; UTF-16 is told by its mark.
+pub(super) fn without_mark(bytes: Vec<u8>) -> Vec<u8> {
+    let wide = |from: fn([u8; 2]) -> u16| {
+        let (units, _) = bytes[2..].as_chunks();
+        let units: Vec<u16> = units.iter().map(|unit| from(*unit)).collect();
+        String::from_utf16_lossy(&units).into_bytes()
+    };
+    match &bytes[..] {
+        [0xff, 0xfe, ..] => wide(u16::from_le_bytes),
+        [0xfe, 0xff, ..] => wide(u16::from_be_bytes),
+        [0xef, 0xbb, 0xbf, text @ ..] => text.to_vec(),
+        _ => bytes,
+    }
+}
+
+/// The lines with their numbers, counted from 1. They end with LF, CR LF or CR.
+#[derive(Clone)]
+pub(super) struct Lines<'a> {
+    rest: &'a [u8],
+    line: usize,
+}
+
+impl<'a> Lines<'a> {
+    pub const fn new(text: &'a [u8]) -> Self {
+        Self::from(text, 1)
+    }
+
+    /// The lines of a text that begins with the given line.
+    pub const fn from(text: &'a [u8], line: usize) -> Self {
+        Self {
+            rest: text,
+            line: line - 1,
+        }
+    }
+
+    /// The unread bytes.
+    pub const fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = (usize, &'a [u8]);
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        let is_end = |&byte: &u8| byte == b'\n' || byte == b'\r';
+        let end = self.rest.iter().position(is_end);
+        let (line, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
+        self.rest = match rest {
+            [b'\r', b'\n', rest @ ..] | [_, rest @ ..] => rest,
+            [] => rest,
+        };
+        self.line += 1;
+        Some((self.line, line))
+    }
+}
+
+/// The words of a line up to a comment, which begins with `#`.
+#[derive(Clone)]
+pub(super) struct Words<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Words<'a> {
+    pub const fn new(line: &'a [u8]) -> Self {
+        Self { rest: line }
+    }
+
+    /// The unread text, with comments.
+    pub const fn rest(&self) -> &'a [u8] {
+        self.rest.trim_ascii()
+    }
+}
+
+/// Whether a byte stands between words: space, tab, line ends, vertical tab, form feed.
+#[inline]
+pub(super) const fn is_space(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t'..=b'\r')
+}
+
+impl<'a> Iterator for Words<'a> {
+    type Item = &'a [u8];
+
+    #[inline]
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let start = self.rest.iter().position(|&byte| !is_space(byte))?;
+        let text = &self.rest[start..];
+        let is_end = |&byte: &u8| is_space(byte) || byte == b'#';
+        let end = text.iter().position(is_end).unwrap_or(text.len());
+        let (word, rest) = text.split_at(end);
+        self.rest = if rest.first() == Some(&b'#') {
+            &[]
+        } else {
+            rest
+        };
+        (!word.is_empty()).then_some(word)
+    }
+}
+
+/// A word as a number. NaN is also what C libraries write for it, such as `-nan(ind)` and `1.#QNAN`, and an exponent may have a `d`, as in
+/// Fortran.
+#[inline]
+pub(super) fn number(word: &[u8]) -> Option<f64> {
+    let text = std::str::from_utf8(word).ok()?;
+    text.parse().ok().or_else(|| odd_number(text))
+}
+
+#[cold]
+fn odd_number(text: &str) -> Option<f64> {
+    let text = text.to_ascii_lowercase();
+    let unsigned = text.trim_start_matches(['+', '-']);
+    if unsigned.starts_with("nan(") {
+        return Some(f64::NAN);
+    }
+    if let Some(kind) = unsigned.strip_prefix("1.#") {
+        return Some(match kind.starts_with("inf") {
+            true if text.starts_with('-') => f64::NEG_INFINITY,
+            true => f64::INFINITY,
+            false => f64::NAN,
+        });
+    }
+    if !unsigned.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+        return None;
+    }
+    text.replacen('d', "e", 1).parse().ok()
+}
+
+/// A whole number.
+#[inline]
+pub(super) fn whole(word: &[u8]) -> Option<i64> {
+    let (is_negative, digits) = match word {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    // Up to 18 digits fit.
+    if digits.is_empty() || digits.len() > 18 {
+        return std::str::from_utf8(word).ok()?.parse().ok();
+    }
+    let mut number = 0;
+    for digit in digits {
+        if !digit.is_ascii_digit() {
+            return None;
+        }
+        number = 10 * number + i64::from(digit - b'0');
+    }
+    Some(if is_negative { -number } else { number })
+}
+
+/// The text of a name, trimmed.
+pub(super) fn name(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes.trim_ascii()).into_owned()
+}
+
+/// The error for a word in place of something else.
+pub(super) fn bad_word(
+    source: &Source<'_>,
+    line: usize,
+    word: &[u8],
+    expected: &'static str,
+) -> LoadError {
+    LoadError::BadNumber {
+        file: source.file.clone(),
+        line,
+        text: excerpt(&String::from_utf8_lossy(word)),
+        expected,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_end_in_three_ways() {
+        let lines: Vec<_> = Lines::new(b"a\nb\r\nc\rd\r\r\ne").collect();
+        let expected: [(usize, &[u8]); 6] = [
+            (1, b"a"),
+            (2, b"b"),
+            (3, b"c"),
+            (4, b"d"),
+            (5, b""),
+            (6, b"e"),
+        ];
+        assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn comments_end_a_line() {
+        let words = |line: &'static str| Words::new(line.as_bytes()).collect::<Vec<_>>();
+        assert_eq!(words(" f 1\t2 \x0b3#x 4"), [b"f", b"1", b"2", b"3"]);
+        assert_eq!(words("a # b"), [b"a"]);
+        assert!(words("#a").is_empty() && words("  ").is_empty());
+    }
+
+    #[test]
+    fn marks_are_taken_off() {
+        let utf_16 = |from: fn(u16) -> [u8; 2]| "\u{feff}v ä".encode_utf16().flat_map(from);
+        let text = "v ä".as_bytes();
+        assert_eq!(without_mark(utf_16(u16::to_le_bytes).collect()), text);
+        assert_eq!(without_mark(utf_16(u16::to_be_bytes).collect()), text);
+        assert_eq!(without_mark("\u{feff}v ä".into()), text);
+        assert_eq!(without_mark(text.into()), text);
+        assert_eq!(without_mark(vec![0xff]), [0xff]);
+        assert!(without_mark(vec![0xff, 0xfe]).is_empty());
+    }
+
+    #[test]
+    fn numbers_of_other_libraries() {
+        for text in [
+            "nan",
+            "-nan",
+            "-NaN(ind)",
+            "nan(0x8000)",
+            "1.#QNAN",
+            "-1.#IND000",
+        ] {
+            assert!(number(text.as_bytes()).is_some_and(f64::is_nan), "{text}");
+        }
+        assert_eq!(number(b"-1.#INF"), Some(f64::NEG_INFINITY));
+        assert_eq!(number(b"1.5D+2"), Some(150.0));
+        assert_eq!(number(b".5"), Some(0.5));
+        for text in ["", "d", "1,5", "0x1", "1d2d3", "1.5f", "\u{661}"] {
+            assert_eq!(number(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn whole_numbers() {
+        for text in [
+            "0",
+            "-7",
+            "+12",
+            "999999999999999999",
+            "9223372036854775807",
+            "-9223372036854775808",
+            "9223372036854775808",
+            "",
+            "-",
+            "+-1",
+            "1.0",
+            "1e3",
+            "0000000000000000000000001",
+        ] {
+            assert_eq!(whole(text.as_bytes()), text.parse().ok(), "{text}");
+        }
+    }
+}
