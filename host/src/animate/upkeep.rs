@@ -27,7 +27,7 @@ pub enum Update {
     Rebuild,
     /// Build in the first frame and refit in all others.
     Refit,
-    /// Keep the tree if no vertex moved; else refit it while it is good, or rebuild it ([`Upkeep`]).
+    /// Keep the tree if no vertex moved; else refit it while it is good, or rebuild it.
     #[default]
     Auto,
 }

@@ -35,8 +35,9 @@ impl Default for LoadOptions {
 /// Loads a scene from a file. The extension gives the format, if `options` do not: gltf, glb, obj, ply, stl, off or slim. The mesh is
 /// [valid](crate::Mesh::validate) and has at least one triangle.
 ///
-/// Textures, animations and skins are ignored. Files that the scene refers to are read too: buffers of a glTF scene, and
-/// material libraries of an OBJ scene, which may be missing.
+/// Skins and morph targets are at the file's pose. [`Scene::left_out`] lists what is not read, such as textures and animations.
+/// Files that the scene refers to are read too: buffers of a glTF scene, and material libraries of an OBJ scene, which may be
+/// missing.
 ///
 /// # Errors
 /// If the file cannot be read, does not follow its format, or has a broken face and `options` are not lenient.

@@ -7,8 +7,8 @@
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// Steps allowed for each triangle. The Stanford dragon takes 115, the armadillo 84, and a
-/// prism of 64 sides between two fans 141.
+/// Steps allowed for each triangle. The Stanford dragon takes 115, the armadillo 84, and a prism of 64 sides between two fans
+/// 141.
 pub(super) const STEPS_A_TRIANGLE: u64 = 512;
 
 /// Smaller meshes get the budget of this many triangles.
@@ -44,7 +44,9 @@ pub(super) struct Budget {
 
 impl Budget {
     /// Half of all steps go to the components by their numbers of triangles, the other half in equal parts, so that a small
-    /// component among large ones can pass over the triangles of others. A component without triangles is not searched.
+    /// component among large ones can pass over the triangles of others. Among hundreds of components, one of few triangles
+    /// whose boxes hold most of the scene may still be given up; little could be left out of it. A component without
+    /// triangles is not searched.
     pub(super) fn new(triangle_counts: &[usize], steps_a_triangle: u64) -> Self {
         let total: usize = triangle_counts.iter().sum();
         let searched = triangle_counts.iter().filter(|&&count| count > 0).count();

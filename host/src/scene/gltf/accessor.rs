@@ -135,11 +135,13 @@ impl Elements<'_> {
         self.kind != Component::F64 && !self.is_share && self.kind != Component::U32
     }
 
+    #[inline]
     fn element(&self, i: usize, size: usize) -> &[u8] {
         &self.bytes[i * self.stride..][..size]
     }
 
     /// An element of the expected width.
+    #[inline]
     pub fn numbers<const N: usize>(&self, i: usize) -> [f64; N] {
         let (kind, size) = (self.kind, self.kind.size());
         let bytes = self.element(i, N * size);

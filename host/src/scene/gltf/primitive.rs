@@ -1,7 +1,7 @@
 //! Triangles of a glTF mesh.
 
 use super::super::LoadError;
-use super::super::faces::{FaceSite, Run};
+use super::super::faces::{FaceSite, Run, unit_or_zero};
 use super::super::load::Source;
 use super::super::vertices::Vertices;
 use super::accessor::{Elements, INDICES, VECTORS, elements};
@@ -11,7 +11,7 @@ use super::json::{Index, Primitive, Root};
 use super::skin::{Morph, Skinning};
 use super::{Faces, GltfError, materials};
 use crate::text::excerpt;
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Mat3};
 
 /// The inputs of reading a primitive.
 pub(super) struct Reader<'b, 'a> {
@@ -271,23 +271,24 @@ impl Surface<'_> {
                 faces.vertices.push(at.to_array());
                 if let Some(normals) = &self.normals {
                     let turn = normal_matrix(transform.matrix3);
-                    let normal = turn * normal(normals, vertex);
-                    faces.mesh.normals.push(unit(normal));
+                    let normal = normal(normals, vertex);
+                    faces.mesh.normals.push(turned(turn, normal));
                 }
                 mirrored.push(transform.matrix3.determinant() < 0.0);
             }
             Mirrored::Some(mirrored)
         } else {
-            for vertex in (0..count).map(vertex) {
-                let mut at = position(vertex);
-                if !is_still {
-                    at = transform.transform_point3(at);
-                }
-                faces.vertices.push(at.to_array());
+            let placed = (0..count).map(|i| match is_still {
+                true => position(vertex(i)).to_array(),
+                false => transform.transform_point3(position(vertex(i))).to_array(),
+            });
+            match &mut faces.vertices {
+                Vertices::Narrow(list) => list.extend(placed.map(|at| at.map(|x| x as f32))),
+                Vertices::Wide(list) => list.extend(placed),
             }
             if let Some(normals) = &self.normals {
                 let turn = normal_matrix(transform.matrix3);
-                let turned = (0..count).map(|i| unit(turn * normal(normals, vertex(i))));
+                let turned = (0..count).map(|i| turned(turn, normal(normals, vertex(i))));
                 faces.mesh.normals.extend(turned);
             }
             Mirrored::All(transform.matrix3.determinant() < 0.0)
@@ -390,22 +391,22 @@ const fn corners(mode: Mode, face: usize) -> [usize; 3] {
     }
 }
 
-/// The normal, with length 1. Zero (flat shading) if it has no direction.
-fn unit(normal: DVec3) -> [f32; 3] {
-    normal.normalize_or_zero().as_vec3().to_array()
+/// The turned normal, with length 1. Zero (flat shading) if it has no direction.
+fn turned(turn: Mat3, normal: DVec3) -> [f32; 3] {
+    unit_or_zero((turn * normal.as_vec3()).to_array())
 }
 
-/// The inverse transpose up to a positive factor, defined also for singular matrices.
-fn normal_matrix(m: DMat3) -> DMat3 {
+/// The inverse transpose up to a positive factor, defined also for singular matrices. Its largest number is 1.
+fn normal_matrix(m: DMat3) -> Mat3 {
     let cofactors = DMat3::from_cols(
         m.y_axis.cross(m.z_axis),
         m.z_axis.cross(m.x_axis),
         m.x_axis.cross(m.y_axis),
     );
-    match m.determinant() < 0.0 {
-        true => -cofactors,
-        false => cofactors,
-    }
+    let numbers = cofactors.to_cols_array();
+    let largest = numbers.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let sign = if m.determinant() < 0.0 { -1.0 } else { 1.0 };
+    (cofactors * (sign / largest)).as_mat3()
 }
 
 #[cfg(test)]
@@ -427,20 +428,18 @@ mod tests {
 
     #[test]
     fn normals_stay_perpendicular_and_outside() {
-        // A plane x + y = 1 stretched by 2 along x becomes x/2 + y = 1.
+        // A plane x + y = 1 stretched by 2 along x becomes x/2 + y = 1, at any size.
         let scaled = |x, y, z| normal_matrix(DMat3::from_diagonal(DVec3::new(x, y, z)));
-        let stretched = scaled(2.0, 1.0, 1.0) * DVec3::new(1.0, 1.0, 0.0);
-        assert_eq!(stretched.normalize(), DVec3::new(1.0, 2.0, 0.0).normalize());
+        for size in [1.0, 1e-30, 1e30] {
+            let stretched = scaled(2.0 * size, size, size);
+            let expected = unit_or_zero([1.0, 2.0, 0.0]);
+            assert_eq!(turned(stretched, DVec3::new(1.0, 1.0, 0.0)), expected);
+        }
         let mirrored = scaled(-1.0, 2.0, 3.0);
-        assert_eq!((mirrored * DVec3::X).normalize(), -DVec3::X);
-        assert_eq!((mirrored * DVec3::Y).normalize(), DVec3::Y);
-    }
-
-    #[test]
-    fn normals_of_any_length_have_a_direction() {
-        assert_eq!(unit(DVec3::new(0.0, 3e-60, 4e-60)), [0.0, 0.6, 0.8]);
-        assert_eq!(unit(DVec3::new(f64::NAN, 1.0, 2.0)), [0.0; 3]);
-        assert_eq!(unit(DVec3::ZERO), [0.0; 3]);
+        assert_eq!(turned(mirrored, DVec3::X), [-1.0, 0.0, 0.0]);
+        assert_eq!(turned(mirrored, DVec3::Y), [0.0, 1.0, 0.0]);
+        assert_eq!(turned(scaled(0.0, 0.0, 3.0), DVec3::X), [0.0; 3]);
+        assert_eq!(turned(mirrored, DVec3::NAN), [0.0; 3]);
     }
 
     #[test]
