@@ -28,7 +28,7 @@ impl Draft {
             }),
             buffer: Vec::new(),
         };
-        draft.floats("VEC3", &CORNERS.as_flattened().to_vec());
+        draft.floats("VEC3", CORNERS.as_flattened());
         let fan = |[a, b, c, d]: [u32; 4]| [a, b, c, a, c, d];
         let indices = SIDES.into_iter().flat_map(fan);
         let indices: Vec<u8> = indices.map(|index| index as u8).collect();
@@ -38,7 +38,7 @@ impl Draft {
 
     /// Adds an accessor with a view of its own.
     pub fn accessor(&mut self, shape: &str, kind: u32, count: usize, bytes: &[u8]) -> usize {
-        while self.buffer.len() % 4 != 0 {
+        while !self.buffer.len().is_multiple_of(4) {
             self.buffer.push(0);
         }
         let view = self.push(
@@ -114,7 +114,7 @@ pub fn left_out(scene: &Scene) -> Vec<String> {
 /// A document with a skin, morph targets, instances, sparse accessors and extensions.
 pub fn every_part() -> String {
     let mut draft = poses::skinned();
-    let normals = draft.floats("VEC3", &CORNERS.as_flattened().to_vec());
+    let normals = draft.floats("VEC3", CORNERS.as_flattened());
     let moved = draft.floats("VEC3", &[0.5; 24]);
     let places = draft.floats("VEC3", &[0.0, 0.0, 0.0, 0.0, 5.0, 0.0]);
     let turns = draft.accessor("VEC4", BYTE, 2, &[0, 0, 0, 127, 0, 127, 0, 0]);
