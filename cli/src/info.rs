@@ -169,11 +169,13 @@ fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) 
 fn looks_z_up(scene: &Scene, analysis: &Analysis) -> bool {
     const FLAT: f32 = 0.25;
     const LEVEL: f64 = 0.6;
+    // A card or a wall has few.
+    const LEAST_TRIANGLES: usize = 100;
     let Some(bounds) = analysis.bounds.as_ref().filter(|_| scene.up == Up::Y) else {
         return false;
     };
     let [x, y, z] = (bounds.max - bounds.min).to_array();
-    if z >= FLAT * x.min(y) {
+    if z >= FLAT * x.min(y) || scene.mesh.indices.len() < LEAST_TRIANGLES {
         return false;
     }
     let mesh = &scene.mesh;
