@@ -1,6 +1,6 @@
 //! Polygons, with their vertex indices checked, to triangles.
 
-use super::cut::Cutter;
+use super::cut::{Cutter, MOST_CORNERS};
 use super::error::{Indexed, excerpt};
 use super::load::{Found, Source};
 use super::vertices::Vertices;
@@ -67,6 +67,7 @@ impl<'a> Faces<'a> {
     }
 
     /// Adds a polygon whose vertices are there already. With lenient options, one with an index out of range is left out.
+    #[inline]
     pub fn polygon(
         &mut self,
         corners: &[i64],
@@ -81,6 +82,7 @@ impl<'a> Faces<'a> {
     }
 
     /// Whether all indices are in range. If not, the face is dropped with lenient options, else an error.
+    #[inline]
     pub fn are_inside(
         &mut self,
         corners: &[i64],
@@ -110,6 +112,7 @@ impl<'a> Faces<'a> {
 
     /// Adds the triangles of a polygon of `count` corners, whose vertices are in the mesh. Fewer than three corners add nothing, which is
     /// noted.
+    #[inline]
     pub fn cut(&mut self, count: usize, vertex: impl Fn(usize) -> u32) -> Result<(), LoadError> {
         match count {
             0..3 => self.small_count += 1,
@@ -126,6 +129,7 @@ impl<'a> Faces<'a> {
     }
 
     /// Refuses more triangles than a tree can hold, before they fill the memory.
+    #[inline]
     fn check_triangle_count(&self) -> Result<(), LoadError> {
         let limit = slimbvh_core::MAX_TRIANGLES as usize;
         if self.mesh.indices.len() <= limit {
@@ -148,6 +152,10 @@ impl<'a> Faces<'a> {
     pub fn into_found(self) -> Found {
         let small = "faces with fewer than three corners";
         self.source.leave_out(small, self.small_count);
+        if self.cutter.large_count > 0 {
+            let large = format!("concave shapes of polygons with more than {MOST_CORNERS} corners");
+            self.source.leave_out(&large, self.cutter.large_count);
+        }
         Found {
             scene: Scene {
                 mesh: self.mesh,

@@ -210,7 +210,7 @@ impl<'a> Text<'a> {
     fn next_line(&mut self) -> bool {
         for (line, text) in self.lines.by_ref() {
             (self.line, self.words) = (line, Words::new(text));
-            if self.words.clone().next().is_some() {
+            if !self.words.is_empty() {
                 return true;
             }
         }

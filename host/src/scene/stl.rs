@@ -67,11 +67,7 @@ fn read_binary(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
             found: held as u64,
         });
     }
-    let read = if rest.is_empty() || count == 0 {
-        held
-    } else {
-        count
-    };
+    let read = if rest.is_empty() { held } else { count };
     source.leave_out("announced triangles, which are not there", {
         count.saturating_sub(held)
     });

@@ -53,8 +53,7 @@ impl<'a> Iterator for Lines<'a> {
         if self.rest.is_empty() {
             return None;
         }
-        let is_end = |&byte: &u8| byte == b'\n' || byte == b'\r';
-        let end = self.rest.iter().position(is_end);
+        let end = memchr::memchr2(b'\n', b'\r', self.rest);
         let (line, rest) = self.rest.split_at(end.unwrap_or(self.rest.len()));
         self.rest = match rest {
             [b'\r', b'\n', rest @ ..] | [_, rest @ ..] => rest,
@@ -76,16 +75,39 @@ impl<'a> Words<'a> {
         Self { rest: line }
     }
 
+    /// Whether no word follows.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        let next = self.rest.iter().find(|&&byte| kind(byte) != SPACE);
+        next.is_none_or(|byte| *byte == b'#')
+    }
+
     /// The unread text, with comments.
     pub const fn rest(&self) -> &'a [u8] {
         self.rest.trim_ascii()
     }
 }
 
-/// Whether a byte stands between words: space, tab, line ends, vertical tab, form feed.
-#[inline]
-pub(super) const fn is_space(byte: u8) -> bool {
-    matches!(byte, b' ' | b'\t'..=b'\r')
+/// What a byte is: a part of a word, a space, or the begin of a comment.
+const WORD: u8 = 0;
+const SPACE: u8 = 1;
+const COMMENT: u8 = 2;
+
+/// For each byte, what it is. Spaces are also tabs, line ends, vertical tabs and form feeds.
+const KINDS: [u8; 256] = {
+    let mut kinds = [WORD; 256];
+    kinds[b' ' as usize] = SPACE;
+    let mut byte = b'\t';
+    while byte <= b'\r' {
+        kinds[byte as usize] = SPACE;
+        byte += 1;
+    }
+    kinds[b'#' as usize] = COMMENT;
+    kinds
+};
+
+const fn kind(byte: u8) -> u8 {
+    KINDS[byte as usize]
 }
 
 impl<'a> Iterator for Words<'a> {
@@ -93,15 +115,13 @@ impl<'a> Iterator for Words<'a> {
 
     #[inline]
     fn next(&mut self) -> Option<&'a [u8]> {
-        let start = self.rest.iter().position(|&byte| !is_space(byte))?;
+        let start = self.rest.iter().position(|&byte| kind(byte) != SPACE)?;
         let text = &self.rest[start..];
-        let is_end = |&byte: &u8| is_space(byte) || byte == b'#';
-        let end = text.iter().position(is_end).unwrap_or(text.len());
-        let (word, rest) = text.split_at(end);
-        self.rest = if rest.first() == Some(&b'#') {
-            &[]
-        } else {
-            rest
+        let end = text.iter().position(|&byte| kind(byte) != WORD);
+        let (word, rest) = text.split_at(end.unwrap_or(text.len()));
+        self.rest = match rest {
+            [b'#', ..] => &[],
+            rest => rest,
         };
         (!word.is_empty()).then_some(word)
     }

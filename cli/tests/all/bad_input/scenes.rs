@@ -338,6 +338,8 @@ fn four_thousand_million_of_everything() {
     let mut stl = vec![0; 80];
     stl.extend(u32::MAX.to_le_bytes());
     stl.extend(some_bytes);
+    // Of whole triangles the length is believed.
+    stl.push(0);
     let list = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
                 property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n";
     let list = [

@@ -33,6 +33,7 @@ fn help_has_every_option() {
         "--threads",
         "--tolerance",
         "--tree",
+        "--up",
         "--view",
         "--without",
     ];

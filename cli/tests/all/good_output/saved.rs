@@ -114,6 +114,7 @@ fn builds_are_reported() {
         "dropped_faces",
         "file",
         "file_bytes",
+        "left_out",
         "mesh_bytes",
         "node_bytes",
         "node_codec",

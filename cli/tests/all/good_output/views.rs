@@ -68,6 +68,7 @@ fn check_report(report: &Value, counts_visits: bool) {
         "picture",
         "width",
         "height",
+        "left_out",
         "samples_per_pixel",
         "backend",
         "threads",

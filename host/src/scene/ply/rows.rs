@@ -123,6 +123,15 @@ impl<'a> Rows<'a> {
         }
     }
 
+    /// The next number, which is most likely whole.
+    #[inline]
+    fn whole(&mut self, kind: Scalar) -> Result<f64, Fault> {
+        match &mut self.form {
+            Form::Text(text) => text.whole(),
+            Form::Bytes { rest, big_endian } => binary(rest, kind, *big_endian),
+        }
+    }
+
     /// The next list of indices.
     pub fn indices(
         &mut self,
@@ -131,8 +140,27 @@ impl<'a> Rows<'a> {
         indices: &mut Vec<i64>,
     ) -> Result<(), Fault> {
         indices.clear();
-        for _ in 0..self.list_length(count)? {
-            let index = self.number(item)?;
+        let length = self.list_length(count)?;
+        // Most binary files have indices of four bytes: all of a list at once.
+        if let Form::Bytes { rest, big_endian } = &mut self.form
+            && matches!(item, Scalar::I32 | Scalar::U32)
+        {
+            let bytes = usize::try_from(length.saturating_mul(4)).unwrap_or(usize::MAX);
+            let (list, behind) = rest.split_at_checked(bytes).ok_or(Fault::End)?;
+            *rest = behind;
+            let read = match *big_endian {
+                true => u32::from_be_bytes,
+                false => u32::from_le_bytes,
+            };
+            let words = list.as_chunks().0.iter().map(|&word| read(word));
+            match item {
+                Scalar::I32 => indices.extend(words.map(|word| i64::from(word as i32))),
+                _ => indices.extend(words.map(i64::from)),
+            }
+            return Ok(());
+        }
+        for _ in 0..length {
+            let index = self.whole(item)?;
             if index.fract() != 0.0 {
                 return Err(self.unexpected(index, "an index"));
             }
@@ -157,7 +185,7 @@ impl<'a> Rows<'a> {
     }
 
     fn list_length(&mut self, kind: Scalar) -> Result<u64, Fault> {
-        let length = self.number(kind)?;
+        let length = self.whole(kind)?;
         if !(length >= 0.0 && length.fract() == 0.0) {
             return Err(self.unexpected(length, "a count"));
         }
@@ -213,12 +241,12 @@ impl<'a> Text<'a> {
         if self.rows_in == RowsIn::Words {
             return Ok(());
         }
-        self.has_spare |= self.words.next().is_some();
+        self.has_spare |= !self.words.is_empty();
         // The next line that is not blank.
         loop {
             let (line, text) = self.lines.next().ok_or(Fault::End)?;
             (self.line, self.words) = (line, Words::new(text));
-            if self.words.clone().next().is_some() {
+            if !self.words.is_empty() {
                 return Ok(());
             }
         }
@@ -237,6 +265,23 @@ impl<'a> Text<'a> {
 
     #[inline]
     fn number(&mut self) -> Result<f64, Fault> {
+        let word = self.word()?;
+        words::number(word).ok_or_else(|| self.no_number(word))
+    }
+
+    /// [`Self::number`], faster for whole numbers.
+    #[inline]
+    fn whole(&mut self) -> Result<f64, Fault> {
+        let word = self.word()?;
+        match words::whole(word) {
+            Some(whole) => Ok(whole as f64),
+            None => words::number(word).ok_or_else(|| self.no_number(word)),
+        }
+    }
+
+    /// The next word of the row.
+    #[inline]
+    fn word(&mut self) -> Result<&'a [u8], Fault> {
         let word = match self.rows_in {
             RowsIn::Lines => self.words.next().ok_or(Fault::TooFew {
                 line: self.line,
@@ -246,10 +291,15 @@ impl<'a> Text<'a> {
             RowsIn::Words => self.next_word().ok_or(Fault::End)?,
         };
         self.found += 1;
-        words::number(word).ok_or_else(|| Fault::Word {
+        Ok(word)
+    }
+
+    #[cold]
+    fn no_number(&self, word: &[u8]) -> Fault {
+        Fault::Word {
             line: self.line,
             text: excerpt(&String::from_utf8_lossy(word)),
             expected: "a number",
-        })
+        }
     }
 }
