@@ -196,7 +196,7 @@ mod tests {
 
     #[test]
     fn concave_polygons_with_too_many_corners_are_fans() {
-        let tooth = |i: usize| [i as f64, if i % 2 == 0 { 1.0 } else { 2.0 }, 0.0];
+        let tooth = |i: usize| [i as f64, if i.is_multiple_of(2) { 1.0 } else { 2.0 }, 0.0];
         let comb = |count: usize| {
             let mut corners: Vec<[f64; 3]> = (2..count).map(tooth).collect();
             corners.extend([[count as f64, -1.0, 0.0], [0.0, -1.0, 0.0]]);
