@@ -64,7 +64,7 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// The words of a line up to a comment, which begins with `#`.
+/// The words of a line up to a comment, which begins with `#`, unless `1.` stands before that.
 #[derive(Clone)]
 pub(super) struct Words<'a> {
     rest: &'a [u8],
@@ -118,7 +118,13 @@ impl<'a> Iterator for Words<'a> {
         let start = self.rest.iter().position(|&byte| kind(byte) != SPACE)?;
         let text = &self.rest[start..];
         let end = text.iter().position(|&byte| kind(byte) != WORD);
-        let (word, rest) = text.split_at(end.unwrap_or(text.len()));
+        let mut end = end.unwrap_or(text.len());
+        // A number such as `1.#QNAN`.
+        if text[end..].starts_with(b"#") && text[..end].ends_with(b"1.") {
+            let more = text[end..].iter().position(|&byte| kind(byte) == SPACE);
+            end = more.map_or(text.len(), |more| end + more);
+        }
+        let (word, rest) = text.split_at(end);
         self.rest = match rest {
             [b'#', ..] => &[],
             rest => rest,
@@ -220,6 +226,8 @@ mod tests {
         let words = |line: &'static str| Words::new(line.as_bytes()).collect::<Vec<_>>();
         assert_eq!(words(" f 1\t2 \x0b3#x 4"), [b"f", b"1", b"2", b"3"]);
         assert_eq!(words("a # b"), [b"a"]);
+        let numbers: [&[u8]; 3] = [b"-1.#IND00", b"1.#QNAN", b"2"];
+        assert_eq!(words("-1.#IND00 1.#QNAN 2# 3"), numbers);
         assert!(words("#a").is_empty() && words("  ").is_empty());
     }
 

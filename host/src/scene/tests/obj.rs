@@ -236,6 +236,13 @@ fn weights_and_colours_may_follow_a_position() {
 }
 
 #[test]
+fn normals_may_be_no_numbers() {
+    let text = "v 1 0 0\nv 0 2 0\nv 0 0 3\nvn 1.#QNAN -1.#IND 0\nvn 0 -nan(ind) 0\nvn 0 0 2\nf 1//1 2//2 3//3\n";
+    let scene = Files::with("x.obj", text).load("x.obj");
+    assert_eq!(scene.mesh.normals, [[0.0; 3], [0.0; 3], [0.0, 0.0, 1.0]]);
+}
+
+#[test]
 fn positions_are_read_in_f64() {
     let text = |x: f64| {
         let v = |dx: f64, y: f64| format!("v {} {y} 0\n", x + dx);
