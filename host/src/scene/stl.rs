@@ -67,7 +67,14 @@ fn read_binary(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
             found: held as u64,
         });
     }
-    let read = if rest.is_empty() { held } else { count };
+    // A file of zeros holds nothing.
+    let is_blank = || triangles.as_flattened().iter().all(|&byte| byte == 0);
+    let read = match count {
+        0 if is_blank() => 0,
+        0 => held,
+        _ if rest.is_empty() => held,
+        count => count,
+    };
     source.leave_out("announced triangles, which are not there", {
         count.saturating_sub(held)
     });

@@ -18,6 +18,7 @@ fn help_has_every_option() {
         "--cull",
         "--dark-rays",
         "--explain",
+        "--format",
         "--help",
         "--json",
         "--lenient",
@@ -83,13 +84,21 @@ fn help_has_every_option() {
     let info = folder.succeed(["info", "--help"]);
     assert_eq!(
         options_in(&info),
-        ["--adapters", "--all", "--help", "--json", "--lenient"],
+        [
+            "--adapters",
+            "--all",
+            "--format",
+            "--help",
+            "--json",
+            "--lenient"
+        ],
         "{info}"
     );
     let build = folder.succeed(["build", "--help"]);
     let expected = [
         "--camera",
         "--codes",
+        "--format",
         "--help",
         "--json",
         "--lenient",
@@ -101,6 +110,7 @@ fn help_has_every_option() {
         "--threads",
         "--tolerance",
         "--tree",
+        "--up",
     ];
     assert_eq!(options_in(&build), expected, "{build}");
     for word in ["slimbvh.slim", "w4-48", "0.5px", "Examples:"] {
