@@ -4,9 +4,9 @@ use slimbvh_core::{Node, NodeRef};
 
 /// The expected cost of a ray that hits the root's box, at 1 for each opened node and 1 for each tested triangle: the
 /// surface area heuristic (MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990). Independent of
-/// position and scale. 0 for a tree without triangles; infinite for one without area, whose triangles are all in one point or
-/// on one line along an axis, so that it says nothing about other positions of the same triangles. Large triangles dominate the cost: with a wide ground plane, small
-/// objects on it count for little.
+/// position and scale. 0 for a tree without triangles; infinite for one of several nodes without area, whose triangles are all in
+/// one point or on one line along an axis, so that it says nothing about other positions of the same triangles. Large triangles
+/// dominate the cost: with a wide ground plane, small objects on it count for little.
 ///
 /// `nodes` are those of a [`crate::Bvh`], the root first.
 #[must_use]
@@ -29,6 +29,9 @@ pub fn sah_cost(nodes: &[Node]) -> f64 {
     let root_area = f64::from(root.left_box().union(root.right_box()).half_area());
     if root_area > 0.0 {
         1.0 + nodes.iter().map(area).sum::<f64>() / root_area
+    } else if let [root] = nodes {
+        // A ray that hits one node opens it, and tests what it holds.
+        weight(root.left) + weight(root.right)
     } else {
         f64::INFINITY
     }
@@ -72,7 +75,8 @@ mod tests {
         assert!((sah_cost(&nodes) - expected).abs() < 1e-12);
         assert_eq!(sah_cost(&[]), 0.0);
         let line = aabb([1.0, 2.0, 0.0], [1.0, 2.0, 3.0]);
-        assert_eq!(sah_cost(&[root.with_boxes(line, line)]), f64::INFINITY);
+        let flat = [root, child].map(|node| node.with_boxes(line, line));
+        assert_eq!(sah_cost(&flat), f64::INFINITY);
     }
 
     /// Exchanged triangles make the boxes of a refitted tree large.
