@@ -7,7 +7,7 @@ mod snap;
 use crate::text::excerpt;
 pub use error::MeshError;
 #[cfg(feature = "scenes")]
-pub(crate) use local::narrowed;
+pub(crate) use local::{loses, narrowed};
 use slimbvh_core::IndexedTriangles;
 
 /// Triangles as indices into shared vertices; counter-clockwise is front.

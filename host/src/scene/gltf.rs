@@ -38,20 +38,37 @@ use std::rc::Rc;
 pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
     let (root, blob) = document::parse(&bytes, source)?;
     let buffers = Buffers::new(&root, blob, bytes.len(), source);
-    let mut nodes = Nodes::new(&root).map_err(|error| buffers.fault(error))?;
+    let noted = source.left_out.borrow().clone();
+    let found = flatten(source, &root, &buffers, Vertices::narrow())?;
+    if !found.vertices.may_lose(&found.scene.mesh.indices) {
+        return Ok(found);
+    }
+    // Few files are far from zero: they are placed again.
+    drop(found);
+    source.left_out.replace(noted);
+    flatten(source, &root, &buffers, Vertices::default())
+}
+
+/// The scene, with positions of one of the two kinds.
+fn flatten<'a>(
+    source: &'a Source<'a>,
+    root: &'a Root,
+    buffers: &'a Buffers<'a>,
+    vertices: Vertices,
+) -> Result<Found, LoadError> {
+    let mut nodes = Nodes::new(root).map_err(|error| buffers.fault(error))?;
     let visited = std::mem::take(&mut nodes.visited);
     let mut flat = Flat {
         source,
-        root: &root,
-        buffers: &buffers,
+        root,
+        buffers,
         nodes,
         joints: vec![None; root.skins.len()],
         faces: Faces::new(source),
         cameras: Vec::new(),
         lights: Vec::new(),
     };
-    // Most files need no more.
-    flat.faces.vertices = Vertices::Narrow(Vec::new());
+    flat.faces.vertices = vertices;
     for it in visited {
         flat.visit(it)?;
     }

@@ -87,7 +87,7 @@ pub(super) struct Source<'a> {
     pub file: String,
     /// The options.
     pub options: &'a LoadOptions,
-    left_out: RefCell<Vec<LeftOut>>,
+    pub left_out: RefCell<Vec<LeftOut>>,
 }
 
 /// What a reader finds. Positions in `f64` are apart from the scene, whose own are ignored then.
@@ -111,7 +111,7 @@ impl From<Scene> for Found {
             Light::Point { position: at, .. } | Light::Area { center: at, .. } => wide(*at),
         });
         Self {
-            vertices: Vertices::Narrow(vertices),
+            vertices: Vertices::Narrow(vertices.into()),
             cameras: cameras
                 .map(|camera| [wide(camera.eye), wide(camera.target)])
                 .collect(),

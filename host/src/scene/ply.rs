@@ -112,7 +112,7 @@ fn read_vertices(
     let believed = element.count.min(least);
     let is_f32 = |place: &Option<(usize, Scalar)>| place.is_some_and(|(_, s)| s == Scalar::F32);
     if rows.line().is_none() && faces.vertices.len() == 0 && places[..3].iter().all(is_f32) {
-        faces.vertices = Vertices::Narrow(Vec::new());
+        faces.vertices = Vertices::narrow();
     }
     // A second list of vertices may have normals, or none, where the first differs.
     let first = faces.vertices.len();

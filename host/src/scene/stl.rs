@@ -82,7 +82,7 @@ fn read_binary(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
     source.leave_out("bytes behind the last triangle", behind);
 
     let mut weld = Weld::new(source);
-    weld.faces.vertices = super::vertices::Vertices::Narrow(Vec::new());
+    weld.faces.vertices = super::vertices::Vertices::narrow();
     weld.faces.mesh.indices.reserve(read);
     let mut colored = 0;
     for triangle in &triangles[..read] {

@@ -1,13 +1,43 @@
 //! Positions as a file has them.
 
-use crate::mesh::narrowed;
+use crate::mesh::{loses, narrowed};
 
 /// Positions as a file has them.
 pub(super) enum Vertices {
-    /// In `f32`: nothing is lost.
-    Narrow(Vec<[f32; 3]>),
+    /// In `f32`.
+    Narrow(Narrow),
     /// In `f64`: what is narrowed may be rounded.
     Wide(Vec<[f64; 3]>),
+}
+
+/// Positions in `f32`.
+#[derive(Default)]
+pub(super) struct Narrow {
+    list: Vec<[f32; 3]>,
+    /// The largest difference to a coordinate of the file.
+    lost: f64,
+}
+
+impl Narrow {
+    /// Adds positions, narrowed.
+    pub fn extend(&mut self, positions: impl Iterator<Item = [f64; 3]>) {
+        let mut lost = self.lost;
+        self.list.extend(positions.map(|position| {
+            position.map(|x| {
+                let near = x as f32;
+                // NaN, which is no maximum, for what is infinite in the file.
+                lost = lost.max((x - f64::from(near)).abs());
+                near
+            })
+        }));
+        self.lost = lost;
+    }
+}
+
+impl From<Vec<[f32; 3]>> for Narrow {
+    fn from(list: Vec<[f32; 3]>) -> Self {
+        Self { list, lost: 0.0 }
+    }
 }
 
 impl Default for Vertices {
@@ -17,38 +47,55 @@ impl Default for Vertices {
 }
 
 impl Vertices {
+    /// None, to be narrowed as they come.
+    pub fn narrow() -> Self {
+        Self::Narrow(Narrow::default())
+    }
+
     pub const fn len(&self) -> usize {
         match self {
-            Self::Narrow(list) => list.len(),
+            Self::Narrow(narrow) => narrow.list.len(),
             Self::Wide(list) => list.len(),
         }
     }
 
     pub fn reserve(&mut self, count: usize) {
         match self {
-            Self::Narrow(list) => list.reserve(count),
+            Self::Narrow(narrow) => narrow.list.reserve(count),
             Self::Wide(list) => list.reserve(count),
         }
     }
 
     pub fn push(&mut self, position: [f64; 3]) {
+        self.extend(std::iter::once(position));
+    }
+
+    pub fn extend(&mut self, positions: impl Iterator<Item = [f64; 3]>) {
         match self {
-            Self::Narrow(list) => list.push(position.map(|x| x as f32)),
-            Self::Wide(list) => list.push(position),
+            Self::Narrow(narrow) => narrow.extend(positions),
+            Self::Wide(list) => list.extend(positions),
         }
     }
 
     pub fn get(&self, vertex: u32) -> Option<[f64; 3]> {
         match self {
-            Self::Narrow(list) => list.get(vertex as usize).map(|v| v.map(f64::from)),
+            Self::Narrow(narrow) => narrow.list.get(vertex as usize).map(|v| v.map(f64::from)),
             Self::Wide(list) => list.get(vertex as usize).copied(),
+        }
+    }
+
+    /// Whether they were narrowed, and a local origin might keep more.
+    pub fn may_lose(&self, triangles: &[[u32; 3]]) -> bool {
+        match self {
+            Self::Narrow(narrow) => loses(&narrow.list, triangles, narrow.lost),
+            Self::Wide(_) => false,
         }
     }
 
     /// The positions in `f32` around a local origin, and that origin: zero where `f32` suffices.
     pub fn narrowed(self, triangles: &[[u32; 3]]) -> (Vec<[f32; 3]>, [f64; 3]) {
         match self {
-            Self::Narrow(list) => (list, [0.0; 3]),
+            Self::Narrow(narrow) => (narrow.list, [0.0; 3]),
             Self::Wide(list) => narrowed(&list, triangles),
         }
     }

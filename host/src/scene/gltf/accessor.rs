@@ -130,11 +130,6 @@ impl Elements<'_> {
         self.count
     }
 
-    /// Whether every number is one of `f32`.
-    pub fn is_narrow(&self) -> bool {
-        self.kind != Component::F64 && !self.is_share && self.kind != Component::U32
-    }
-
     #[inline]
     fn element(&self, i: usize, size: usize) -> &[u8] {
         &self.bytes[i * self.stride..][..size]

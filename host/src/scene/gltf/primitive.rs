@@ -3,7 +3,6 @@
 use super::super::LoadError;
 use super::super::faces::{FaceSite, Run, unit_or_zero};
 use super::super::load::Source;
-use super::super::vertices::Vertices;
 use super::accessor::{Elements, INDICES, VECTORS, elements};
 use super::buffers::Buffers;
 use super::document::item;
@@ -238,10 +237,6 @@ impl Surface<'_> {
         faces: &mut Faces<'_>,
     ) -> Result<Mirrored, GltfError> {
         let is_still = self.skinning.is_none() && transform == DAffine3::IDENTITY;
-        let is_narrow = is_still && self.morph.is_empty() && self.positions.is_narrow();
-        if let (Vertices::Narrow(list), false) = (&faces.vertices, is_narrow) {
-            faces.vertices = Vertices::Wide(list.iter().map(|v| v.map(f64::from)).collect());
-        }
         let first = faces.vertices.len();
         let count = self.vertex_count();
         faces.vertices.reserve(count);
@@ -282,10 +277,7 @@ impl Surface<'_> {
                 true => position(vertex(i)).to_array(),
                 false => transform.transform_point3(position(vertex(i))).to_array(),
             });
-            match &mut faces.vertices {
-                Vertices::Narrow(list) => list.extend(placed.map(|at| at.map(|x| x as f32))),
-                Vertices::Wide(list) => list.extend(placed),
-            }
+            faces.vertices.extend(placed);
             if let Some(normals) = &self.normals {
                 let turn = normal_matrix(transform.matrix3);
                 let turned = (0..count).map(|i| turned(turn, normal(normals, vertex(i))));

@@ -55,7 +55,10 @@ fn nested_far_transforms_are_multiplied_in_f64() {
     // Far away as a whole: around a local origin, with the camera and the light.
     draft.json["scenes"][0]["nodes"] = json!([1]);
     draft.json["nodes"][1]["translation"] = json!([far[0] + 1e7 + 0.3, far[1], far[2]]);
+    draft.json["animations"] = json!([{}]);
     let scene = draft.load();
+    assert_eq!(scene.left_out.len(), 1);
+    assert_eq!(scene.left_out[0].count, 1, "noted once");
     assert!(scene.origin[0] > 9e6, "{:?}", scene.origin);
     assert!(near(extent(&scene), [1.0, 2.0, 3.0]));
     let place = 1e7 + 1.3 - scene.origin[0];
