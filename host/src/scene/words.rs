@@ -110,25 +110,42 @@ const fn kind(byte: u8) -> u8 {
     KINDS[byte as usize]
 }
 
+impl<'a> Words<'a> {
+    /// The next word, where a `#` follows.
+    #[cold]
+    fn before_comment(&mut self, text: &'a [u8], mut end: usize) -> Option<&'a [u8]> {
+        self.rest = &[];
+        // A number such as `1.#QNAN`.
+        if text[..end].ends_with(b"1.") {
+            let more = text[end..].iter().position(|&byte| kind(byte) == SPACE);
+            end = more.map_or(text.len(), |more| end + more);
+            self.rest = &text[end..];
+        }
+        (end > 0).then(|| &text[..end])
+    }
+}
+
 impl<'a> Iterator for Words<'a> {
     type Item = &'a [u8];
 
     #[inline]
     fn next(&mut self) -> Option<&'a [u8]> {
-        let start = self.rest.iter().position(|&byte| kind(byte) != SPACE)?;
-        let text = &self.rest[start..];
-        let end = text.iter().position(|&byte| kind(byte) != WORD);
-        let mut end = end.unwrap_or(text.len());
-        // A number such as `1.#QNAN`.
-        if text[end..].starts_with(b"#") && text[..end].ends_with(b"1.") {
-            let more = text[end..].iter().position(|&byte| kind(byte) == SPACE);
-            end = more.map_or(text.len(), |more| end + more);
+        // Loops, which take fewer instructions than `position`.
+        let mut text = self.rest;
+        while let [byte, rest @ ..] = text
+            && kind(*byte) == SPACE
+        {
+            text = rest;
+        }
+        let mut end = 0;
+        while end < text.len() && kind(text[end]) == WORD {
+            end += 1;
+        }
+        if text[end..].starts_with(b"#") {
+            return self.before_comment(text, end);
         }
         let (word, rest) = text.split_at(end);
-        self.rest = match rest {
-            [b'#', ..] => &[],
-            rest => rest,
-        };
+        self.rest = rest;
         (!word.is_empty()).then_some(word)
     }
 }

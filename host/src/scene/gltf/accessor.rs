@@ -125,7 +125,7 @@ pub(super) struct Elements<'b> {
     is_share: bool,
 }
 
-impl Elements<'_> {
+impl<'b> Elements<'b> {
     pub const fn len(&self) -> usize {
         self.count
     }
@@ -162,11 +162,30 @@ impl Elements<'_> {
         std::array::from_fn(|axis| unsigned(&bytes[axis * size..][..size]))
     }
 
-    /// All elements, each an unsigned number.
-    pub fn all_unsigned(&self) -> Vec<u32> {
+    /// All elements, each an unsigned number; where they stand in the file, if they stand there as in memory.
+    pub fn into_unsigned(self) -> Cow<'b, [u32]> {
         let size = self.kind.size();
+        if let Cow::Borrowed(bytes) = self.bytes
+            && (self.kind, self.stride) == (Component::U32, size)
+            && cfg!(target_endian = "little")
+            && let Ok(words) = bytemuck::try_cast_slice(&bytes[..size * self.count])
+        {
+            return Cow::Borrowed(words);
+        }
         let elements = self.bytes.chunks(self.stride).take(self.count);
         elements.map(|element| unsigned(&element[..size])).collect()
+    }
+
+    /// All elements in order, if they are vectors of `f32`: [`Self::numbers`], faster.
+    pub fn floats(&self) -> Option<impl Iterator<Item = [f32; 3]>> {
+        let size = 3 * self.kind.size();
+        let elements = self.bytes.chunks(self.stride).take(self.count);
+        (self.kind == Component::F32).then(|| {
+            elements.map(move |element| {
+                let (words, _) = element[..size].as_chunks::<4>();
+                [0, 1, 2].map(|axis| f32::from_le_bytes(words[axis]))
+            })
+        })
     }
 }
 

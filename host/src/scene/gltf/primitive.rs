@@ -10,7 +10,8 @@ use super::json::{Index, Primitive, Root};
 use super::skin::{Morph, Skinning};
 use super::{Faces, GltfError, materials};
 use crate::text::excerpt;
-use glam::{DAffine3, DMat3, DVec3, Mat3};
+use glam::{DAffine3, DMat3, DVec3, Mat3, Vec3};
+use std::borrow::Cow;
 
 /// The inputs of reading a primitive.
 pub(super) struct Reader<'b, 'a> {
@@ -29,7 +30,7 @@ pub(super) struct Reader<'b, 'a> {
 pub(super) struct Surface<'b> {
     mode: Mode,
     /// `None` for all positions in order.
-    indices: Option<Vec<u32>>,
+    indices: Option<Cow<'b, [u32]>>,
     positions: Elements<'b>,
     normals: Option<Elements<'b>>,
     morph: Morph<'b>,
@@ -80,7 +81,7 @@ impl<'b> Reader<'b, '_> {
             let place = || format!("{place}.indices");
             elements(self.root, index, place, &INDICES, self.buffers)
         });
-        let indices = indices.transpose()?.map(|list| list.all_unsigned());
+        let indices = indices.transpose()?.map(Elements::into_unsigned);
         let normals = self.vectors(primitive, place, "NORMAL")?;
         let morph = Morph::new(self.root, primitive, place, self.weights, self.buffers)?;
         let skinning = match self.joints {
@@ -103,7 +104,7 @@ impl<'b> Reader<'b, '_> {
             self.source.leave_out("vertex colours", positions.len());
         }
 
-        let corner_count = indices.as_ref().map_or(positions.len(), Vec::len);
+        let corner_count = indices.as_ref().map_or(positions.len(), |list| list.len());
         let face_count = triangle_count(mode, corner_count);
         if face_count == 0 {
             return Ok(None);
@@ -205,7 +206,8 @@ impl Surface<'_> {
         };
         let count = self.vertex_count();
         let run = faces.next_run(count)?;
-        if !is_lenient && let Some(face) = self.first_broken_face() {
+        let broken = self.first_broken_face();
+        if !is_lenient && let Some(face) = broken {
             let count = self.positions.len();
             faces.polygon(&self.corners(face), Run { count, ..run }, site(face))?;
         }
@@ -223,7 +225,10 @@ impl Surface<'_> {
             if is_mirrored.of(corners[0]) {
                 corners.swap(1, 2);
             }
-            faces.polygon(&corners, run, site(face))?;
+            match broken {
+                None => faces.cut(3, |i| run.first + corners[i] as u32)?,
+                Some(_) => faces.polygon(&corners, run, site(face))?,
+            }
         }
         Ok(())
     }
@@ -273,15 +278,29 @@ impl Surface<'_> {
             }
             Mirrored::Some(mirrored)
         } else {
-            let placed = (0..count).map(|i| match is_still {
-                true => position(vertex(i)).to_array(),
-                false => transform.transform_point3(position(vertex(i))).to_array(),
-            });
-            faces.vertices.extend(placed);
+            let placed = |at: DVec3| match is_still {
+                true => at.to_array(),
+                false => transform.transform_point3(at).to_array(),
+            };
+            // Most files have plain lists.
+            let is_plain = self.used.is_none() && self.morph.is_empty();
+            match self.positions.floats().filter(|_| is_plain) {
+                Some(list) => faces.vertices.extend(list.map(|at| placed(wide(at)))),
+                None => {
+                    let all = (0..count).map(|i| placed(position(vertex(i))));
+                    faces.vertices.extend(all);
+                }
+            }
             if let Some(normals) = &self.normals {
                 let turn = normal_matrix(transform.matrix3);
-                let turned = (0..count).map(|i| turned(turn, normal(normals, vertex(i))));
-                faces.mesh.normals.extend(turned);
+                let list = &mut faces.mesh.normals;
+                match normals.floats().filter(|_| is_plain) {
+                    Some(normals) => list.extend(normals.map(|normal| turned(turn, wide(normal)))),
+                    None => {
+                        let all = (0..count).map(|i| turned(turn, normal(normals, vertex(i))));
+                        list.extend(all);
+                    }
+                }
             }
             Mirrored::All(transform.matrix3.determinant() < 0.0)
         };
@@ -381,6 +400,10 @@ const fn corners(mode: Mode, face: usize) -> [usize; 3] {
         Mode::Fan => [face + 1, face + 2, 0],
         Mode::Triangles => [3 * face, 3 * face + 1, 3 * face + 2],
     }
+}
+
+fn wide(vector: [f32; 3]) -> DVec3 {
+    Vec3::from_array(vector).as_dvec3()
 }
 
 /// The turned normal, with length 1. Zero (flat shading) if it has no direction.

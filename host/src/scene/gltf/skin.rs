@@ -191,6 +191,11 @@ impl<'b> Morph<'b> {
         Ok(Self { targets })
     }
 
+    /// Whether nothing is moved.
+    pub const fn is_empty(&self) -> bool {
+        self.targets.is_empty()
+    }
+
     /// The lists that have an element for each vertex.
     pub fn lists(&self) -> impl Iterator<Item = (&'static str, usize)> {
         self.targets.iter().flat_map(|target| {
