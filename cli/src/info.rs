@@ -87,10 +87,7 @@ struct ComponentSummary {
 }
 
 pub fn run(arguments: &InfoArguments) -> Result<()> {
-    let json_on_stdout = output::is_stdout(arguments.json.as_deref());
-    if let Some(json) = arguments.json.as_deref().filter(|_| !json_on_stdout) {
-        output::check_place(json, arguments.scene.file().as_slice())?;
-    }
+    output::check_report(arguments.json.as_deref(), arguments.scene.file().as_slice())?;
     #[cfg(feature = "gpu")]
     if arguments.adapters {
         return super::adapters::run(arguments.json.as_deref());
@@ -100,7 +97,7 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
     let progress = output::spinner("analyzing the mesh".into());
     let analysis = analyze(&scene.mesh);
     drop(progress);
-    if !json_on_stdout {
+    if !output::is_stdout(arguments.json.as_deref()) {
         let listed = if arguments.all { usize::MAX } else { LISTED };
         output::print(&describe(
             &arguments.scene.name(),

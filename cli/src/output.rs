@@ -4,6 +4,7 @@ use anyhow::{Context, Result, bail};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use slimbvh::Picture;
+use slimbvh::scene::Format;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -177,13 +178,27 @@ pub fn check_places(file: &Path, scene: Option<&Path>, json: Option<&Path>) -> R
     if !is_stdout(Some(file)) {
         check_place(file, scene.as_slice())?;
     }
-    match json {
-        Some(json) if !is_stdout(Some(json)) => {
-            let taken: Vec<_> = scene.into_iter().chain([file]).collect();
-            check_place(json, &taken)
-        }
-        _ => Ok(()),
+    let taken: Vec<_> = scene.into_iter().chain([file]).collect();
+    check_report(json, &taken)
+}
+
+/// [`check_place`] for a JSON report, if one is asked for and does not go to standard output. It may not be named as a scene: in
+/// `--json model.ply` the name of the report is missing.
+///
+/// # Errors
+/// Those of [`check_place`], and for the name of a scene.
+pub fn check_report(json: Option<&Path>, taken: &[&Path]) -> Result<()> {
+    let Some(json) = json.filter(|json| !is_stdout(Some(json))) else {
+        return Ok(());
+    };
+    check_place(json, taken)?;
+    if Format::of_path(json).is_some() {
+        bail!(
+            "--json writes a report, and {:?} is named as a scene; name a file such as report.json, or - for standard output",
+            json.display().to_string()
+        );
     }
+    Ok(())
 }
 
 /// Checks that no more than one of an output and its JSON report goes to standard output.

@@ -64,10 +64,8 @@ impl Destination {
                 path.display().to_string()
             ),
         };
-        match &arguments.json {
-            Some(json) if !output::is_stdout(Some(json)) => check(json, &taken)?,
-            _ => {}
-        }
+        let taken: Vec<&Path> = taken.iter().map(PathBuf::as_path).collect();
+        output::check_report(arguments.json.as_deref(), &taken)?;
         Ok(place)
     }
 

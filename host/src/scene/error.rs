@@ -5,7 +5,7 @@ use super::gltf::GltfError;
 use super::slim::FileError;
 use crate::MeshError;
 pub(super) use crate::text::excerpt;
-use crate::text::things;
+use crate::text::{grouped, things};
 use std::io;
 use thiserror::Error;
 
@@ -251,8 +251,14 @@ fn instead(dropped_face_count: usize, point_count: usize, left_out: &[LeftOut]) 
     let mut all: Vec<String> = left_out.iter().map(ToString::to_string).collect();
     match (dropped_face_count, point_count) {
         (0, 0) => {}
-        (0, count) => all.insert(0, things(count, "point")),
-        (count, _) => return format!("; {count} broken faces were left out"),
+        (0, count) => {
+            // Points are those that the file draws.
+            let has_points = left_out.iter().any(|left_out| left_out.what == "points");
+            let thing = if has_points { "position" } else { "point" };
+            all.insert(0, things(count, thing));
+        }
+        (1, _) => return "; 1 broken face was left out".into(),
+        (count, _) => return format!("; {} broken faces were left out", grouped(count)),
     }
     match &all[..] {
         [] => String::new(),

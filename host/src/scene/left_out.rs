@@ -1,5 +1,6 @@
 //! What a file holds and a scene does not.
 
+use crate::text::grouped;
 use std::fmt;
 
 /// Something that a file holds and its scene does not: it is neither drawn nor traced.
@@ -28,7 +29,7 @@ impl fmt::Display for LeftOut {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self.count {
             1 => write!(f, "{}", self.what),
-            count => write!(f, "{count} {}", self.what),
+            count => write!(f, "{} {}", grouped(count), self.what),
         }
     }
 }

@@ -104,12 +104,7 @@ impl<S: ValueEnum + PartialEq + Send + Sync + 'static> Options<S> {
             }
             output::check_place(out, &[])?;
         }
-        match self.json.as_deref() {
-            Some(json) if !output::is_stdout(Some(json)) => {
-                output::check_place(json, out.as_slice())
-            }
-            _ => Ok(()),
-        }
+        output::check_report(self.json.as_deref(), out.as_slice())
     }
 
     /// The folder of scene files, if there is one.

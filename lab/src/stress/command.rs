@@ -76,12 +76,8 @@ enum Backend {
 }
 
 pub fn run(arguments: &StressArguments) -> Result<ExitCode> {
-    if let Some(json) = arguments.json.as_deref() {
-        let taken: Vec<_> = arguments.with.iter().map(PathBuf::as_path).collect();
-        if !output::is_stdout(Some(json)) {
-            output::check_place(json, &taken)?;
-        }
-    }
+    let taken: Vec<_> = arguments.with.iter().map(PathBuf::as_path).collect();
+    output::check_report(arguments.json.as_deref(), &taken)?;
     let others = arguments.with.iter().map(|path| Others::read(path));
     let others = others.collect::<Result<Vec<_>>>()?;
     let report = arguments.threads.run(|| -> Result<Report> {

@@ -131,6 +131,21 @@ fn one_file_under_two_names() {
     refuses(&folder, &arguments, &["\"./new.png\" has another use"]);
 }
 
+/// Without a name of its own, the report would replace the scene, and tell of the built-in one.
+#[test]
+fn a_scene_in_place_of_a_report() {
+    let folder = folder();
+    let before = std::fs::read(folder.path().join("sound.obj")).unwrap();
+    for command in ["info", "render", "build"] {
+        let said = ["--json writes a report, and \"sound.obj\" is named as a scene"];
+        refuses(&folder, &[command, "--json", "sound.obj"], &said);
+    }
+    assert_eq!(
+        std::fs::read(folder.path().join("sound.obj")).unwrap(),
+        before
+    );
+}
+
 /// A pipe is written to, not replaced by a file.
 #[cfg(unix)]
 #[test]

@@ -158,6 +158,10 @@ fn faults_name_line_and_face() {
         "\"x.obj\" holds no triangles, only 1 point, lines, free-form surfaces"
     );
     assert_eq!(refusal("# nothing\n"), "\"x.obj\" holds no triangles");
+    assert_eq!(
+        refusal("v 0 0 0\nv 1 0 0\np 1\nl 1 2\n"),
+        "\"x.obj\" holds no triangles, only 2 positions, lines, points"
+    );
 }
 
 #[test]
@@ -169,7 +173,7 @@ fn lenient_loading_leaves_broken_faces_out() {
     assert_eq!(scene.mesh.parts[0].triangle_count, 1);
     assert_eq!(
         Files::with("x.obj", "v 0 0 0\nf 1 2 3\n").refusal_with("x.obj", &lenient()),
-        "\"x.obj\" holds no triangles; 1 broken faces were left out"
+        "\"x.obj\" holds no triangles; 1 broken face was left out"
     );
 }
 

@@ -92,7 +92,7 @@ fn huge_counts_are_not_believed() {
     assert_is_box(&scene);
     assert_eq!(
         scene.left_out[0].to_string(),
-        "4294967283 announced triangles, which are not there"
+        "4,294,967,283 announced triangles, which are not there"
     );
     bytes.push(0);
     assert_eq!(
