@@ -461,17 +461,23 @@ impl<'g> Backend for &'g Gpu {
     }
 
     fn size(self, bvh: &Bvh) -> Result<TreeSize, GpuError> {
-        if let Some(fit) = bvh.read_fit(self)?.filter(|fit| !fit.fits()) {
-            return Ok(TreeSize {
-                unfit_count: fit.count as usize,
-                ..TreeSize::default()
-            });
-        }
-        let [node_count, triangle_count] = bvh.read_counts(self)?.map(|count| count as usize);
-        let [node_bytes, triangle_bytes] = bvh.read_bytes(self)?.map(|bytes| bytes as usize);
+        let (counts, bytes) = match bvh.read_size(self) {
+            Ok(size) => size,
+            Err(GpuError::Unfit {
+                fault: Misfit::DoesNotFit { count, .. },
+                ..
+            }) => {
+                return Ok(TreeSize {
+                    unfit_count: count as usize,
+                    ..TreeSize::default()
+                });
+            }
+            Err(error) => return Err(error),
+        };
+        let [node_bytes, triangle_bytes] = bytes.map(|bytes| bytes as usize);
         Ok(TreeSize {
-            node_count,
-            triangle_count,
+            node_count: counts.nodes as usize,
+            triangle_count: counts.triangles as usize,
             node_bytes,
             triangle_bytes,
             unfit_count: 0,

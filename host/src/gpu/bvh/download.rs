@@ -1,8 +1,8 @@
 //! Copies of a hierarchy, or of its counts, to the host.
 
-use super::{Bvh, Coded, Coding, Counts};
+use super::{Built, Bvh, Coded, Coding, Counts};
 use crate::gpu::buffer::{Download, Mapped};
-use crate::gpu::{Gpu, GpuError, Misfit};
+use crate::gpu::{Frame, Gpu, GpuError, Misfit};
 use crate::tree::{ListReader, StoredTree};
 use bytemuck::Pod;
 use slimbvh_core::encode::RootWords;
@@ -27,41 +27,19 @@ impl Bvh {
         Ok([counts.nodes, counts.triangles])
     }
 
-    /// What is known of a set that may not fit.
-    pub(in crate::gpu) fn read_fit(&self, gpu: &Gpu) -> Result<Option<Fit>, GpuError> {
-        gpu.block_on(self.read_fit_async(gpu))
-    }
-
-    async fn read_fit_async(&self, gpu: &Gpu) -> Result<Option<Fit>, GpuError> {
-        let Some(fallback) = &self.built()?.fallback else {
-            return Ok(None);
-        };
-        let mut frame = gpu.frame();
-        let fit = gpu.checked(|| Ok(frame.download(&fallback.fit)))?;
-        frame.submit()?;
-        let fits: Vec<Fit> = fit.read_async(gpu).await?;
-        Ok(fits.first().copied())
-    }
-
-    /// Refuses a set that did not fit.
-    async fn check_fit(&self, gpu: &Gpu) -> Result<(), GpuError> {
-        let fit = self.read_fit_async(gpu).await?;
-        match fit.filter(|fit| !fit.fits()) {
-            Some(Fit { count, limit, .. }) => {
-                Err(Misfit::DoesNotFit { count, limit }.of("the hierarchy of a set"))
-            }
-            None => Ok(()),
-        }
-    }
-
+    /// The counts, by one submission.
     async fn read_all_counts(&self, gpu: &Gpu) -> Result<Counts, GpuError> {
-        self.check_fit(gpu).await?;
         let built = self.built()?;
-        let ranges = built.totals();
         let mut frame = gpu.frame();
-        let downloads = gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
+        let counts = gpu.checked(|| Ok(built.counts_later(&mut frame)))?;
         frame.submit()?;
-        Ok(built.counts(firsts(gpu, downloads).await?))
+        counts.read(built, gpu).await
+    }
+
+    /// The counts, and the bytes of nodes and triangles. Waits for the GPU.
+    pub(in crate::gpu) fn read_size(&self, gpu: &Gpu) -> Result<(Counts, [u64; 2]), GpuError> {
+        let counts = gpu.block_on(self.read_all_counts(gpu))?;
+        Ok((counts, self.built()?.bytes(counts)))
     }
 
     /// Reads the bytes that the nodes and the triangles in leaves use. Waits for the GPU. The buffers have room for more.
@@ -77,18 +55,8 @@ impl Bvh {
     /// # Errors
     /// If it is not built yet, or a set that did not fit, or the device was lost; in a browser, also the errors of earlier calls.
     pub async fn read_bytes_async(&self, gpu: &Gpu) -> Result<[u64; 2], GpuError> {
-        let built = self.built()?;
         let counts = self.read_all_counts(gpu).await?;
-        let coding = built.coding();
-        let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
-        let triangle_bytes = if coding.is_some_and(Coding::is_mixed) {
-            4 * u64::from(counts.words)
-        } else {
-            let count = u64::from(counts.triangles);
-            let coded = coding.and_then(|coding| coding.most_triangle_bytes(count));
-            coded.unwrap_or(count * size_of::<LeafTriangle>() as u64)
-        };
-        Ok([u64::from(counts.nodes) * node_bytes, triangle_bytes])
+        Ok(self.built()?.bytes(counts))
     }
 
     /// Copies the hierarchy to the host. Waits for the GPU.
@@ -104,12 +72,11 @@ impl Bvh {
     /// # Errors
     /// If it is not built yet, or a set that did not fit, or the device was lost; in a browser, also the errors of earlier calls.
     pub async fn download_async(&self, gpu: &Gpu) -> Result<crate::Bvh, GpuError> {
-        self.check_fit(gpu).await?;
         let built = self.built()?;
         let mut frame = gpu.frame();
         let [nodes, triangles] = built.stored();
         let ranges = [&built.exponent, &built.bounds, nodes, triangles];
-        let totals = gpu.checked(|| Ok(built.totals().map(|range| frame.download(range))))?;
+        let counts = gpu.checked(|| Ok(built.counts_later(&mut frame)))?;
         let [exponent, bounds, nodes, triangles] =
             gpu.checked(|| Ok(ranges.map(|range| frame.download(range))))?;
         let coded = built.coded.as_ref();
@@ -118,7 +85,7 @@ impl Bvh {
             Ok(coded.map(root))
         })?;
         frame.submit()?;
-        let counts = built.counts(firsts(gpu, totals).await?);
+        let counts = counts.read(built, gpu).await?;
         let triangle_count = counts.triangles as usize;
         let exponent: Vec<i32> = exponent.read_async(gpu).await?;
         let corners: Vec<[f32; 3]> = bounds.read_async(gpu).await?;
@@ -151,6 +118,51 @@ impl Bvh {
         };
         bvh.stored = StoredTree::read(built.codecs, &root, triangle_count, &mut lists)?;
         Ok(bvh)
+    }
+}
+
+impl Built {
+    /// Copies the counts.
+    fn counts_later(&self, frame: &mut Frame<'_>) -> CountsLater {
+        let fallback = self.fallback.as_ref();
+        CountsLater {
+            fit: fallback.map(|fallback| frame.download(&fallback.fit)),
+            totals: self.totals().map(|range| frame.download(range)),
+        }
+    }
+
+    /// The bytes that the nodes and the triangles in leaves use.
+    fn bytes(&self, counts: Counts) -> [u64; 2] {
+        let coding = self.coding();
+        let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
+        let triangle_bytes = if coding.is_some_and(Coding::is_mixed) {
+            4 * u64::from(counts.words)
+        } else {
+            let count = u64::from(counts.triangles);
+            let coded = coding.and_then(|coding| coding.most_triangle_bytes(count));
+            coded.unwrap_or(count * size_of::<LeafTriangle>() as u64)
+        };
+        [u64::from(counts.nodes) * node_bytes, triangle_bytes]
+    }
+}
+
+/// A copy of counts.
+struct CountsLater {
+    /// What is known of a set that may not fit.
+    fit: Option<Download>,
+    totals: [Download; 4],
+}
+
+impl CountsLater {
+    /// Refuses a set that did not fit.
+    async fn read(self, built: &Built, gpu: &Gpu) -> Result<Counts, GpuError> {
+        if let Some(fit) = self.fit {
+            let fit: Vec<Fit> = fit.read_async(gpu).await?;
+            if let Some(&Fit { count, limit, .. }) = fit.first().filter(|fit| !fit.fits()) {
+                return Err(Misfit::DoesNotFit { count, limit }.of("the hierarchy of a set"));
+            }
+        }
+        Ok(built.counts(firsts(gpu, self.totals).await?))
     }
 }
 
