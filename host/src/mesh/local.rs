@@ -1,7 +1,7 @@
 //! Meshes far from zero: positions in `f64`, and their local origin.
 
 use super::Mesh;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 /// The mantissa bits of an `f32`, the hidden one included.
 const F32_BITS: i32 = 24;
@@ -102,13 +102,14 @@ fn power_of_two_below(x: f64) -> f64 {
 ///
 /// Rounding moves a corner by at most √3 of `lost`, and an edge's length by less than 4. Edges that became points count here. So
 /// this median is at most 4 of `lost` above that of the positions before.
+#[cfg(any(test, feature = "scenes"))]
 pub(crate) fn loses(vertices: &[[f32; 3]], triangles: &[[u32; 3]], lost: f64) -> bool {
     if lost == 0.0 {
         return false;
     }
     let vertex = |v: u32| {
         let vertex = vertices.get(v as usize)?;
-        Some(Vec3::from(*vertex).as_dvec3())
+        Some(glam::Vec3::from(*vertex).as_dvec3())
     };
     let lengths = edge_lengths(triangles, vertex).filter(|length| length.is_finite());
     let edge = median(lengths.collect()).unwrap_or(0.0);
