@@ -154,6 +154,45 @@ impl<'a> Iterator for Words<'a> {
 /// Fortran.
 #[inline]
 pub(super) fn number(word: &[u8]) -> Option<f64> {
+    short_number(word).or_else(|| long_number(word))
+}
+
+/// A number of few digits, such as `-0.0312`: a whole number below 2^53 over a power of ten up to 10^22, which are both exact, so the
+/// quotient is the nearest number (Clinger 1990, "How to Read Floating Point Numbers Accurately"). `None` for others.
+#[inline]
+fn short_number(word: &[u8]) -> Option<f64> {
+    // Up to 15 digits are below 2^53.
+    const MOST_DIGITS: usize = 15;
+    const POWERS: [f64; MOST_DIGITS + 1] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+    ];
+    let (is_negative, digits) = match word {
+        [b'-', digits @ ..] => (true, digits),
+        digits => (false, digits),
+    };
+    if digits.len() > MOST_DIGITS {
+        return None;
+    }
+    let (mut whole, mut point) = (0_u64, None);
+    for (i, &byte) in digits.iter().enumerate() {
+        if byte.is_ascii_digit() {
+            whole = 10 * whole + u64::from(byte - b'0');
+        } else if byte == b'.' && point.is_none() {
+            point = Some(i + 1);
+        } else {
+            return None;
+        }
+    }
+    let fraction = digits.len() - point.unwrap_or(digits.len());
+    // A point alone is no number, nor is a sign.
+    if digits.len() == usize::from(point.is_some()) {
+        return None;
+    }
+    let number = whole as f64 / POWERS[fraction];
+    Some(if is_negative { -number } else { number })
+}
+
+fn long_number(word: &[u8]) -> Option<f64> {
     let text = std::str::from_utf8(word).ok()?;
     text.parse().ok().or_else(|| odd_number(text))
 }
@@ -277,6 +316,43 @@ mod tests {
         assert_eq!(number(b".5"), Some(0.5));
         for text in ["", "d", "1,5", "0x1", "1d2d3", "1.5f", "\u{661}"] {
             assert_eq!(number(text.as_bytes()), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn short_numbers_are_those_of_the_standard_library() {
+        for text in [
+            "0",
+            "-0",
+            "-0.0",
+            ".5",
+            "5.",
+            "-.25",
+            "999999999999999",
+            "0.00000000000001",
+            "12345678.9012345",
+            "0.30000000000000004",
+            "9007199254740993",
+            "1e3",
+            "+1",
+        ] {
+            let expected: f64 = text.parse().unwrap();
+            let found = number(text.as_bytes()).map(f64::to_bits);
+            assert_eq!(found, Some(expected.to_bits()), "{text}");
+        }
+        for text in [".", "-", "-.", "1.2.3", "--1", "1-", "1.-2"] {
+            assert_eq!(number(text.as_bytes()), None, "{text}");
+        }
+        // More digits would be rounded twice.
+        assert_eq!(short_number(b"9007199254740993"), None);
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn numbers_are_those_of_the_standard_library(text in "-?[0-9]{0,12}\\.?[0-9]{0,12}(e-?[0-9]{1,2})?") {
+            let expected: Option<f64> = text.parse().ok();
+            let found = number(text.as_bytes());
+            proptest::prop_assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits));
         }
     }
 

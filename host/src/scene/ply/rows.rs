@@ -123,12 +123,22 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// The next number, which is most likely whole.
+    /// The next number, which must be whole.
     #[inline]
-    fn whole(&mut self, kind: Scalar) -> Result<f64, Fault> {
-        match &mut self.form {
-            Form::Text(text) => text.whole(),
-            Form::Bytes { rest, big_endian } => binary(rest, kind, *big_endian),
+    fn whole(&mut self, kind: Scalar, expected: &'static str) -> Result<i64, Fault> {
+        let number = match &mut self.form {
+            Form::Text(text) => {
+                let word = text.word()?;
+                match words::whole(word) {
+                    Some(whole) => return Ok(whole),
+                    None => words::number(word).ok_or_else(|| text.no_number(word))?,
+                }
+            }
+            Form::Bytes { rest, big_endian } => binary(rest, kind, *big_endian)?,
+        };
+        match number.fract() == 0.0 {
+            true => Ok(number as i64),
+            false => Err(self.unexpected(number, expected)),
         }
     }
 
@@ -160,11 +170,7 @@ impl<'a> Rows<'a> {
             return Ok(());
         }
         for _ in 0..length {
-            let index = self.whole(item)?;
-            if index.fract() != 0.0 {
-                return Err(self.unexpected(index, "an index"));
-            }
-            indices.push(index as i64);
+            indices.push(self.whole(item, "an index")?);
         }
         Ok(())
     }
@@ -185,14 +191,14 @@ impl<'a> Rows<'a> {
     }
 
     fn list_length(&mut self, kind: Scalar) -> Result<u64, Fault> {
-        let length = self.whole(kind)?;
-        if !(length >= 0.0 && length.fract() == 0.0) {
-            return Err(self.unexpected(length, "a count"));
-        }
+        let length = self.whole(kind, "a count")?;
+        let Ok(length) = u64::try_from(length) else {
+            return Err(self.unexpected(length as f64, "a count"));
+        };
         if let Form::Text(text) = &mut self.form {
-            text.needed = text.needed.saturating_add(length as u64);
+            text.needed = text.needed.saturating_add(length);
         }
-        Ok(length as u64)
+        Ok(length)
     }
 
     fn unexpected(&self, value: f64, expected: &'static str) -> Fault {
@@ -267,16 +273,6 @@ impl<'a> Text<'a> {
     fn number(&mut self) -> Result<f64, Fault> {
         let word = self.word()?;
         words::number(word).ok_or_else(|| self.no_number(word))
-    }
-
-    /// [`Self::number`], faster for whole numbers.
-    #[inline]
-    fn whole(&mut self) -> Result<f64, Fault> {
-        let word = self.word()?;
-        match words::whole(word) {
-            Some(whole) => Ok(whole as f64),
-            None => words::number(word).ok_or_else(|| self.no_number(word)),
-        }
     }
 
     /// The next word of the row.
