@@ -1,18 +1,15 @@
 //! Builds: from a mesh to everything that tracing needs, with buffers kept.
 
+mod settings;
+
 use anyhow::Result;
-use criterion::{BenchmarkId, Criterion, Throughput};
+use criterion::{BenchmarkId, Throughput};
 use slimbvh_bench::meshes::SUBJECTS;
 use slimbvh_bench::tracers::tracers;
 use slimbvh_bench::{Input, RayOrder, Reference, pool, thread_counts};
-use std::time::Duration;
 
 fn main() -> Result<()> {
-    let mut criterion = Criterion::default()
-        .sample_size(10)
-        .warm_up_time(Duration::from_millis(500))
-        .measurement_time(Duration::from_secs(2))
-        .configure_from_args();
+    let mut criterion = settings::criterion();
     for subject in SUBJECTS {
         let Some(mesh) = subject.mesh()? else {
             continue;

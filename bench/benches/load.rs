@@ -1,24 +1,21 @@
 //! Reading the scene files of the folder that `SLIMBVH_SCENES` names, from its first byte to a valid mesh.
 
+mod settings;
+
 use anyhow::{Context, Result, bail};
-use criterion::{Criterion, Throughput};
+use criterion::Throughput;
 use slimbvh::scene::{Format, LoadOptions, load};
 use slimbvh_bench::meshes::SCENES_VARIABLE;
 use std::path::PathBuf;
-use std::time::Duration;
 
 fn main() -> Result<()> {
-    let mut criterion = Criterion::default()
-        .sample_size(10)
-        .warm_up_time(Duration::from_millis(500))
-        .measurement_time(Duration::from_secs(2))
-        .configure_from_args();
+    let mut criterion = settings::criterion();
     let mut group = criterion.benchmark_group("load");
     for file in files()? {
         let options = LoadOptions::default();
-        let shown = file.display().to_string();
-        let size = file.metadata().with_context(|| shown.clone())?.len();
-        group.throughput(Throughput::Bytes(size));
+        let metadata = file.metadata();
+        let metadata = metadata.with_context(|| format!("cannot read {}", file.display()))?;
+        group.throughput(Throughput::Bytes(metadata.len()));
         let mut outcome = None;
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         group.bench_function(name, |bencher| {

@@ -2,12 +2,16 @@
 
 mod error;
 mod local;
+#[cfg(feature = "scenes")]
+mod narrow;
 mod snap;
 
 use crate::text::excerpt;
 pub use error::MeshError;
 #[cfg(feature = "scenes")]
-pub(crate) use local::{loses, narrowed};
+pub(crate) use local::narrowed;
+#[cfg(feature = "scenes")]
+pub(crate) use narrow::Narrow;
 use slimbvh_core::IndexedTriangles;
 
 /// Triangles as indices into shared vertices; counter-clockwise is front.

@@ -36,7 +36,7 @@ impl Destination {
     /// Checks the paths of all output files before any work starts.
     pub fn check(arguments: &AnimateArguments) -> Result<Self> {
         let scene = arguments.scene.file();
-        let mut taken: Vec<PathBuf> = scene.into_iter().map(Path::to_owned).collect();
+        let mut outputs = Vec::new();
         let place = match &arguments.out {
             None => Self::Nowhere,
             Some(path) if output::is_stdout(Some(path)) => {
@@ -46,17 +46,16 @@ impl Destination {
             }
             Some(path) if path.is_dir() => {
                 let frames = (0..arguments.frames).map(|frame| frame_path(path, frame));
-                let frames: Vec<PathBuf> = frames.collect();
-                for frame in &frames {
-                    check(frame, &taken)?;
+                outputs.extend(frames);
+                for frame in &outputs {
+                    output::check_place(frame, scene.as_slice())?;
                 }
-                taken.extend(frames);
                 Self::Folder(path.clone())
             }
             Some(path) if is_gif(path) => {
-                check(path, &taken)?;
+                output::check_place(path, scene.as_slice())?;
                 check_gif_size(arguments)?;
-                taken.push(path.clone());
+                outputs.push(path.clone());
                 Self::Gif(path.clone())
             }
             Some(path) => bail!(
@@ -64,7 +63,8 @@ impl Destination {
                 path.display().to_string()
             ),
         };
-        let taken: Vec<&Path> = taken.iter().map(PathBuf::as_path).collect();
+        let outputs = outputs.iter().map(PathBuf::as_path);
+        let taken: Vec<&Path> = scene.into_iter().chain(outputs).collect();
         output::check_report(arguments.json.as_deref(), &taken)?;
         Ok(place)
     }
@@ -136,9 +136,4 @@ fn frame_path(folder: &Path, frame: u32) -> PathBuf {
 fn is_gif(path: &Path) -> bool {
     let extension = path.extension();
     extension.is_some_and(|extension| extension.eq_ignore_ascii_case("gif"))
-}
-
-fn check(path: &Path, taken: &[PathBuf]) -> Result<()> {
-    let taken: Vec<&Path> = taken.iter().map(PathBuf::as_path).collect();
-    output::check_place(path, &taken)
 }

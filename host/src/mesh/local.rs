@@ -52,7 +52,7 @@ pub(crate) fn narrowed(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> (Vec<[f
 
 /// The origin to take off before narrowing: near the middle of the box, if `f32` would lose more than a thousandth of the median edge
 /// without, and less with it. Else zero.
-fn local_origin(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> [f64; 3] {
+pub(super) fn local_origin(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> [f64; 3] {
     // Most files are near: then rounding is far below any edge, and nobody looks at edges.
     let lost = vertices
         .iter()
@@ -97,25 +97,6 @@ fn power_of_two_below(x: f64) -> f64 {
     }
 }
 
-/// Whether narrowing, where no coordinate lost more than this, may have lost more than a thousandth of the median edge: true wherever
-/// [`local_origin`] of the positions before would not be zero.
-///
-/// Rounding moves a corner by at most √3 of `lost`, and an edge's length by less than 4. Edges that became points count here. So
-/// this median is at most 4 of `lost` above that of the positions before.
-#[cfg(any(test, feature = "scenes"))]
-pub(crate) fn loses(vertices: &[[f32; 3]], triangles: &[[u32; 3]], lost: f64) -> bool {
-    if lost == 0.0 {
-        return false;
-    }
-    let vertex = |v: u32| {
-        let vertex = vertices.get(v as usize)?;
-        Some(glam::Vec3::from(*vertex).as_dvec3())
-    };
-    let lengths = edge_lengths(triangles, vertex).filter(|length| length.is_finite());
-    let edge = median(lengths.collect()).unwrap_or(0.0);
-    edge <= 1004.0 * lost
-}
-
 /// The median length of edges that are not points, of some triangles.
 fn median_edge(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Option<f64> {
     let vertex = |v: u32| vertices.get(v as usize).map(|&v| DVec3::from(v));
@@ -128,7 +109,7 @@ fn median_edge(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Option<f64> {
 }
 
 /// The lengths of the edges of some triangles.
-fn edge_lengths(
+pub(super) fn edge_lengths(
     triangles: &[[u32; 3]],
     vertex: impl Fn(u32) -> Option<DVec3>,
 ) -> impl Iterator<Item = f64> {
@@ -140,7 +121,7 @@ fn edge_lengths(
     edges.filter_map(move |[a, b]| Some(vertex(a)?.distance(vertex(b)?)))
 }
 
-fn median(mut lengths: Vec<f64>) -> Option<f64> {
+pub(super) fn median(mut lengths: Vec<f64>) -> Option<f64> {
     let middle = lengths.len() / 2;
     if lengths.is_empty() {
         return None;
@@ -150,11 +131,11 @@ fn median(mut lengths: Vec<f64>) -> Option<f64> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// A strip of triangles with edges of this length, from here on.
-    fn strip(begin: [f64; 3], edge: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
+    pub fn strip(begin: [f64; 3], edge: f64) -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
         let vertex = |i: u32| {
             let [x, y, z] = begin;
             [
@@ -203,64 +184,5 @@ mod tests {
         assert_eq!(local_origin(&vertices, &triangles), [0.0; 3]);
         assert_eq!(local_origin(&[], &[]), [0.0; 3]);
         assert_eq!(local_origin(&[[f64::NAN; 3]; 3], &[[0, 1, 2]]), [0.0; 3]);
-    }
-
-    /// Whether narrowing at once tells that it may lose something, and whether it lost enough for an origin.
-    fn told_and_lost(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> (bool, bool) {
-        let near: Vec<[f32; 3]> = vertices.iter().map(|v| v.map(|x| x as f32)).collect();
-        let numbers = vertices.iter().flatten().zip(near.iter().flatten());
-        let lost = numbers.fold(0.0, |lost: f64, (&x, &near)| {
-            lost.max((x - f64::from(near)).abs())
-        });
-        let has_origin = local_origin(vertices, triangles) != [0.0; 3];
-        (loses(&near, triangles, lost), has_origin)
-    }
-
-    #[test]
-    fn narrowing_at_once_tells_where_it_loses() {
-        for begin in [
-            0.0,
-            0.1,
-            1.1,
-            1e3 + 0.1,
-            1e6 + 0.1,
-            1e9 + 0.1,
-            1e12,
-            1e38,
-            1e39,
-            1e300,
-        ] {
-            for edge in [1e-30, 1e-9, 1e-3, 1.0 / 3.0, 1e3, 1e30] {
-                let (vertices, triangles) = strip([begin, 0.0, 1.0 / 3.0], edge);
-                let (told, has_origin) = told_and_lost(&vertices, &triangles);
-                assert!(told || !has_origin, "{begin} {edge}");
-            }
-        }
-        // Most files are not read twice.
-        for begin in [0.0, 1.1, 100.1] {
-            let (vertices, triangles) = strip([begin, 0.0, 0.3], 0.1);
-            assert_eq!(told_and_lost(&vertices, &triangles), (false, false));
-        }
-        let (vertices, triangles) = strip([1e6, 0.0, 0.0], 0.1);
-        assert_eq!(told_and_lost(&vertices, &triangles), (true, true));
-    }
-
-    proptest::proptest! {
-        /// Also where some corners fall on one another by rounding, and the median would be another edge's.
-        #[test]
-        fn no_origin_is_missed(
-            far in -1e8f64..1e8,
-            numbers in proptest::collection::vec(-1.0f64..1.0, 9..90),
-            scale in -12i32..12,
-            triangles in proptest::collection::vec(proptest::array::uniform3(0u32..30), 1..60),
-        ) {
-            let scale = f64::from(scale).exp2();
-            let vertices: Vec<[f64; 3]> = numbers
-                .chunks_exact(3)
-                .map(|v| [far + v[0] * scale, v[1] * scale, far / 3.0 + v[2] * scale.powi(3)])
-                .collect();
-            let (told, has_origin) = told_and_lost(&vertices, &triangles);
-            proptest::prop_assert!(told || !has_origin);
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Positions as a file has them.
 
-use crate::mesh::{loses, narrowed};
+use crate::mesh::{Narrow, narrowed};
 
 /// Positions as a file has them.
 pub(super) enum Vertices {
@@ -8,36 +8,6 @@ pub(super) enum Vertices {
     Narrow(Narrow),
     /// In `f64`: what is narrowed may be rounded.
     Wide(Vec<[f64; 3]>),
-}
-
-/// Positions in `f32`.
-#[derive(Default)]
-pub(super) struct Narrow {
-    list: Vec<[f32; 3]>,
-    /// The largest difference to a coordinate of the file.
-    lost: f64,
-}
-
-impl Narrow {
-    /// Adds positions, narrowed.
-    pub fn extend(&mut self, positions: impl Iterator<Item = [f64; 3]>) {
-        let mut lost = self.lost;
-        self.list.extend(positions.map(|position| {
-            position.map(|x| {
-                let near = x as f32;
-                // NaN, which is no maximum, for what is infinite in the file.
-                lost = lost.max((x - f64::from(near)).abs());
-                near
-            })
-        }));
-        self.lost = lost;
-    }
-}
-
-impl From<Vec<[f32; 3]>> for Narrow {
-    fn from(list: Vec<[f32; 3]>) -> Self {
-        Self { list, lost: 0.0 }
-    }
 }
 
 impl Default for Vertices {
@@ -87,7 +57,7 @@ impl Vertices {
     /// Whether they were narrowed, and a local origin might keep more.
     pub fn may_lose(&self, triangles: &[[u32; 3]]) -> bool {
         match self {
-            Self::Narrow(narrow) => loses(&narrow.list, triangles, narrow.lost),
+            Self::Narrow(narrow) => narrow.may_lose(triangles),
             Self::Wide(_) => false,
         }
     }

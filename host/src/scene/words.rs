@@ -157,7 +157,7 @@ pub(super) fn number(word: &[u8]) -> Option<f64> {
     short_number(word).or_else(|| long_number(word))
 }
 
-/// A number of few digits, such as `-0.0312`: a whole number below 2^53 over a power of ten up to 10^22, which are both exact, so the
+/// A number of few digits, such as `-0.0312`: a whole number below 2^53 over a power of ten up to 10^15, which are both exact, so the
 /// quotient is the nearest number (Clinger 1990, "How to Read Floating Point Numbers Accurately"). `None` for others.
 #[inline]
 fn short_number(word: &[u8]) -> Option<f64> {

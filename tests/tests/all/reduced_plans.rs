@@ -128,15 +128,15 @@ fn declining_says_why_with_figures() {
     assert!(plan.is_plain() && plan.needs_whole);
     let lines = plan.explain();
     assert_eq!(lines[0].0, "nothing");
-    for figure in [
-        "a survey of the surfaces takes about ",
-        " ms, at most ",
-        " ms, and must save more than ",
-        " ms; it is expected to save at most ",
-        " ms in one frame",
-    ] {
-        assert!(lines[0].1.contains(figure), "no {figure:?} in {lines:?}");
-    }
+    let is_figure = |word: &&str| word.parse::<f64>().is_ok();
+    let words = lines[0].1.split(' ');
+    let sentence: Vec<&str> = words
+        .map(|it| if is_figure(&it) { "_" } else { it })
+        .collect();
+    assert_eq!(
+        sentence.join(" "),
+        "is left out: a survey of the surfaces takes about _ ms, at most _ ms, and must save more than _ ms; it is expected to save at most _ ms in one frame"
+    );
 }
 
 #[test]
