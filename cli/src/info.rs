@@ -72,8 +72,8 @@ struct HierarchySummary {
 
 #[derive(Debug, Serialize)]
 struct Extent {
-    min: [f32; 3],
-    max: [f32; 3],
+    min: [f64; 3],
+    max: [f64; 3],
 }
 
 #[derive(Debug, Serialize)]
@@ -117,9 +117,9 @@ pub fn run(arguments: &InfoArguments) -> Result<()> {
 }
 
 fn summarize(name: &str, scene: &Scene, analysis: &Analysis, bvh: Option<&Bvh>) -> Summary {
-    let extent = |bounds: &Aabb| Extent {
-        min: bounds.min.to_array(),
-        max: bounds.max.to_array(),
+    let extent = |bounds: &Aabb| {
+        let [min, max] = corners(scene, bounds);
+        Extent { min, max }
     };
     let component = |component: &Component| ComponentSummary {
         triangles: component.triangle_count,
@@ -241,7 +241,7 @@ fn describe(
         line("origin", format!("{words}, taken off all positions"));
     }
     if let Some(bounds) = &analysis.bounds {
-        line("extent", extent(bounds));
+        line("extent", extent(scene, bounds));
     }
     if looks_z_up(scene, analysis) {
         line(
@@ -276,7 +276,7 @@ fn describe(
         ),
     );
     for component in analysis.components.iter().take(listed) {
-        line("", describe_component(component));
+        line("", describe_component(scene, component));
     }
     if analysis.components.len() > listed {
         let rest = analysis.components.len() - listed;
@@ -302,7 +302,7 @@ fn materials(scene: &Scene) -> String {
     }
 }
 
-fn describe_component(component: &Component) -> String {
+fn describe_component(scene: &Scene, component: &Component) -> String {
     let closed = if component.closed { "closed" } else { "open" };
     let wound = if component.consistently_wound {
         "consistently wound"
@@ -317,22 +317,32 @@ fn describe_component(component: &Component) -> String {
     format!(
         "{}: {closed}, {wound}{outward}; {}",
         things(component.triangle_count, "triangle"),
-        extent(&component.bounds)
+        extent(scene, &component.bounds)
     )
 }
 
-/// Formats a box: `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
-fn extent(bounds: &Aabb) -> String {
-    let [a, b] = [bounds.min, bounds.max];
+/// Formats a box in the file's own coordinates: `1 x 2 x 3 from (0, 0, 0) to (1, 2, 3)`.
+fn extent(scene: &Scene, bounds: &Aabb) -> String {
     // Subtract in f64: the difference of two `f32` may overflow `f32`.
-    let size: [f64; 3] = std::array::from_fn(|i| f64::from(b[i]) - f64::from(a[i]));
+    let size = [0, 1, 2].map(|i| f64::from(bounds.max[i]) - f64::from(bounds.min[i]));
     // As many digits as an `f32` has, where it is one.
     let size = size.map(|x| match x as f32 {
         x if x.is_finite() => x.to_string(),
         _ => x.to_string(),
     });
+    let [a, b] = corners(scene, bounds);
     format!(
         "{} x {} x {} from ({}, {}, {}) to ({}, {}, {})",
         size[0], size[1], size[2], a[0], a[1], a[2], b[0], b[1], b[2]
     )
+}
+
+/// A box's corners in the file's own coordinates, with as many digits as their distance from the origin has in `f32`.
+fn corners(scene: &Scene, bounds: &Aabb) -> [[f64; 3]; 2] {
+    [bounds.min, bounds.max].map(|corner| [0, 1, 2].map(|i| shortest(corner[i]) + scene.origin[i]))
+}
+
+/// The number with the fewest digits that rounds to this one.
+fn shortest(x: f32) -> f64 {
+    x.to_string().parse().unwrap_or(f64::from(x))
 }

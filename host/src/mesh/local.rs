@@ -11,7 +11,8 @@ const MOST_EDGES: usize = 1 << 16;
 
 impl Mesh {
     /// A mesh from positions in `f64`, around a local origin, and that origin: add it to a hit's position for that in the caller's
-    /// coordinates, and take it off origins of rays. It is zero unless `f32` would lose more than a thousandth of the median edge.
+    /// coordinates, and take it off origins of rays. It is zero unless rounding to `f32` so far away may exceed a thousandth of the median
+    /// edge.
     ///
     /// ```
     /// use slimbvh::{BuildConfig, Builder, Mesh, Ray};
@@ -46,46 +47,76 @@ impl Mesh {
 /// The positions around their local origin, and that origin.
 pub(crate) fn narrowed(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> (Vec<[f32; 3]>, [f64; 3]) {
     let origin = local_origin(vertices, triangles);
-    let near = |v: &[f64; 3]| [0, 1, 2].map(|i| (v[i] - origin[i]) as f32);
-    (vertices.iter().map(near).collect(), origin)
+    (around(vertices, origin), origin)
 }
 
-/// The origin to take off before narrowing: near the middle of the box, if `f32` would lose more than a thousandth of the median edge
-/// without, and less with it. Else zero.
-pub(super) fn local_origin(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> [f64; 3] {
-    // Most files are near: then rounding is far below any edge, and nobody looks at edges.
-    let lost = vertices
-        .iter()
-        .flatten()
-        .map(|&x| (x - f64::from(x as f32)).abs())
-        .filter(|lost| lost.is_finite())
-        .fold(0.0, f64::max);
-    if lost == 0.0 {
-        return [0.0; 3];
-    }
-    let Some(edge) = median_edge(vertices, triangles) else {
+/// The positions less an origin.
+pub(super) fn around<T: Copy + Into<f64>>(vertices: &[[T; 3]], origin: [f64; 3]) -> Vec<[f32; 3]> {
+    let near = |v: &[T; 3]| [0, 1, 2].map(|i| (v[i].into() - origin[i]) as f32);
+    vertices.iter().map(near).collect()
+}
+
+/// The origin to take off before narrowing: near the middle of the box, if rounding to `f32` without may exceed a thousandth of the
+/// median edge. Else zero.
+///
+/// Numbers of `f32` count alike: rays, hits and cameras among them are rounded there.
+pub(super) fn local_origin<T: Copy + Into<f64>>(
+    vertices: &[[T; 3]],
+    triangles: &[[u32; 3]],
+) -> [f64; 3] {
+    let vertex = |v: u32| vertices.get(v as usize).map(|&v| wide(v));
+    let lengths = edge_lengths(triangles, vertex);
+    let is_edge = |length: &f64| *length > 0.0 && length.is_finite();
+    let Some(edge) = median(lengths.filter(is_edge).collect()) else {
         return [0.0; 3];
     };
-    if lost * 1000.0 <= edge {
+    let may_lose = |far: f64| rounding(far) * 1000.0 > edge;
+    // Most files are near: nobody looks at their triangles.
+    if !may_lose(farthest(vertices)) {
         return [0.0; 3];
     }
-    let corners = triangles.iter().flatten();
-    let corners = corners.filter_map(|&corner| vertices.get(corner as usize));
     let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for corner in corners.map(|&corner| DVec3::from(corner)) {
-        if corner.is_finite() {
-            (min, max) = (min.min(corner), max.max(corner));
-        }
+    let corners = triangles
+        .iter()
+        .flatten()
+        .filter_map(|&corner| vertex(corner));
+    for corner in corners.filter(|corner| corner.is_finite()) {
+        (min, max) = (min.min(corner), max.max(corner));
     }
-    let (extent, far) = (max - min, min.abs().max(max.abs()).max_element());
-    let middle = (min + max) / 2.0;
-    // Where the box reaches around zero anyway, taking its middle off gains less than a bit.
-    if !middle.is_finite() || extent.max_element() > far {
+    let extent = (max - min).max_element();
+    if !may_lose(min.abs().max(max.abs()).max_element()) || !extent.is_finite() {
         return [0.0; 3];
     }
     // A short number: few bits, so that it can be written down, and subtracted without rounding.
-    let step = power_of_two_below(extent.max_element());
-    (middle / step).round().to_array().map(|steps| steps * step)
+    let step = power_of_two_below(extent);
+    let axis = |min: f64, max: f64| {
+        // An axis that is near keeps its zero. What is taken off others leaves numbers no larger than the box, and so no larger than
+        // any was: a number of `f32` stays one.
+        match min.max(-max) >= extent {
+            true => ((min + max) / 2.0 / step).round() * step,
+            false => 0.0,
+        }
+    };
+    [0, 1, 2].map(|i| axis(min[i], max[i]))
+}
+
+/// The largest coordinate, without its sign; those that are not finite count for nothing.
+pub(super) fn farthest<T: Copy + Into<f64>>(vertices: &[[T; 3]]) -> f64 {
+    let numbers = vertices.iter().flatten().map(|&x| x.into().abs());
+    numbers.filter(|x| x.is_finite()).fold(0.0, f64::max)
+}
+
+/// How much a number up to this changes by rounding to `f32`, at most: half a step.
+pub(super) fn rounding(far: f64) -> f64 {
+    let far = far as f32;
+    match far < f32::MAX {
+        true => (f64::from(far.next_up()) - f64::from(far)) / 2.0,
+        false => f64::INFINITY,
+    }
+}
+
+fn wide<T: Into<f64>>(vertex: [T; 3]) -> DVec3 {
+    DVec3::from(vertex.map(Into::into))
 }
 
 /// The largest power of two that is no larger, and not below the last bits of an `f32`; 1 for zero.
@@ -95,17 +126,6 @@ fn power_of_two_below(x: f64) -> f64 {
     } else {
         1.0
     }
-}
-
-/// The median length of edges that are not points, of some triangles.
-fn median_edge(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Option<f64> {
-    let vertex = |v: u32| vertices.get(v as usize).map(|&v| DVec3::from(v));
-    let lengths = edge_lengths(triangles, vertex);
-    median(
-        lengths
-            .filter(|&length| length > 0.0 && length.is_finite())
-            .collect(),
-    )
 }
 
 /// The lengths of the edges of some triangles.
@@ -171,8 +191,6 @@ pub(super) mod tests {
             ([0.1, 0.2, 0.3], 0.1),
             ([100.1, -3.0, 0.0], 0.1),
             ([1e6, 1e6, 0.0], 1000.7),
-            // Far, but every coordinate is a number of `f32`.
-            ([4_194_304.0, 4_194_304.0, 0.0], 2.0),
         ] {
             let (vertices, triangles) = strip(begin, edge);
             assert_eq!(local_origin(&vertices, &triangles), [0.0; 3], "{begin:?}");
@@ -182,7 +200,62 @@ pub(super) mod tests {
         vertices[0] = [-1e7, 0.0, 0.0];
         vertices[1] = [1e7, 0.0, 0.0];
         assert_eq!(local_origin(&vertices, &triangles), [0.0; 3]);
-        assert_eq!(local_origin(&[], &[]), [0.0; 3]);
+        assert_eq!(local_origin::<f64>(&[], &[]), [0.0; 3]);
         assert_eq!(local_origin(&[[f64::NAN; 3]; 3], &[[0, 1, 2]]), [0.0; 3]);
+    }
+
+    #[test]
+    fn numbers_of_f32_have_an_origin_too() {
+        let (vertices, triangles) = strip([500_000.0, 4_600_000.0, 100.0], 1.0);
+        let origin = local_origin(&vertices, &triangles);
+        assert!(origin.iter().all(|x| *x > 0.0), "{origin:?}");
+        let rounded: Vec<[f32; 3]> = vertices.iter().map(|v| v.map(|x| x as f32)).collect();
+        assert_eq!(local_origin(&rounded, &triangles), origin);
+    }
+
+    #[test]
+    fn near_axes_keep_their_zero() {
+        let (vertices, triangles) = strip([500_000.0, -20.0, 0.25], 0.01);
+        let [x, y, z] = local_origin(&vertices, &triangles);
+        assert!(x > 499_999.0 && y < -19.0 && z == 0.0, "{x} {y} {z}");
+    }
+
+    /// Whether all numbers are the same after an origin is taken off and added back.
+    fn is_restored(vertices: &[[f32; 3]], triangles: &[[u32; 3]], origin: [f64; 3]) -> bool {
+        let near = |v: &[f32; 3]| [0, 1, 2].map(|i| (f64::from(v[i]) - origin[i]) as f32);
+        let same = |v: &[f32; 3], n: [f32; 3]| {
+            (0..3).all(|i| f64::from(n[i]) + origin[i] == f64::from(v[i]))
+        };
+        let corners = triangles.iter().flatten();
+        let mut corners = corners.filter_map(|&corner| vertices.get(corner as usize));
+        corners.all(|v| same(v, near(v)))
+    }
+
+    proptest::proptest! {
+        /// Taking an origin off rounds no number of `f32`.
+        #[test]
+        fn numbers_of_f32_stay_exact(
+            far in proptest::array::uniform3(-1e8f32..1e8),
+            numbers in proptest::collection::vec(-1.0f32..1.0, 9..90),
+            scale in proptest::array::uniform3(-24i32..24),
+            triangles in proptest::collection::vec(proptest::array::uniform3(0u32..30), 1..60),
+        ) {
+            let vertices: Vec<[f32; 3]> = numbers
+                .chunks_exact(3)
+                .map(|v| [0, 1, 2].map(|i| far[i] + v[i] * (scale[i] as f32).exp2()))
+                .collect();
+            let origin = local_origin(&vertices, &triangles);
+            proptest::prop_assert!(is_restored(&vertices, &triangles, origin), "{origin:?}");
+        }
+    }
+
+    /// The negative control of the property: the middle of a box that reaches toward zero rounds.
+    #[test]
+    fn the_middle_of_a_near_box_would_round() {
+        let vertices = [[0.1, 0.0, 0.0], [1000.0, 0.0, 0.0], [1000.0, 1e-6, 0.0]];
+        let triangles = [[0, 1, 2]; 3];
+        assert!(!is_restored(&vertices, &triangles, [512.0, 0.0, 0.0]));
+        let origin = local_origin(&vertices, &triangles);
+        assert!(is_restored(&vertices, &triangles, origin));
     }
 }

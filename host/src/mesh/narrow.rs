@@ -1,6 +1,6 @@
 //! Positions narrowed to `f32` as they come.
 
-use super::local::{edge_lengths, median};
+use super::local::{around, edge_lengths, farthest, local_origin, median, rounding};
 
 /// Positions in `f32`.
 #[derive(Default)]
@@ -25,11 +25,11 @@ impl Narrow {
         self.lost = lost;
     }
 
-    /// Whether narrowing may have lost more than a thousandth of the median edge: true wherever
-    /// [`local_origin`](super::local::local_origin) of the positions before would not be zero.
+    /// Whether narrowing has lost something, and rounding may exceed a thousandth of the median edge. If not, the list has the same
+    /// [`local_origin`](super::local::local_origin) as the positions before.
     ///
-    /// Rounding moves a corner by at most √3 of `lost`, and an edge's length by less than 4. Edges that became points count
-    /// here. So this median is at most 4 of `lost` above that of the positions before.
+    /// Rounding moves a corner by at most √3 of `rounding`, and an edge's length by less than 4. Edges that became points count
+    /// here. So this median is at most 4 of `rounding` above that of the positions before.
     pub(crate) fn may_lose(&self, triangles: &[[u32; 3]]) -> bool {
         if self.lost == 0.0 {
             return false;
@@ -40,28 +40,30 @@ impl Narrow {
         };
         let lengths = edge_lengths(triangles, vertex).filter(|length| length.is_finite());
         let edge = median(lengths.collect()).unwrap_or(0.0);
-        edge <= 1004.0 * self.lost
+        edge <= 1004.0 * self.lost.max(rounding(farthest(&self.list)))
     }
-}
 
-impl From<Vec<[f32; 3]>> for Narrow {
-    fn from(list: Vec<[f32; 3]>) -> Self {
-        Self { list, lost: 0.0 }
+    /// The positions around their local origin, and that origin.
+    pub(crate) fn around_origin(self, triangles: &[[u32; 3]]) -> (Vec<[f32; 3]>, [f64; 3]) {
+        match local_origin(&self.list, triangles) {
+            [0.0, 0.0, 0.0] => (self.list, [0.0; 3]),
+            origin => (around(&self.list, origin), origin),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::local::local_origin;
     use super::super::local::tests::strip;
     use super::*;
 
-    /// Whether narrowing at once tells that it may lose something, and whether it lost enough for an origin.
+    /// Whether narrowing at once tells that it may lose something, and whether it lost the origin.
     fn told_and_lost(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> (bool, bool) {
         let mut narrow = Narrow::default();
         narrow.extend(vertices.iter().copied());
-        let has_origin = local_origin(vertices, triangles) != [0.0; 3];
-        (narrow.may_lose(triangles), has_origin)
+        let origin = local_origin(vertices, triangles);
+        let found = local_origin(&narrow.list, triangles);
+        (narrow.may_lose(triangles), found != origin)
     }
 
     #[test]
@@ -80,8 +82,8 @@ mod tests {
         ] {
             for edge in [1e-30, 1e-9, 1e-3, 1.0 / 3.0, 1e3, 1e30] {
                 let (vertices, triangles) = strip([begin, 0.0, 1.0 / 3.0], edge);
-                let (told, has_origin) = told_and_lost(&vertices, &triangles);
-                assert!(told || !has_origin, "{begin} {edge}");
+                let (told, lost) = told_and_lost(&vertices, &triangles);
+                assert!(told || !lost, "{begin} {edge}");
             }
         }
         // Most files are not read twice.
@@ -89,8 +91,12 @@ mod tests {
             let (vertices, triangles) = strip([begin, 0.0, 0.3], 0.1);
             assert_eq!(told_and_lost(&vertices, &triangles), (false, false));
         }
-        let (vertices, triangles) = strip([1e6, 0.0, 0.0], 0.1);
+        let (vertices, triangles) = strip([1e9 + 0.1, 0.0, 0.0], 0.1);
         assert_eq!(told_and_lost(&vertices, &triangles), (true, true));
+        // Numbers of `f32` need no second reading, but an origin.
+        let (vertices, triangles) = strip([500_000.0, 4_600_000.0, 100.0], 1.0);
+        assert_eq!(told_and_lost(&vertices, &triangles), (false, false));
+        assert_ne!(local_origin(&vertices, &triangles), [0.0; 3]);
     }
 
     proptest::proptest! {
@@ -107,8 +113,8 @@ mod tests {
                 .chunks_exact(3)
                 .map(|v| [far + v[0] * scale, v[1] * scale, far / 3.0 + v[2] * scale.powi(3)])
                 .collect();
-            let (told, has_origin) = told_and_lost(&vertices, &triangles);
-            proptest::prop_assert!(told || !has_origin);
+            let (told, lost) = told_and_lost(&vertices, &triangles);
+            proptest::prop_assert!(told || !lost);
         }
     }
 }

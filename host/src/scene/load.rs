@@ -61,16 +61,20 @@ pub fn load_bytes(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<
 
 /// Parses with the reader of a format, and checks the result.
 fn parse(source: Source<'_>, format: Format, bytes: Vec<u8>) -> Result<Scene, LoadError> {
-    let read = match format {
-        Format::Gltf => gltf::read,
-        Format::Obj => obj::read,
-        Format::Ply => ply::read,
-        Format::Stl => stl::read,
-        Format::Off => off::read,
-        Format::Slim => slim::read_scene,
+    let read = || {
+        let read = match format {
+            Format::Gltf => gltf::read,
+            Format::Obj => obj::read,
+            Format::Ply => ply::read,
+            Format::Stl => stl::read,
+            Format::Off => off::read,
+            // It has its origin already, and a hierarchy over what lies around it.
+            Format::Slim => return slim::read_scene(&source, &bytes),
+        };
+        read(&source, bytes).map(Found::into_scene)
     };
-    match contain(|| read(&source, bytes)) {
-        Ok(found) => finish(found?.into_scene(), &source),
+    match contain(read) {
+        Ok(scene) => finish(scene?, &source),
         Err(message) => Err(LoadError::Panicked {
             file: source.file,
             format: format.name(),
@@ -101,26 +105,6 @@ pub(super) struct Found {
     pub lights: Vec<[f64; 3]>,
 }
 
-impl From<Scene> for Found {
-    fn from(mut scene: Scene) -> Self {
-        let wide = |[x, y, z]: [f32; 3]| [f64::from(x), f64::from(y), f64::from(z)];
-        let vertices = std::mem::take(&mut scene.mesh.vertices);
-        let cameras = scene.cameras.iter();
-        let lights = scene.lights.iter().map(|light| match light {
-            Light::Directional { .. } => [0.0; 3],
-            Light::Point { position: at, .. } | Light::Area { center: at, .. } => wide(*at),
-        });
-        Self {
-            vertices: Vertices::Narrow(vertices.into()),
-            cameras: cameras
-                .map(|camera| [wide(camera.eye), wide(camera.target)])
-                .collect(),
-            lights: lights.collect(),
-            scene,
-        }
-    }
-}
-
 impl Found {
     /// The scene around its local origin.
     fn into_scene(self) -> Scene {
@@ -132,7 +116,6 @@ impl Found {
         } = self;
         let (vertices, origin) = vertices.narrowed(&scene.mesh.indices);
         scene.mesh.vertices = vertices;
-        // A file in the library's own format has one already.
         if origin == [0.0; 3] {
             return scene;
         }

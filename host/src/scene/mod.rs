@@ -69,7 +69,7 @@ pub struct Scene {
     /// What the file holds and the scene does not.
     pub left_out: Vec<LeftOut>,
     /// What was taken off all positions, of cameras and lights, too: add it to a position for that in the file's own coordinates. Zero
-    /// unless these are so far away that `f32` would lose more than a thousandth of the median edge.
+    /// unless rounding to `f32` so far away may exceed a thousandth of the median edge.
     pub origin: [f64; 3],
     /// Which axis points up.
     pub up: Up,

@@ -64,7 +64,7 @@ pub use layout::Section;
 pub use read::read;
 pub use write::write;
 
-use super::load::{Found, Source, read_file};
+use super::load::{Source, read_file};
 use super::{LoadError, Scene};
 use crate::{Aabb, Bvh};
 use std::path::Path;
@@ -94,9 +94,9 @@ pub fn load(path: &Path, max_file_bytes: u64) -> Result<Saved, LoadError> {
 }
 
 /// The scene in a file, after the whole file was checked.
-pub(super) fn read_scene(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadError> {
-    match read(&bytes) {
-        Ok(saved) => Ok(saved.scene.into()),
+pub(super) fn read_scene(source: &Source<'_>, bytes: &[u8]) -> Result<Scene, LoadError> {
+    match read(bytes) {
+        Ok(saved) => Ok(saved.scene),
         Err(error) => Err(LoadError::Saved {
             file: source.file.clone(),
             error,

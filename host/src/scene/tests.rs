@@ -1,5 +1,6 @@
 //! The loaders, through [`load`] and files on disk.
 
+mod far;
 mod gltf;
 mod mutation;
 mod obj;

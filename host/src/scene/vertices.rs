@@ -62,10 +62,10 @@ impl Vertices {
         }
     }
 
-    /// The positions in `f32` around a local origin, and that origin: zero where `f32` suffices.
+    /// The positions in `f32` around their local origin, and that origin: zero where `f32` suffices.
     pub fn narrowed(self, triangles: &[[u32; 3]]) -> (Vec<[f32; 3]>, [f64; 3]) {
         match self {
-            Self::Narrow(narrow) => (narrow.list, [0.0; 3]),
+            Self::Narrow(narrow) => narrow.around_origin(triangles),
             Self::Wide(list) => narrowed(&list, triangles),
         }
     }

@@ -146,6 +146,8 @@ impl Camera {
     pub fn facing(bounds: &Aabb, aspect: f32) -> Self {
         const VERTICAL_FOV: f32 = 35.0;
         const MARGIN: f64 = 0.94;
+        /// 16 steps or more of a coordinate.
+        const LEAST_DISTANCE: f64 = 16.0 * f32::EPSILON as f64;
         // In f64, because a box may span all of f32.
         let wide = |v: Vec3| v.to_array().map(f64::from);
         let (low, high) = (wide(bounds.min), wide(bounds.max));
@@ -172,10 +174,10 @@ impl Camera {
             distance.max(dot(corner, toward_eye) + across.max(along))
         });
 
-        // A point or almost: keep the eye away from it.
+        // A point or almost: keep the eye some steps of `f32` away from it.
         let largest = center.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         let distance = distance
-            .max(largest * 1e-4)
+            .max(largest * LEAST_DISTANCE)
             .max(f64::from(f32::MIN_POSITIVE));
         Self {
             // A box of all of `f32` is viewed from inside.
