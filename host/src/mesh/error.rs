@@ -1,5 +1,6 @@
 //! Why a mesh is invalid.
 
+use crate::text::only;
 use thiserror::Error;
 
 /// A fault that makes a mesh unfit to build from.
@@ -21,7 +22,7 @@ pub enum MeshError {
         vertex_count: usize,
     },
     /// A face refers to a vertex that does not exist.
-    #[error("{part}face {face} names vertex {vertex}, but there are only {vertex_count} vertices")]
+    #[error("{part}face {face} names vertex {vertex}, but {}", only(*vertex_count, "vertices"))]
     IndexOutOfRange {
         /// `mesh "name", `, or empty.
         part: String,

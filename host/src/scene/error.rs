@@ -2,10 +2,11 @@
 
 use super::LeftOut;
 use super::gltf::GltfError;
+use super::left_out::POINTS;
 use super::slim::FileError;
 use crate::MeshError;
 pub(super) use crate::text::excerpt;
-use crate::text::{grouped, things};
+use crate::text::{are, grouped, noun, number, only, things};
 use std::io;
 use thiserror::Error;
 
@@ -55,8 +56,40 @@ pub enum LoadError {
         /// The path as given.
         file: String,
     },
+    /// The file has no bytes.
+    #[error("\"{file}\" is empty")]
+    Empty {
+        /// The path as given.
+        file: String,
+    },
+    /// The file begins as one of another format does.
+    #[error("\"{file}\" is not {format}: it looks like {like}")]
+    OtherFormat {
+        /// The path as given.
+        file: String,
+        /// The format by the extension or the options.
+        format: &'static str,
+        /// The format by the content.
+        like: &'static str,
+    },
+    /// The file is neither text of STL nor binary.
+    #[error("\"{file}\" is not STL: it is text that does not begin with \"solid\" or \"facet\"")]
+    NotStl {
+        /// The path as given.
+        file: String,
+    },
+    /// A binary STL file is shorter than its count of triangles needs.
+    #[error("\"{file}\" ends early, or is not STL: {announced} {} {} announced, {found} {} there", noun((*announced).into(), "triangles"), are((*announced).into()), are(*found))]
+    StlShort {
+        /// The path as given.
+        file: String,
+        /// The count in the header.
+        announced: u32,
+        /// The number of complete triangles.
+        found: u64,
+    },
     /// The file ends before everything that its header states.
-    #[error("\"{file}\" ends early: {announced} {what} are announced, {found} are there")]
+    #[error("\"{file}\" ends early: {announced} {} {} announced, {found} {} there", noun(*announced, what), are(*announced), are(*found))]
     EndsEarly {
         /// The path as given.
         file: String,
@@ -114,7 +147,7 @@ pub enum LoadError {
         expected: &'static str,
     },
     /// A binary file has an impossible list length or index.
-    #[error("\"{file}\": {what} {item} holds {value}, which is not {expected}")]
+    #[error("\"{file}\": {what} {item} holds {}, which is not {expected}", number(*value))]
     BadValue {
         /// The path as given.
         file: String,
@@ -128,7 +161,7 @@ pub enum LoadError {
         expected: &'static str,
     },
     /// A line ends before all its numbers.
-    #[error("\"{file}\", line {line}: {needed} numbers are needed, {found} are there")]
+    #[error("\"{file}\", line {line}: {needed} {} {} needed, {found} {} there", noun(*needed, "numbers"), are(*needed), are(*found))]
     TooFewNumbers {
         /// The path as given.
         file: String,
@@ -140,7 +173,7 @@ pub enum LoadError {
         found: u64,
     },
     /// A face refers to a vertex or a normal that does not exist.
-    #[error("\"{file}\"{}: {part}face {face} names {} {index}, but there are only {count} {}", at(*line), list.one(), list.many())]
+    #[error("\"{file}\"{}: {part}face {face} names {} {index}, but {}", at(*line), list.one(), only(*count, list.many()))]
     IndexOutOfRange {
         /// The path as given.
         file: String,
@@ -156,6 +189,18 @@ pub enum LoadError {
         index: i64,
         /// The length of the list.
         count: usize,
+    },
+    /// A face of an OBJ file refers to item 0, but indices count from 1.
+    #[error("\"{file}\", line {line}: face {face} names {} 0, but {} count from 1", list.one(), list.many())]
+    IndexZero {
+        /// The path as given.
+        file: String,
+        /// The line, counted from 1.
+        line: usize,
+        /// The face, counted from 0 in the file.
+        face: usize,
+        /// The list that the face refers to.
+        list: Indexed,
     },
     /// An STL text ends before `endsolid`.
     #[error("\"{file}\" ends early: face {face} is not complete, or \"endsolid\" is missing")]
@@ -251,12 +296,9 @@ fn instead(dropped_face_count: usize, point_count: usize, left_out: &[LeftOut]) 
     let mut all: Vec<String> = left_out.iter().map(ToString::to_string).collect();
     match (dropped_face_count, point_count) {
         (0, 0) => {}
-        (0, count) => {
-            // Points are those that the file draws.
-            let has_points = left_out.iter().any(|left_out| left_out.what == "points");
-            let thing = if has_points { "position" } else { "point" };
-            all.insert(0, things(count, thing));
-        }
+        // Points that the file draws are told already.
+        (0, _) if left_out.iter().any(|left_out| left_out.what == POINTS) => {}
+        (0, count) => all.insert(0, things(count, "point")),
         (1, _) => return "; 1 broken face was left out".into(),
         (count, _) => return format!("; {} broken faces were left out", grouped(count)),
     }

@@ -1,7 +1,11 @@
 //! The formats of scene files.
 
 use super::stl;
+use super::words::{Lines, Words, without_mark};
 use std::path::Path;
+
+/// Bytes in which a mark is looked for, behind comments.
+const HEAD_BYTES: usize = 1 << 16;
 
 /// The format of a scene file.
 ///
@@ -61,26 +65,30 @@ impl Format {
     /// bytes are binary STL.
     #[must_use]
     pub fn of_content(bytes: &[u8]) -> Self {
-        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-        let text = text.trim_ascii_start();
-        let begins = |mark: &[u8]| bytes.starts_with(mark);
-        let word_end = text.iter().position(u8::is_ascii_whitespace);
-        let word = &text[..word_end.unwrap_or(text.len())];
-        if begins(b"\x89SLIM") {
-            Self::Slim
-        } else if begins(b"glTF") || text.starts_with(b"{") {
-            Self::Gltf
-        } else if word == b"ply" {
-            Self::Ply
-        } else if stl::is_stl(bytes) {
-            Self::Stl
-        } else if is_off(word) {
-            Self::Off
-        } else if bytes.iter().take(512).any(|&byte| byte == 0) && !is_utf_16(bytes) {
-            Self::Stl
-        } else {
-            Self::Obj
-        }
+        Self::of_mark(bytes).unwrap_or_else(|| {
+            let is_binary = bytes.iter().take(512).any(|&byte| byte == 0);
+            match stl::has_exact_length(bytes) || is_binary && !is_utf_16(bytes) {
+                true => Self::Stl,
+                false => Self::Obj,
+            }
+        })
+    }
+
+    /// The format that the bytes of a file begin as.
+    pub(super) fn of_mark(bytes: &[u8]) -> Option<Self> {
+        let text = without_mark(bytes[..bytes.len().min(HEAD_BYTES)].to_vec());
+        let word = Lines::new(&text).find_map(|(_, line)| Words::new(line).next());
+        let word = word.unwrap_or_default();
+        Some(match word {
+            _ if bytes.starts_with(b"\x89SLIM") => Self::Slim,
+            _ if bytes.starts_with(b"glTF") || word.starts_with(b"{") => Self::Gltf,
+            // Any bytes may begin a binary file, also these words.
+            _ if stl::has_exact_length(bytes) => return None,
+            b"ply" => Self::Ply,
+            _ if stl::is_text(&text) => Self::Stl,
+            word if is_off(word) => Self::Off,
+            _ => return None,
+        })
     }
 
     /// The name in messages.
@@ -96,8 +104,11 @@ impl Format {
     }
 }
 
-/// Whether a word is the keyword of OFF with its prefixes, and maybe a count right behind.
+/// Whether a word is the keyword of OFF with its prefixes, and maybe a count right behind; or a count, as in files without a keyword.
 fn is_off(word: &[u8]) -> bool {
+    if !word.is_empty() && word.iter().all(u8::is_ascii_digit) {
+        return true;
+    }
     let end = word.windows(3).position(|letters| letters == b"OFF");
     let prefix = end.map(|end| &word[..end]);
     prefix.is_some_and(|prefix| prefix.iter().all(|byte| b"STCN4n".contains(byte)))
@@ -115,7 +126,7 @@ mod tests {
     fn content_tells_the_format() {
         let binary_stl = [&[b'x'; 80][..], &[0; 4]].concat();
         let named_solid = [b"solid by some program".as_slice(), &[0; 63]].concat();
-        let cases: [(&[u8], Format); 14] = [
+        let cases: [(&[u8], Format); 19] = [
             (b"  {\"asset\":{}}", Format::Gltf),
             (b"\xef\xbb\xbf{}", Format::Gltf),
             (b"glTF\x02\0\0\0", Format::Gltf),
@@ -127,6 +138,11 @@ mod tests {
             (b"OFF8 6 0", Format::Off),
             (b"COFF\n", Format::Off),
             (b"4OFF\n", Format::Off),
+            (b"# a box\n\nOFF\n", Format::Off),
+            (b"8 6 0\n", Format::Off),
+            (b"\xef\xbb\xbfsolid x\nfacet", Format::Stl),
+            (b"\xff\xfeO\0F\0F\0\n\0", Format::Off),
+            (b"\xff\xfe#\0\n\0v\0", Format::Obj),
             (b"\x89SLIM\r\n\x1a\n", Format::Slim),
             (b"plywood 1\nv 0 0 0", Format::Obj),
             (b"# a box\nv 0 0 0", Format::Obj),

@@ -246,9 +246,9 @@ impl Flat<'_> {
         let light = light.map_err(|error| self.buffers.fault(error))?;
         match light.kind.as_str() {
             "directional" | "point" => {}
-            "spot" => self.source.leave_out("spot lights' cones", 1),
+            "spot" => self.source.leave_out("cones of spot lights", 1),
             _ => {
-                self.source.leave_out("lights of unknown types", 1);
+                self.source.leave_out("lights of an unknown type", 1);
                 return Ok(());
             }
         }
@@ -286,7 +286,8 @@ impl Flat<'_> {
         let names: BTreeSet<&str> = names.map(String::as_str).collect();
         for name in names {
             if matches!(effect(name), Effect::Looks | Effect::Unknown) {
-                self.source.leave_out(&excerpt(name), 1);
+                let what = format!("extension \"{}\"", excerpt(name));
+                self.source.leave_out(&what, 1);
             }
         }
     }

@@ -1,7 +1,10 @@
 //! What a file holds and a scene does not.
 
-use crate::text::grouped;
+use crate::text::{grouped, noun};
 use std::fmt;
+
+/// Points that a file draws, rather than vertices of no face.
+pub(super) const POINTS: &str = "points";
 
 /// Something that a file holds and its scene does not: it is neither drawn nor traced.
 ///
@@ -18,18 +21,16 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOut {
-    /// What it is: a plural such as "textures", or one thing with its name.
+    /// What it is, whatever the count: a plural such as "textures", or one thing with its name in quotes.
     pub what: String,
     /// How many there are.
     pub count: usize,
 }
 
-/// What it is, with the count if there are several.
+/// The count, and what it is.
 impl fmt::Display for LeftOut {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self.count {
-            1 => write!(f, "{}", self.what),
-            count => write!(f, "{} {}", grouped(count), self.what),
-        }
+        let what = noun(self.count as u64, &self.what);
+        write!(f, "{} {what}", grouped(self.count))
     }
 }

@@ -61,6 +61,10 @@ pub fn load_bytes(path: &Path, bytes: Vec<u8>, options: &LoadOptions) -> Result<
 
 /// Parses with the reader of a format, and checks the result.
 fn parse(source: Source<'_>, format: Format, bytes: Vec<u8>) -> Result<Scene, LoadError> {
+    if bytes.is_empty() {
+        return Err(LoadError::Empty { file: source.file });
+    }
+    let like = Format::of_mark(&bytes).filter(|like| *like != format);
     let read = || {
         let read = match format {
             Format::Gltf => gltf::read,
@@ -74,7 +78,14 @@ fn parse(source: Source<'_>, format: Format, bytes: Vec<u8>) -> Result<Scene, Lo
         read(&source, bytes).map(Found::into_scene)
     };
     match contain(read) {
-        Ok(scene) => finish(scene?, &source),
+        Ok(read) => match (read.and_then(|scene| finish(scene, &source)), like) {
+            (Err(_), Some(like)) => Err(LoadError::OtherFormat {
+                file: source.file,
+                format: format.name(),
+                like: like.name(),
+            }),
+            (read, _) => read,
+        },
         Err(message) => Err(LoadError::Panicked {
             file: source.file,
             format: format.name(),

@@ -11,18 +11,8 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadErr
     let bytes = words::without_mark(bytes);
     let mut text = Text::new(&bytes, source);
     let header = Header::read(&mut text)?;
-    let mut body = Body::read(text.clone(), &header, bytes.len());
-    if body.is_err() {
-        // Rows may also take several lines, and lines several rows. Then they have no colors, which only the end of a line would end.
-        text.rows_in_lines = false;
-        let by_words = Body::read(text, &header, bytes.len());
-        if by_words.as_ref().is_ok_and(|body| body.is_whole) {
-            body = by_words;
-        }
-    }
-    let body = body?;
-    source.leave_out("vertex colours", body.vertex_colours);
-    source.leave_out("face colours", body.face_colours);
+    let body = Body::read_any(&text, &header, bytes.len())?;
+    body.note(source);
     Ok(body.faces.into_found())
 }
 
@@ -42,7 +32,7 @@ impl Header {
         let cut = || LoadError::HeaderCut {
             file: source.file.clone(),
         };
-        text.rows_in_lines = false;
+        text.rows_in = RowsIn::Words { skipped: 0 };
         let first = text.next().ok_or_else(cut)?;
         let mut prefix: &[u8] = b"";
         if first.iter().all(u8::is_ascii_digit) {
@@ -88,41 +78,118 @@ struct Body<'a> {
     faces: Faces<'a>,
     vertex_colours: usize,
     face_colours: usize,
-    /// Whether no words are left.
-    is_whole: bool,
+    texture_coordinates: usize,
+    /// Vertices with further numbers, which are no color.
+    spare: usize,
+    /// Lines behind the last face.
+    lines_behind: usize,
+}
+
+/// What separates rows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum RowsIn {
+    /// Each row is a line.
+    Lines,
+    /// A row may take several lines, and a line several rows. Each vertex has this many numbers behind those that are read, and faces
+    /// have no color, which only the end of a line would end.
+    Words { skipped: u64 },
+    /// Each row is a line, and a broken one is dropped.
+    SoundLines,
 }
 
 impl<'a> Body<'a> {
-    fn read(mut text: Text<'a>, header: &Header, byte_count: usize) -> Result<Self, LoadError> {
+    /// Reads rows in lines; if that fails, in words, if these leave no word; else sound lines, with lenient options.
+    fn read_any(text: &Text<'a>, header: &Header, byte_count: usize) -> Result<Self, LoadError> {
+        let attempt = |rows_in| Self::read(text.clone(), header, byte_count, rows_in);
+        let by_lines = attempt(RowsIn::Lines);
+        if by_lines.is_ok() {
+            return by_lines;
+        }
+        let texture = if header.has_texture_coordinates { 2 } else { 0 };
+        let colours: &[u64] = if header.has_colours { &[4, 3] } else { &[0] };
+        for colour in colours {
+            let skipped = colour + texture;
+            let by_words = attempt(RowsIn::Words { skipped });
+            if by_words.as_ref().is_ok_and(|body| body.lines_behind == 0) {
+                return by_words;
+            }
+        }
+        match text.source.options.lenient {
+            true => attempt(RowsIn::SoundLines),
+            false => by_lines,
+        }
+    }
+
+    fn read(
+        mut text: Text<'a>,
+        header: &Header,
+        byte_count: usize,
+        rows_in: RowsIn,
+    ) -> Result<Self, LoadError> {
+        text.rows_in = rows_in;
         let mut body = Self {
             faces: Faces::new(text.source),
             vertex_colours: 0,
             face_colours: 0,
-            is_whole: false,
+            texture_coordinates: 0,
+            spare: 0,
+            lines_behind: 0,
         };
         // The header's count reserves no more than the text can hold: a vertex takes 6 bytes at least.
         let believed = header.vertex_count.min(byte_count as u64 / 6) as usize;
         body.faces.vertices.reserve(believed);
         body.read_vertices(&mut text, header)?;
         body.read_faces(&mut text, header)?;
-        body.is_whole = text.next().is_none();
+        body.lines_behind = text.lines_behind();
         Ok(body)
+    }
+
+    fn note(&self, source: &Source<'_>) {
+        source.leave_out("vertex colours", self.vertex_colours);
+        source.leave_out("face colours", self.face_colours);
+        source.leave_out("texture coordinates", self.texture_coordinates);
+        source.leave_out("vertices with spare numbers", self.spare);
+        source.leave_out("lines behind the end", self.lines_behind);
     }
 
     fn read_vertices(&mut self, text: &mut Text<'_>, header: &Header) -> Result<(), LoadError> {
         for vertex in 0..header.vertex_count {
             text.begin_row("vertices", header.vertex_count, vertex)?;
             text.needed = if header.has_normals { 6 } else { 3 };
-            self.faces.vertices.push(text.vector()?);
+            let (position, normal) = match text.vertex(header.has_normals) {
+                // Faces with this vertex are dropped.
+                Err(_) if text.drop_row() => ([f64::NAN; 3], [0.0; 3]),
+                read => read?,
+            };
+            self.faces.vertices.push(position);
             if header.has_normals {
-                let normal = text.vector()?.map(|x| x as f32);
-                self.faces.mesh.normals.push(unit_or_zero(normal));
+                self.faces.mesh.normals.push(normal);
             }
-            let more = text.rest_of_row();
-            let is_colour = header.has_colours && more > 0;
-            let looks_like_colour = more >= 3 && !header.has_texture_coordinates;
-            self.vertex_colours += usize::from(is_colour || looks_like_colour);
+            self.count_spare(text, header)?;
         }
+        Ok(())
+    }
+
+    /// Counts what stands behind a vertex: a color, texture coordinates, or neither.
+    #[inline]
+    fn count_spare(&mut self, text: &mut Text<'_>, header: &Header) -> Result<(), LoadError> {
+        let more = match text.rows_in {
+            RowsIn::Words { skipped } => {
+                for _ in 0..skipped {
+                    text.number("a number", words::number)?;
+                }
+                skipped as usize
+            }
+            _ => text.rest_of_row(),
+        };
+        if more == 0 {
+            return Ok(());
+        }
+        let texture = usize::from(header.has_texture_coordinates && more >= 2) * 2;
+        let is_colour = more - texture >= if header.has_colours { 1 } else { 3 };
+        self.texture_coordinates += texture / 2;
+        self.vertex_colours += usize::from(is_colour);
+        self.spare += usize::from(!is_colour && more > texture);
         Ok(())
     }
 
@@ -135,12 +202,13 @@ impl<'a> Body<'a> {
         let mut corners: Vec<i64> = Vec::new();
         for face in 0..header.face_count {
             text.begin_row("faces", header.face_count, face)?;
-            text.needed = 1;
-            let corner_count = text.number("a count", count)?;
-            text.needed = corner_count.saturating_add(1);
-            corners.clear();
-            for _ in 0..corner_count {
-                corners.push(text.number("an index", words::whole)?);
+            match text.corners(&mut corners) {
+                Ok(()) => {}
+                Err(_) if text.drop_row() => {
+                    self.faces.dropped_count += 1;
+                    continue;
+                }
+                Err(error) => return Err(error),
             }
             let place = FaceSite {
                 line: Some(text.line),
@@ -168,8 +236,7 @@ struct Text<'a> {
     words: Words<'a>,
     /// A word before these.
     ahead: Option<&'a [u8]>,
-    /// Whether each row is a line.
-    rows_in_lines: bool,
+    rows_in: RowsIn,
     /// The number of numbers read of the row.
     found: u64,
     /// The number of numbers required, for messages.
@@ -184,7 +251,7 @@ impl<'a> Text<'a> {
             line: 0,
             words: Words::new(&[]),
             ahead: None,
-            rows_in_lines: true,
+            rows_in: RowsIn::Lines,
             found: 0,
             needed: 1,
         }
@@ -200,7 +267,7 @@ impl<'a> Text<'a> {
             if let Some(word) = self.words.next() {
                 return Some(word);
             }
-            if self.rows_in_lines || !self.next_line() {
+            if self.are_lines() || !self.next_line() {
                 return None;
             }
         }
@@ -219,7 +286,7 @@ impl<'a> Text<'a> {
 
     /// Skips the number of edges. It may be missing: then no word follows in the line, and the next line is a vertex.
     fn skip_edge_count(&mut self) {
-        self.rows_in_lines = true;
+        self.rows_in = RowsIn::Lines;
         if self.next().is_some() {
             return;
         }
@@ -231,7 +298,7 @@ impl<'a> Text<'a> {
 
     fn begin_row(&mut self, what: &str, announced: u64, found: u64) -> Result<(), LoadError> {
         self.found = 0;
-        if self.rows_in_lines && !self.next_line() {
+        if self.are_lines() && !self.next_line() {
             return Err(LoadError::EndsEarly {
                 file: self.source.file.clone(),
                 what: what.into(),
@@ -242,21 +309,33 @@ impl<'a> Text<'a> {
         Ok(())
     }
 
+    const fn are_lines(&self) -> bool {
+        !matches!(self.rows_in, RowsIn::Words { .. })
+    }
+
     /// The number of words left in the row, if rows are lines.
     fn rest_of_row(&self) -> usize {
-        match self.rows_in_lines {
+        match self.are_lines() {
             true => self.words.clone().count(),
             false => 0,
         }
     }
 
-    /// The next number.
+    /// Drops the rest of a broken row, if rows are sound lines.
+    fn drop_row(&mut self) -> bool {
+        self.words = Words::new(&[]);
+        self.rows_in == RowsIn::SoundLines
+    }
+
+    /// The number of lines with words left, behind the last row.
+    fn lines_behind(mut self) -> usize {
+        let begun = !self.are_lines() && !self.words.is_empty();
+        std::iter::from_fn(|| self.next_line().then_some(())).count() + usize::from(begun)
+    }
+
+    /// The next word of the row, which must be there.
     #[inline]
-    fn number<T>(
-        &mut self,
-        expected: &'static str,
-        parse: fn(&[u8]) -> Option<T>,
-    ) -> Result<T, LoadError> {
+    fn word(&mut self) -> Result<&'a [u8], LoadError> {
         let Some(word) = self.next() else {
             return Err(LoadError::TooFewNumbers {
                 file: self.source.file.clone(),
@@ -266,14 +345,54 @@ impl<'a> Text<'a> {
             });
         };
         self.found += 1;
+        Ok(word)
+    }
+
+    /// The next number.
+    #[inline]
+    fn number<T>(
+        &mut self,
+        expected: &'static str,
+        parse: fn(&[u8]) -> Option<T>,
+    ) -> Result<T, LoadError> {
+        let word = self.word()?;
         parse(word).ok_or_else(|| bad_word(self.source, self.line, word, expected))
     }
 
-    fn vector(&mut self) -> Result<[f64; 3], LoadError> {
-        Ok([
-            self.number("a number", words::number)?,
-            self.number("a number", words::number)?,
-            self.number("a number", words::number)?,
-        ])
+    /// The position of a vertex, and its normal, or zero.
+    #[inline]
+    fn vertex(&mut self, has_normals: bool) -> Result<([f64; 3], [f32; 3]), LoadError> {
+        let position = self.vector(words::coordinate)?;
+        let normal = match has_normals {
+            true => self.vector(words::normal_part)?.map(|x| x as f32),
+            false => [0.0; 3],
+        };
+        Ok((position, unit_or_zero(normal)))
+    }
+
+    #[inline]
+    fn vector(
+        &mut self,
+        read: fn(&Source<'_>, usize, &[u8]) -> Result<f64, LoadError>,
+    ) -> Result<[f64; 3], LoadError> {
+        let mut vector = [0.0; 3];
+        for x in &mut vector {
+            let word = self.word()?;
+            *x = read(self.source, self.line, word)?;
+        }
+        Ok(vector)
+    }
+
+    /// The number of corners, and these.
+    #[inline]
+    fn corners(&mut self, corners: &mut Vec<i64>) -> Result<(), LoadError> {
+        self.needed = 1;
+        let corner_count = self.number("a count", count)?;
+        self.needed = corner_count.saturating_add(1);
+        corners.clear();
+        for _ in 0..corner_count {
+            corners.push(self.number("an index", words::whole)?);
+        }
+        Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! PLY: elements with declared properties, as text or binary in either byte order.
 
 mod header;
+mod notes;
 mod rows;
 
 use super::LoadError;
@@ -8,9 +9,9 @@ use super::error::excerpt;
 use super::faces::{FaceSite, Faces, Run, unit_or_zero};
 use super::load::{Found, Source};
 use super::vertices::Vertices;
-use super::words::without_mark;
+use super::words::{self, without_mark};
 use header::{Element, Encoding, Header, Kind, Scalar};
-use rows::{Fault, Rows, RowsIn};
+use rows::{Fault, Rows, RowsIn, Spare};
 
 /// The vertex properties that are used.
 const KEPT: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
@@ -23,33 +24,34 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadErr
         return Err(missing("element \"vertex\"".into(), source));
     }
 
-    let mut rows = header.rows(RowsIn::Lines);
-    let mut faces = read_elements(&header, &mut rows, source);
-    // Rows that are not each a line are rare, and known by a line with too few or too many words.
-    if header.encoding == Encoding::Text && (faces.is_err() || rows.has_spare()) {
-        let mut rows = header.rows(RowsIn::Words);
-        let by_words = read_elements(&header, &mut rows, source);
-        if by_words.is_ok() && !rows.has_spare() {
-            faces = by_words;
-        }
-    }
-    let found = faces?.into_found();
-    note(&header, source);
+    let (faces, spare) = read_rows(&header, source)?;
+    let found = faces.into_found();
+    notes::note(&header, &spare, source);
     Ok(found)
 }
 
-/// Notes what the header announces and no reader wants.
-fn note(header: &Header<'_>, source: &Source<'_>) {
-    source.leave_out("textures", header.texture_count);
-    for element in &header.elements {
-        let count = element.count;
-        let coloured = if element.has_colours() { count } else { 0 };
-        match element.name.as_str() {
-            "vertex" => source.leave_out("vertex colours", coloured),
-            "face" | "tristrips" => source.leave_out("face colours", coloured),
-            "edge" => source.leave_out("edges", count),
-            other => source.leave_out(&plural(other), count),
-        }
+/// Reads all rows, and what stands behind and between them.
+fn read_rows<'a>(
+    header: &Header<'_>,
+    source: &'a Source<'a>,
+) -> Result<(Faces<'a>, Spare), LoadError> {
+    let attempt = |rows_in| {
+        let mut rows = header.rows(rows_in);
+        let faces = read_elements(header, &mut rows, source)?;
+        Ok((faces, rows.spare()))
+    };
+    let by_lines = attempt(RowsIn::Lines);
+    if header.encoding != Encoding::Text || matches!(&by_lines, Ok((_, spare)) if spare.is_none()) {
+        return by_lines;
+    }
+    // Rows that are not each a line are rare, and known by a line with too few or too many words.
+    let by_words = attempt(RowsIn::Words);
+    if matches!(&by_words, Ok((_, spare)) if spare.is_none()) {
+        return by_words;
+    }
+    match source.options.lenient && by_lines.is_err() {
+        true => attempt(RowsIn::SoundLines),
+        false => by_lines,
     }
 }
 
@@ -88,12 +90,8 @@ fn read_vertices(
     faces: &mut Faces<'_>,
     source: &Source<'_>,
 ) -> Result<(), LoadError> {
-    // For each property, the used value that it holds.
-    let scalar = |name: &str| match element.property(name) {
-        Some((place, Kind::Scalar(scalar))) => Some((place, scalar)),
-        _ => None,
-    };
-    let places = KEPT.map(scalar);
+    // For each used value, the property that holds it.
+    let places = KEPT.map(|name| element.scalar(name));
     if let Some(i) = places[..3].iter().position(Option::is_none) {
         return Err(missing(
             format!("property \"{}\" of element \"vertex\"", KEPT[i]),
@@ -123,16 +121,17 @@ fn read_vertices(
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
-        let mut kept = [0.0_f64; KEPT.len()];
-        for (place, kind) in &plan {
-            match (place, kind) {
-                (Some(place), Kind::Scalar(kind)) => {
-                    kept[*place] = rows.number(*kind).map_err(fault)?;
-                }
-                _ => rows.skip(*kind).map_err(fault)?,
-            }
+        let [x, y, z, nx, ny, nz] = match kept_numbers(rows, &plan) {
+            Ok(kept) => kept,
+            // Faces with this vertex are dropped.
+            Err(broken) if rows.drop_row(&broken) => [f64::NAN; KEPT.len()],
+            Err(broken) => return Err(fault(broken)),
+        };
+        if let Some(&value) = [x, y, z].iter().find(|x| words::is_too_large(**x))
+            && !source.options.lenient
+        {
+            return Err(fault(rows.unexpected(value, words::COORDINATE)));
         }
-        let [x, y, z, nx, ny, nz] = kept;
         faces.vertices.push([x, y, z]);
         if has_normals {
             let normal = [nx, ny, nz].map(|x| x as f32);
@@ -143,6 +142,22 @@ fn read_vertices(
         faces.mesh.normals.resize(faces.vertices.len(), [0.0; 3]);
     }
     Ok(())
+}
+
+/// The used values of a row. The plan has a place among them, or none, for each property.
+#[inline]
+fn kept_numbers(
+    rows: &mut Rows<'_>,
+    plan: &[(Option<usize>, Kind)],
+) -> Result<[f64; KEPT.len()], Fault> {
+    let mut kept = [0.0; KEPT.len()];
+    for (place, kind) in plan {
+        match (place, kind) {
+            (Some(place), Kind::Scalar(kind)) => kept[*place] = rows.number(*kind)?,
+            _ => rows.skip(*kind)?,
+        }
+    }
+    Ok(kept)
 }
 
 /// The list that has the corners of an element's faces.
@@ -161,13 +176,7 @@ impl Corners {
             "tristrips" => true,
             _ => return Ok(None),
         };
-        // The list has either name.
-        let place = ["vertex_indices", "vertex_index"].iter().find_map(|name| {
-            let is_list = |kind| matches!(kind, Kind::List { .. });
-            let mut properties = element.properties.iter();
-            properties.position(|p| p.name == **name && is_list(p.kind))
-        });
-        match place {
+        match element.corners() {
             Some(place) => Ok(Some(Self { place, are_strips })),
             // An element without rows needs none.
             None if element.count == 0 => Ok(None),
@@ -194,13 +203,13 @@ fn read_faces(
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
-        for (place, property) in element.properties.iter().enumerate() {
-            match property.kind {
-                Kind::List { count, item } if place == list.place => {
-                    rows.indices(count, item, &mut corners).map_err(fault)?;
-                }
-                other => rows.skip(other).map_err(fault)?,
+        match read_corners(rows, element, list.place, &mut corners) {
+            Ok(()) => {}
+            Err(broken) if rows.drop_row(&broken) => {
+                faces.dropped_count += 1;
+                continue;
             }
+            Err(broken) => return Err(fault(broken)),
         }
         let site = FaceSite {
             line: rows.line(),
@@ -211,6 +220,23 @@ fn read_faces(
             read_strips(&corners, run, site, faces)?;
         } else {
             faces.polygon(&corners, run, site)?;
+        }
+    }
+    Ok(())
+}
+
+/// Reads the row of a face, whose corners are in the list at this place.
+#[inline]
+fn read_corners(
+    rows: &mut Rows<'_>,
+    element: &Element,
+    place: usize,
+    corners: &mut Vec<i64>,
+) -> Result<(), Fault> {
+    for (at, property) in element.properties.iter().enumerate() {
+        match property.kind {
+            Kind::List { count, item } if at == place => rows.indices(count, item, corners)?,
+            other => rows.skip(other)?,
         }
     }
     Ok(())
@@ -246,8 +272,13 @@ fn skip(rows: &mut Rows<'_>, element: &Element, source: &Source<'_>) -> Result<(
     for row in 0..element.count {
         let fault = |fault| row_error(fault, element, row, source);
         rows.start(element.properties.len()).map_err(fault)?;
-        for property in &element.properties {
-            rows.skip(property.kind).map_err(fault)?;
+        let skipped = element
+            .properties
+            .iter()
+            .try_for_each(|p| rows.skip(p.kind));
+        match skipped {
+            Err(broken) if !rows.drop_row(&broken) => return Err(fault(broken)),
+            _ => {}
         }
     }
     Ok(())

@@ -3,7 +3,7 @@
 use super::LoadError;
 use super::faces::Faces;
 use super::load::{Found, Source};
-use super::words::{self, Lines, Words, bad_word, number};
+use super::words::{self, Lines, Words, bad_word};
 use crate::Part;
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -26,20 +26,20 @@ pub(super) fn read(source: &Source<'_>, bytes: Vec<u8>) -> Result<Found, LoadErr
 }
 
 /// Whether the length is that of a binary file with its count of triangles: then it is one, even if it begins with `solid`.
-fn has_exact_length(bytes: &[u8]) -> bool {
+pub(super) fn has_exact_length(bytes: &[u8]) -> bool {
     announced(bytes).is_some_and(|count| expected_bytes(count) == bytes.len() as u64)
 }
 
-/// Whether a file of an unknown format is STL.
-pub(super) fn is_stl(bytes: &[u8]) -> bool {
-    has_exact_length(bytes) || is_text(bytes)
-}
-
 /// Whether a file begins as text does, and has no zero bytes.
-fn is_text(bytes: &[u8]) -> bool {
+pub(super) fn is_text(bytes: &[u8]) -> bool {
     let word = Words::new(bytes).next().unwrap_or_default();
     let begins = ["solid", "facet"].iter().any(|begin| is(word, begin));
-    begins && !bytes.iter().take(512).any(|&byte| byte == 0)
+    begins && has_no_zero(bytes)
+}
+
+/// Whether the first bytes are those of a text.
+fn has_no_zero(bytes: &[u8]) -> bool {
+    !bytes.iter().take(512).any(|&byte| byte == 0)
 }
 
 /// The count in a binary file's header.
@@ -56,14 +56,16 @@ fn expected_bytes(count: u32) -> u64 {
 /// triangle are skipped.
 fn read_binary(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
     let file = || source.file.clone();
+    if has_no_zero(bytes) {
+        return Err(LoadError::NotStl { file: file() });
+    }
     let count = announced(bytes).ok_or_else(|| LoadError::HeaderCut { file: file() })? as usize;
     let (triangles, rest) = bytes[HEADER_BYTES..].as_chunks::<TRIANGLE_BYTES>();
     let held = triangles.len();
     if count > held && (held == 0 || !rest.is_empty()) {
-        return Err(LoadError::EndsEarly {
+        return Err(LoadError::StlShort {
             file: file(),
-            what: "triangles".into(),
-            announced: count as u64,
+            announced: count as u32,
             found: held as u64,
         });
     }
@@ -75,11 +77,15 @@ fn read_binary(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
         _ if rest.is_empty() => held,
         count => count,
     };
-    source.leave_out("announced triangles, which are not there", {
+    source.leave_out("triangles announced, but missing", {
         count.saturating_sub(held)
     });
     let behind = (held - read) * TRIANGLE_BYTES + rest.len();
     source.leave_out("bytes behind the last triangle", behind);
+    // Some programs write the color of all facets here.
+    let header = &bytes[..HEADER_BYTES - 4];
+    let is_coloured = memchr::memmem::find(header, b"COLOR=").is_some();
+    source.leave_out("colours in the header", usize::from(is_coloured));
 
     let mut weld = Weld::new(source);
     weld.faces.vertices = super::vertices::Vertices::narrow();
@@ -134,11 +140,7 @@ fn read_text(source: &Source<'_>, bytes: &[u8]) -> Result<Found, LoadError> {
             let mut corner = [0.0; 3];
             for x in &mut corner {
                 let word = text.next().ok_or_else(|| cut(face))?;
-                match number(word) {
-                    Some(number) => *x = number,
-                    None if source.options.lenient => is_sound = false,
-                    None => return Err(bad_word(source, text.line, word, "a number")),
-                }
+                *x = words::coordinate(source, text.line, word)?;
             }
             weld.corner(corner.map(|x| (x + 0.0).to_bits()), corner);
         } else if is(word, "endfacet") {

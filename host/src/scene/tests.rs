@@ -8,7 +8,7 @@ mod off;
 mod ply;
 mod stl;
 
-use super::{LoadError, LoadOptions, Scene, load};
+use super::{Format, LoadError, LoadOptions, Scene, load};
 use std::path::PathBuf;
 use tempfile::TempDir;
 
@@ -92,6 +92,11 @@ fn lenient() -> LoadOptions {
     }
 }
 
+/// What the scene leaves out, in words.
+fn left_out(scene: &Scene) -> Vec<String> {
+    scene.left_out.iter().map(ToString::to_string).collect()
+}
+
 /// The sum of a sixth of every triangle's determinant: the volume of a closed, counter-clockwise surface.
 fn volume(scene: &Scene) -> f32 {
     let mesh = &scene.mesh;
@@ -163,13 +168,38 @@ fn larger_files_than_allowed_are_not_read() {
 
 #[test]
 fn empty_files_of_every_format_are_refused() {
-    let empty = |name: &str| Files::with(name, "").refusal(name);
-    assert_eq!(empty("x.off"), "\"x.off\" ends within its header");
-    assert_eq!(empty("x.ply"), "\"x.ply\" ends within its header");
-    assert_eq!(empty("x.stl"), "\"x.stl\" ends within its header");
-    assert_eq!(empty("x.obj"), "\"x.obj\" holds no triangles");
+    for extension in ["gltf", "glb", "obj", "ply", "stl", "off", "slim"] {
+        let name = format!("x.{extension}");
+        let refusal = Files::with(&name, "").refusal(&name);
+        assert_eq!(refusal, format!("\"{name}\" is empty"));
+    }
+}
+
+#[test]
+fn files_of_another_format_than_their_name_says_are_told_so() {
+    let glb = b"glTF\x02\0\0\0\x0c\0\0\0";
+    let cases: [(&str, &[u8], &str); 6] = [
+        ("x.stl", glb, "is not STL: it looks like glTF"),
+        ("x.ply", glb, "is not PLY: it looks like glTF"),
+        ("x.obj", b"ply\nformat", "is not OBJ: it looks like PLY"),
+        ("x.off", b"solid x\n", "is not OFF: it looks like STL"),
+        ("x.gltf", b"OFF\n1 0", "is not glTF: it looks like OFF"),
+        ("x.slim", b"{}", "is not slim: it looks like glTF"),
+    ];
+    for (name, bytes, expected) in cases {
+        let refusal = Files::with(name, bytes).refusal(name);
+        assert_eq!(refusal, format!("\"{name}\" {expected}"));
+    }
+    let text = Files::with("x.stl", "v 0 0 0\nf 1 2 3\n".repeat(40));
     assert_eq!(
-        empty("x.gltf"),
-        "\"x.gltf\": the JSON is not glTF 2.0: EOF while parsing a value at line 1 column 0"
+        text.refusal("x.stl"),
+        "\"x.stl\" is not STL: it is text that does not begin with \"solid\" or \"facet\""
     );
+    // A name that is wrong hides no sound file: the option tells its format.
+    let files = Files::with("x.stl", off::sample());
+    let off = LoadOptions {
+        format: Some(Format::Off),
+        ..LoadOptions::default()
+    };
+    assert_is_box(&files.load_with("x.stl", &off).expect("a box"));
 }

@@ -244,6 +244,36 @@ pub(super) fn name(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes.trim_ascii()).into_owned()
 }
 
+/// What a coordinate must be, for messages.
+pub(super) const COORDINATE: &str = "a number up to 3.4e38, the largest of 32 bits";
+
+/// Whether a finite coordinate is none as an `f32`.
+#[inline]
+pub(super) fn is_too_large(x: f64) -> bool {
+    x.is_finite() && (x as f32).is_infinite()
+}
+
+/// A word as a coordinate. With lenient options, NaN for one that is none: faces with it are dropped.
+#[inline]
+pub(super) fn coordinate(source: &Source<'_>, line: usize, word: &[u8]) -> Result<f64, LoadError> {
+    match number(word) {
+        Some(x) if !is_too_large(x) => Ok(x),
+        _ if source.options.lenient => Ok(f64::NAN),
+        Some(_) => Err(bad_word(source, line, word, COORDINATE)),
+        None => Err(bad_word(source, line, word, "a number")),
+    }
+}
+
+/// A word as a part of a normal. With lenient options, NaN for one that is none: such a normal is flat shading.
+#[inline]
+pub(super) fn normal_part(source: &Source<'_>, line: usize, word: &[u8]) -> Result<f64, LoadError> {
+    match number(word) {
+        Some(x) => Ok(x),
+        None if source.options.lenient => Ok(f64::NAN),
+        None => Err(bad_word(source, line, word, "a number")),
+    }
+}
+
 /// The error for a word in place of something else.
 pub(super) fn bad_word(
     source: &Source<'_>,

@@ -95,7 +95,8 @@ pub(super) fn note<'m>(materials: impl Iterator<Item = &'m json::Material>, sour
     source.leave_out("materials with transparency (alphaMode)", transparent);
     source.leave_out("materials with emission", emissive);
     for name in all_extensions {
-        source.leave_out(&crate::text::excerpt(name), 1);
+        let what = format!("extension \"{}\"", crate::text::excerpt(name));
+        source.leave_out(&what, 1);
     }
 }
 

@@ -63,7 +63,7 @@ impl Libraries {
         if !self.known.insert(name.into()) {
             return;
         }
-        let what = format!("material library {}, which is not there", excerpt(name));
+        let what = format!("missing material library \"{}\"", excerpt(name));
         source.leave_out(&what, 1);
     }
 

@@ -9,6 +9,8 @@ use super::lines::Lines;
 /// Illumination models with a reflection, and with a refraction.
 const REFLECTION: i64 = 3;
 const REFRACTION: [i64; 2] = [6, 7];
+/// Models with reflections, glass or shadows of another kind.
+const OTHERS: [i64; 5] = [4, 5, 8, 9, 10];
 
 /// What libraries hold and materials have no place for.
 #[derive(Default)]
@@ -16,6 +18,14 @@ pub(super) struct LeftOut {
     textures: usize,
     transparent: usize,
     emissive: usize,
+    /// Materials with another illumination model.
+    models: usize,
+    /// Roughness, metal, sheen, clear coats and anisotropy.
+    physical: usize,
+    /// Transmission filters of materials without refraction.
+    filters: usize,
+    /// Colors by a spectrum, or in CIE XYZ.
+    spectral: usize,
 }
 
 impl LeftOut {
@@ -23,6 +33,16 @@ impl LeftOut {
         source.leave_out("textures", self.textures);
         source.leave_out("transparent materials", self.transparent);
         source.leave_out("emissive materials", self.emissive);
+        source.leave_out(
+            "materials with illumination model 4, 5, 8, 9 or 10",
+            self.models,
+        );
+        source.leave_out(
+            "materials with roughness, metal, sheen or coats",
+            self.physical,
+        );
+        source.leave_out("transmission filters", self.filters);
+        source.leave_out("spectral colours", self.spectral);
     }
 }
 
@@ -38,6 +58,7 @@ struct Lit {
     model: i64,
     is_transparent: bool,
     is_emissive: bool,
+    is_physical: bool,
 }
 
 /// The materials of a library, with their names. Lines that cannot be read count for nothing.
@@ -62,6 +83,10 @@ pub(super) fn read(bytes: Vec<u8>, left_out: &mut LeftOut) -> Vec<(String, Mater
         let Some(lit) = &mut current else {
             continue;
         };
+        if matches!(keyword, b"Kd" | b"Ks" | b"Tf" | b"Ke") {
+            let first = words.clone().next();
+            left_out.spectral += usize::from(matches!(first, Some(b"spectral" | b"xyz")));
+        }
         let mut value = || words.next().and_then(number).map(|x| x as f32);
         match keyword {
             b"Kd" => lit.diffuse = color(words).or(lit.diffuse),
@@ -76,6 +101,9 @@ pub(super) fn read(bytes: Vec<u8>, left_out: &mut LeftOut) -> Vec<(String, Mater
                 lit.is_transparent |= opacity.is_some_and(|share| share < 1.0);
             }
             b"Tr" => lit.is_transparent |= value().is_some_and(|share| share > 0.0),
+            b"Pr" | b"Pm" | b"Ps" | b"Pc" | b"aniso" => {
+                lit.is_physical |= value().is_some_and(|share| share != 0.0);
+            }
             b"bump" | b"disp" | b"decal" | b"refl" | b"norm" => {
                 left_out.textures += usize::from(words.next().is_some());
             }
@@ -107,6 +135,8 @@ impl Lit {
     /// transmission filter, if it has refraction.
     fn convert(self, left_out: &mut LeftOut) -> (String, Material) {
         left_out.emissive += usize::from(self.is_emissive);
+        left_out.physical += usize::from(self.is_physical);
+        left_out.models += usize::from(OTHERS.contains(&self.model));
         let default = Material::default();
         if REFRACTION.contains(&self.model) {
             let glass = Material {
@@ -119,6 +149,9 @@ impl Lit {
             return (self.name, glass);
         }
         left_out.transparent += usize::from(self.is_transparent);
+        // All light, or none, is what programs write for opaque materials.
+        let filters = |filter| filter != [1.0; 3] && filter != [0.0; 3];
+        left_out.filters += usize::from(self.filter.is_some_and(filters));
         let specular = self.specular.into_iter().fold(0.0, f32::max);
         let material = Material {
             base_color: self.diffuse.map_or(default.base_color, |c| c.map(share)),

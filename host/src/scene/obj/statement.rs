@@ -2,8 +2,9 @@
 
 use super::super::LoadError;
 use super::super::faces::unit_or_zero;
+use super::super::left_out::POINTS;
 use super::super::load::Source;
-use super::super::words::{self, Words, bad_word, number, whole};
+use super::super::words::{self, Words, bad_word, whole};
 use super::corner::{Corner, Counts, Outside, Word};
 use super::libraries::Libraries;
 use super::lines::Lines;
@@ -93,13 +94,13 @@ impl Statements<'_> {
         };
         match keyword {
             b"v" => {
-                let position = self.vector(line, &mut words)?;
+                let position = self.vector(line, &mut words, words::coordinate)?;
                 self.file.vertices.push(position);
                 // A weight, or a color.
                 self.noted.vertex_colours += usize::from(words.nth(2).is_some());
             }
             b"vn" => {
-                let normal = self.vector(line, &mut words)?;
+                let normal = self.vector(line, &mut words, words::normal_part)?;
                 let normal = unit_or_zero(normal.map(|x| x as f32));
                 self.file.normals.push(normal);
             }
@@ -132,11 +133,20 @@ impl Statements<'_> {
     }
 
     #[inline]
-    fn vector(&self, line: usize, words: &mut Words<'_>) -> Result<[f64; 3], LoadError> {
+    fn vector(
+        &self,
+        line: usize,
+        words: &mut Words<'_>,
+        read: fn(&Source<'_>, usize, &[u8]) -> Result<f64, LoadError>,
+    ) -> Result<[f64; 3], LoadError> {
         let mut vector = [0.0; 3];
         for (found, x) in vector.iter_mut().enumerate() {
-            let word = words.next().ok_or_else(|| self.too_few(line, found))?;
-            *x = number(word).ok_or_else(|| bad_word(self.source, line, word, "a number"))?;
+            *x = match words.next() {
+                Some(word) => read(self.source, line, word)?,
+                // Faces with this vertex are dropped.
+                None if self.source.options.lenient => f64::NAN,
+                None => return Err(self.too_few(line, found)),
+            };
         }
         Ok(vector)
     }
@@ -220,8 +230,17 @@ impl Statements<'_> {
 
     fn outside(&self, outside: Outside, place: Place, counts: Counts) -> LoadError {
         use super::super::error::Indexed;
+        let file = self.source.file.clone();
+        if outside.index == 0 {
+            return LoadError::IndexZero {
+                file,
+                line: place.line,
+                face: place.face,
+                list: outside.list,
+            };
+        }
         LoadError::IndexOutOfRange {
-            file: self.source.file.clone(),
+            file,
             line: Some(place.line),
             part: String::new(),
             face: place.face,
@@ -284,7 +303,7 @@ impl Statements<'_> {
         for (what, count) in [
             ("vertex colours", noted.vertex_colours),
             ("lines", noted.lines),
-            ("points", noted.points),
+            (POINTS, noted.points),
             ("free-form curves", noted.curves),
             ("free-form surfaces", noted.surfaces),
             ("smoothing groups", groups),

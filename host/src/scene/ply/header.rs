@@ -119,16 +119,37 @@ impl<'a> Header<'a> {
 }
 
 impl Element {
-    /// The first property with a name.
-    pub fn property(&self, name: &str) -> Option<(usize, Kind)> {
+    /// The first property with a name, and its kind, if it is a number.
+    pub fn scalar(&self, name: &str) -> Option<(usize, Scalar)> {
         let place = self.properties.iter().position(|p| p.name == name)?;
-        Some((place, self.properties[place].kind))
+        match self.properties[place].kind {
+            Kind::Scalar(scalar) => Some((place, scalar)),
+            Kind::List { .. } => None,
+        }
     }
 
-    /// Whether rows have a color.
-    pub fn has_colours(&self) -> bool {
-        let is_red = |property: &Property| ["red", "diffuse_red", "r"].contains(&&*property.name);
-        self.properties.iter().any(is_red)
+    /// The list with the corners of faces: of either name, or the only one of whole numbers.
+    pub fn corners(&self) -> Option<usize> {
+        let properties = self.properties.iter().enumerate();
+        let lists: Vec<(usize, &Property)> = properties
+            .filter(|(_, property)| property.kind.is_index_list())
+            .collect();
+        let named = |name| lists.iter().find(|(_, property)| property.name == name);
+        let only = match &lists[..] {
+            [only] => Some(only),
+            _ => None,
+        };
+        let found = named("vertex_indices").or_else(|| named("vertex_index"));
+        found.or(only).map(|(place, _)| *place)
+    }
+}
+
+impl Kind {
+    const fn is_index_list(self) -> bool {
+        match self {
+            Self::Scalar(_) => false,
+            Self::List { item, .. } => !matches!(item, Scalar::F32 | Scalar::F64),
+        }
     }
 }
 

@@ -17,6 +17,25 @@ pub(super) enum RowsIn {
     Lines,
     /// A row may take several lines, and a line several rows.
     Words,
+    /// Each row is a line, and a broken one can be dropped.
+    SoundLines,
+}
+
+/// What belongs to no row.
+#[derive(Default, PartialEq, Eq)]
+pub(super) struct Spare {
+    /// The number of rows with further words.
+    pub rows: usize,
+    /// The number of lines behind the last row.
+    pub lines: usize,
+    /// The number of bytes behind the last row, where rows are binary.
+    pub bytes: usize,
+}
+
+impl Spare {
+    pub fn is_none(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 #[derive(Clone)]
@@ -36,8 +55,8 @@ struct Text<'a> {
     found: u64,
     /// The number of numbers required, for messages.
     needed: u64,
-    /// Whether a line had more words than its row.
-    has_spare: bool,
+    /// The number of lines with more words than their row.
+    spare_count: usize,
 }
 
 /// Why a number cannot be read.
@@ -71,7 +90,7 @@ impl<'a> Rows<'a> {
                 words: Words::new(&[]),
                 found: 0,
                 needed: 0,
-                has_spare: false,
+                spare_count: 0,
             }),
             encoding => Form::Bytes {
                 rest,
@@ -106,11 +125,35 @@ impl<'a> Rows<'a> {
         }
     }
 
-    /// Whether text has words that are in no row.
-    pub fn has_spare(&self) -> bool {
+    /// What belongs to no row, once all are read.
+    pub fn spare(&self) -> Spare {
         match &self.form {
-            Form::Text(text) => text.has_spare || text.clone().next_word().is_some(),
-            Form::Bytes { .. } => false,
+            Form::Text(text) => {
+                let lines = text.lines.clone();
+                let is_blank = |line| Words::new(line).is_empty();
+                Spare {
+                    rows: text.spare_count + usize::from(!text.words.is_empty()),
+                    lines: lines.filter(|(_, line)| !is_blank(line)).count(),
+                    bytes: 0,
+                }
+            }
+            Form::Bytes { rest, .. } => Spare {
+                bytes: rest.len(),
+                ..Spare::default()
+            },
+        }
+    }
+
+    /// Drops the rest of a broken row, if that can be told from the next one.
+    pub fn drop_row(&mut self, fault: &Fault) -> bool {
+        match (&mut self.form, fault) {
+            (Form::Text(text), Fault::TooFew { .. } | Fault::Word { .. })
+                if text.rows_in == RowsIn::SoundLines =>
+            {
+                text.words = Words::new(&[]);
+                true
+            }
+            _ => false,
         }
     }
 
@@ -201,11 +244,11 @@ impl<'a> Rows<'a> {
         Ok(length)
     }
 
-    fn unexpected(&self, value: f64, expected: &'static str) -> Fault {
+    pub fn unexpected(&self, value: f64, expected: &'static str) -> Fault {
         match self.line() {
             Some(line) => Fault::Word {
                 line,
-                text: value.to_string(),
+                text: crate::text::number(value),
                 expected,
             },
             None => Fault::Value { value, expected },
@@ -247,7 +290,7 @@ impl<'a> Text<'a> {
         if self.rows_in == RowsIn::Words {
             return Ok(());
         }
-        self.has_spare |= !self.words.is_empty();
+        self.spare_count += usize::from(!self.words.is_empty());
         // The next line that is not blank.
         loop {
             let (line, text) = self.lines.next().ok_or(Fault::End)?;
@@ -279,7 +322,7 @@ impl<'a> Text<'a> {
     #[inline]
     fn word(&mut self) -> Result<&'a [u8], Fault> {
         let word = match self.rows_in {
-            RowsIn::Lines => self.words.next().ok_or(Fault::TooFew {
+            RowsIn::Lines | RowsIn::SoundLines => self.words.next().ok_or(Fault::TooFew {
                 line: self.line,
                 needed: self.needed,
                 found: self.found,

@@ -263,7 +263,7 @@ fn primitives_without_indices_strips_and_fans() {
     );
     assert_eq!(
         refusal(indices, r#""mode": 3, "#),
-        "\"x.gltf\" holds no triangles, only 14 lines, spot lights' cones"
+        "\"x.gltf\" holds no triangles, only 14 lines, 1 cone of spot lights"
     );
 }
 

@@ -131,11 +131,11 @@ fn faults_name_line_and_face() {
     );
     assert_eq!(
         refusal(&format!("{good}f 1 2 0\n")),
-        "\"x.obj\", line 7: face 1 names vertex 0, but there are only 3 vertices"
+        "\"x.obj\", line 7: face 1 names vertex 0, but vertices count from 1"
     );
     assert_eq!(
         refusal(&format!("{good}f 1//1 2//1 3//5\n")),
-        "\"x.obj\", line 7: face 1 names normal 5, but there are only 1 normals"
+        "\"x.obj\", line 7: face 1 names normal 5, but there is only 1 normal"
     );
     assert_eq!(
         refusal(&format!("{good}f 1 2 x\n")),
@@ -155,12 +155,12 @@ fn faults_name_line_and_face() {
     );
     assert_eq!(
         refusal("v 1 0 0\nsurf 0 1 0 1 1\nl 1 1\n"),
-        "\"x.obj\" holds no triangles, only 1 point, lines, free-form surfaces"
+        "\"x.obj\" holds no triangles, only 1 point, 1 line, 1 free-form surface"
     );
     assert_eq!(refusal("# nothing\n"), "\"x.obj\" holds no triangles");
     assert_eq!(
         refusal("v 0 0 0\nv 1 0 0\np 1\nl 1 2\n"),
-        "\"x.obj\" holds no triangles, only 2 positions, lines, points"
+        "\"x.obj\" holds no triangles, only 1 line, 1 point"
     );
 }
 
@@ -184,10 +184,6 @@ fn text_need_not_be_utf_8() {
 }
 
 /// What is left out, as it is printed.
-fn left_out(scene: &Scene) -> Vec<String> {
-    scene.left_out.iter().map(ToString::to_string).collect()
-}
-
 #[test]
 fn lines_end_and_go_on_in_all_ways() {
     let plain = sample().replace("mtllib box.mtl\n", "");
@@ -289,7 +285,7 @@ fn libraries_are_found_by_all_their_names() {
         let scene = load(line, &[(name, BLUE)]);
         assert_eq!(scene.materials[0].base_color, [0.0, 0.0, 1.0], "{line}");
         assert_eq!(scene.mesh.materials, [0], "{line}");
-        let missing = "material library none.mtl, which is not there";
+        let missing = "1 missing material library \"none.mtl\"";
         let expected = if line.contains("none") {
             vec![missing]
         } else {
@@ -302,7 +298,7 @@ fn libraries_are_found_by_all_their_names() {
     assert_eq!(load("mtllib a.mtl b.mtl", &both).mesh.materials, [1]);
     let scene = load("mtllib a.mtl", &both[..1]);
     assert_eq!(scene.materials.len(), 2);
-    assert_eq!(left_out(&scene), ["materials that no library has"]);
+    assert_eq!(left_out(&scene), ["1 material that no library has"]);
     let scene = load("mtllib a.mtl c.mtl c.mtl", &[]);
     assert_eq!(left_out(&scene).len(), 3);
 }
@@ -323,13 +319,13 @@ fn what_is_not_drawn_is_noted() {
         [
             "2 lines",
             "3 points",
-            "free-form curves",
+            "1 free-form curve",
             "2 smoothing groups",
-            "unknown statements",
+            "1 unknown statement",
             "2 textures",
             "2 transparent materials",
-            "emissive materials",
-            "faces with fewer than three corners",
+            "1 emissive material",
+            "1 face with fewer than three corners",
         ]
     );
     let with_normals = Files::with(
@@ -364,5 +360,57 @@ fn concave_polygons_are_cut_along_their_ears() {
         let doubles: Vec<f32> = doubles.collect();
         assert!(doubles.iter().all(|double| *double >= 0.0), "{doubles:?}");
         assert_eq!(doubles.iter().sum::<f32>(), 2.0 * area, "{text}");
+    }
+}
+
+#[test]
+fn materials_tell_what_they_hold_besides() {
+    let notes = |library: &str| {
+        let files = Files::with(
+            "x.obj",
+            "mtllib x.mtl\nv 1 0 0\nv 0 2 0\nv 0 0 3\nusemtl a\nf 1 2 3\n",
+        );
+        files.put("x.mtl", format!("newmtl a\n{library}\n"));
+        left_out(&files.load("x.obj"))
+    };
+    for model in 0..=10 {
+        let expected: &[&str] = match model {
+            4 | 5 | 8..=10 => &["1 material with illumination model 4, 5, 8, 9 or 10"],
+            _ => &[],
+        };
+        assert_eq!(notes(&format!("illum {model}")), expected, "{model}");
+    }
+    for keyword in ["Pr", "Pm", "Ps", "Pc", "aniso"] {
+        let expected = ["1 material with roughness, metal, sheen or coats"];
+        assert_eq!(notes(&format!("{keyword} 0.5")), expected);
+        assert!(notes(&format!("{keyword} 0.0")).is_empty());
+    }
+    assert_eq!(notes("Tf 0.5 1 1"), ["1 transmission filter"]);
+    assert!(notes("Tf 0.5 1 1\nillum 6").is_empty());
+    assert!(notes("Tf 1 1 1\nNi 1.5\nillum 2").is_empty());
+    for colour in ["Kd spectral a.rfl 1", "Ks xyz 0.1 0.2 0.3"] {
+        assert_eq!(notes(colour), ["1 spectral colour"]);
+    }
+}
+
+#[test]
+fn lenient_loading_drops_faces_with_broken_vertices() {
+    for (broken, refusal) in [
+        ("v 1 abc 2", "\"abc\" is not a number"),
+        ("v 1 2", "3 numbers are needed, 2 are there"),
+        (
+            "v 1 1e39 2",
+            "\"1e39\" is not a number up to 3.4e38, the largest of 32 bits",
+        ),
+    ] {
+        let text = format!("v 1 0 0\nv 0 2 0\nv 0 0 3\n{broken}\nf 1 2 3\nf 1 2 4\n");
+        let files = Files::with("x.obj", text);
+        assert_eq!(
+            files.refusal("x.obj"),
+            format!("\"x.obj\", line 4: {refusal}")
+        );
+        let scene = files.load_leniently("x.obj");
+        assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+        assert_eq!(scene.dropped_face_count, 1);
     }
 }

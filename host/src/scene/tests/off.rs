@@ -80,7 +80,7 @@ fn faults_name_line_and_face() {
 fn huge_counts_are_not_believed() {
     assert_eq!(
         Files::with("a.off", "OFF\n4000000000 1 0\n0 0 0\n").refusal("a.off"),
-        "\"a.off\" ends early: 4000000000 vertices are announced, 1 are there"
+        "\"a.off\" ends early: 4000000000 vertices are announced, 1 is there"
     );
     assert_eq!(
         Files::with("a.off", "OFF\n1 1\n0 0 0\n18446744073709551615 0 0").refusal("a.off"),
@@ -100,7 +100,7 @@ fn other_kinds_are_refused() {
         refusal("OFF BINARY\n"),
         format!("\"a.off\" begins with \"OFF BINARY\"; {rest}")
     );
-    for header in ["nOFF", "ply", "-8", "OFFLINE"] {
+    for header in ["nOFF", "py", "-8", "OFFLINE"] {
         let expected = format!("\"a.off\" begins with \"{header}\"; {rest}");
         assert_eq!(refusal(&format!("{header} 1\n")), expected);
     }
@@ -151,7 +151,7 @@ fn headers_have_many_forms() {
         for text in [text.replace('\n', "\r"), text] {
             let scene = Files::with("box.off", &text).load("box.off");
             assert_is_box(&scene);
-            assert_eq!(scene.left_out[0].to_string(), "6 face colours");
+            assert_eq!(left_out(&scene), ["6 face colours"]);
         }
     }
 }
@@ -176,4 +176,54 @@ fn vertex_colours_are_noted() {
     let text = "OFF 3 1 0\n1 0 0 255 0 0\n0 2 0 0 0 0 255\n0 0 3\n3 0 1 2\n";
     let scene = Files::with("x.off", text).load("x.off");
     assert_eq!(scene.left_out[0].to_string(), "2 vertex colours");
+}
+
+#[test]
+fn what_is_not_read_is_noted() {
+    let notes = |text: &str| left_out(&Files::with("x.off", text).load("x.off"));
+    let faces = "3 0 1 2\n";
+    let rows = |more: &str| format!("1 0 0{more}\n0 2 0{more}\n0 0 3{more}\n{faces}");
+    assert_eq!(
+        notes(&format!("STOFF 3 1 0\n{}", rows(" 0 1"))),
+        ["3 texture coordinates"]
+    );
+    assert_eq!(
+        notes(&format!("CSTOFF 3 1 0\n{}", rows(" 255 0 0 1 0 1"))),
+        ["3 vertex colours", "3 texture coordinates"]
+    );
+    for spare in [" 1", " 1 2"] {
+        assert_eq!(
+            notes(&format!("OFF 3 1 0\n{}", rows(spare))),
+            ["3 vertices with spare numbers"]
+        );
+    }
+    assert_eq!(
+        notes(&format!("OFF 3 1 0\n{}3 2 1 0\n\n", rows(""))),
+        ["1 line behind the end"]
+    );
+}
+
+#[test]
+fn coloured_vertices_may_share_lines() {
+    for colour in ["255 0 0 255", "1 0 0"] {
+        let text = format!("COFF 3 1 0\n1 0 0 {colour} 0 2 0 {colour}\n0 0 3 {colour}\n3 0 1 2\n");
+        let scene = Files::with("x.off", text).load("x.off");
+        assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+        assert_eq!(scene.mesh.vertices[1], [0.0, 2.0, 0.0]);
+        assert_eq!(left_out(&scene), ["3 vertex colours"]);
+    }
+}
+
+#[test]
+fn lenient_loading_drops_faces_with_broken_words() {
+    let text =
+        "OFF 5 5 0\n1 0 0\n0 2 0\n0 0 3\n0 abc 0\n0 1\n3 0 1 2\n3 0 1 3\n3 0 x 1\n3 0 1\n3 0 1 4\n";
+    let files = Files::with("x.off", text);
+    let scene = files.load_leniently("x.off");
+    assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+    assert_eq!(scene.dropped_face_count, 4);
+    assert_eq!(
+        files.refusal("x.off"),
+        "\"x.off\", line 5: \"abc\" is not a number"
+    );
 }

@@ -157,7 +157,7 @@ fn headers_must_make_sense() {
         "\"x.ply\" has no property \"y\" of element \"vertex\""
     );
     assert_eq!(
-        refusal("vertex_index", "corners"),
+        refusal("list uchar int vertex_index", "list uchar float texcoord"),
         "\"x.ply\" has no list \"vertex_indices\" of element \"face\""
     );
     assert_eq!(
@@ -169,8 +169,8 @@ fn headers_must_make_sense() {
         "\"x.ply\" has no format line"
     );
     assert_eq!(
-        Files::with("x.ply", "solid\n").refusal("x.ply"),
-        "\"x.ply\", line 1: the header line \"solid\" is not understood"
+        Files::with("x.ply", "sold\n").refusal("x.ply"),
+        "\"x.ply\", line 1: the header line \"sold\" is not understood"
     );
     let cloud =
         text("1 0 0\n", "").replace("element face 0\nproperty list uchar int vertex_index\n", "");
@@ -186,7 +186,7 @@ fn huge_counts_are_not_believed() {
     let refusal = |text: String| Files::with("x.ply", text).refusal("x.ply");
     assert_eq!(
         refusal(good.replace("face 1", "face 4000000000")),
-        "\"x.ply\" ends early: 4000000000 faces are announced, 1 are there"
+        "\"x.ply\" ends early: 4000000000 faces are announced, 1 is there"
     );
     let binary = good
         .replace("ascii", "binary_little_endian")
@@ -256,16 +256,18 @@ fn rows_may_take_several_lines_and_lines_several_rows() {
             assert_is_box(&Files::with("box.ply", text).load("box.ply"));
         }
     }
-    // Words behind a row that is a line are skipped, as before.
+    // Words behind a row that is a line are skipped, and told.
     let rows = String::from_utf8(sample("ascii")).expect("ASCII");
     let spare = rows.replace(" 255\n", " 255 7 7\n");
-    assert_is_box(&Files::with("box.ply", spare).load("box.ply"));
+    let scene = Files::with("box.ply", spare).load("box.ply");
+    assert_is_box(&scene);
+    assert_eq!(left_out(&scene)[3..], ["8 rows with spare words"]);
     // One number too few is a fault in any case.
     let text = box_text(&numbers[1..].join("\n"));
     assert!(
         Files::with("x.ply", text)
             .refusal("x.ply")
-            .contains("line 10: 3 numbers are needed, 1 are there")
+            .contains("line 10: 3 numbers are needed, 1 is there")
     );
 }
 
@@ -387,6 +389,120 @@ fn what_is_not_drawn_is_noted() {
         );
     let text = text.replace("9\n3 0", "9\n0\n1\n3 0");
     let scene = Files::with("x.ply", text).load("x.ply");
-    let left_out: Vec<_> = scene.left_out.iter().map(ToString::to_string).collect();
-    assert_eq!(left_out, ["textures", "3 vertex colours", "2 edges"]);
+    assert_eq!(
+        left_out(&scene),
+        ["1 texture", "3 vertex colours", "2 edges"]
+    );
+}
+
+#[test]
+fn properties_that_are_not_read_are_noted() {
+    let load = |properties: &str, values: &str| {
+        let rows = ["1 0 0", "0 2 0", "0 0 3"].map(|row| format!("{row} {values}\n"));
+        let text = text(&rows.concat(), "3 0 1 2\n").replace(
+            "property float z\n",
+            &format!("property float z\n{properties}"),
+        );
+        left_out(&Files::with("x.ply", text).load("x.ply"))
+    };
+    let floats = |names: &[&str]| -> String {
+        let all = names.iter().map(|name| format!("property float {name}\n"));
+        all.collect()
+    };
+    assert_eq!(load(&floats(&["s", "t"]), "0 0"), ["3 texture coordinates"]);
+    assert_eq!(load(&floats(&["alpha"]), "0"), ["3 vertex colours"]);
+    assert_eq!(
+        load(&floats(&["quality"]), "0"),
+        ["1 vertex property (quality)"]
+    );
+    assert_eq!(
+        load(&floats(&["a1", "a2", "a3", "a4", "a5"]), "0 0 0 0 0"),
+        ["5 vertex properties (a1, a2, a3, a4, …)"]
+    );
+    assert!(load(&floats(&["nx", "ny", "nz"]), "0 0 1").is_empty());
+    assert_eq!(
+        load(&floats(&["nx", "ny"]), "0 0"),
+        ["2 vertex properties (nx, ny)"]
+    );
+    let faces = text("1 0 0\n0 2 0\n0 0 3\n", "3 0 1 2 6 0 0 0 0 0 0 7\n").replace(
+        "vertex_index\n",
+        "vertex_index\nproperty list uchar float texcoord\nproperty int flags\n",
+    );
+    assert_eq!(
+        left_out(&Files::with("x.ply", faces).load("x.ply")),
+        ["1 texture coordinate", "1 face property (flags)"]
+    );
+}
+
+#[test]
+fn what_stands_behind_the_rows_is_noted() {
+    let good = text("1 0 0\n0 2 0\n0 0 3\n", "3 0 1 2\n");
+    let notes = |bytes: Vec<u8>| left_out(&Files::with("x.ply", bytes).load("x.ply"));
+    assert!(notes(format!("{good}\n  \n").into()).is_empty());
+    let more = format!("{good}3 0 1 2\n3 2 1 0\n");
+    assert_eq!(notes(more.into()), ["2 lines behind the end"]);
+    let spare = good.replace("3 0 1 2", "3 0 1 2 2");
+    assert_eq!(notes(spare.into()), ["1 row with spare words"]);
+    for encoding in &ENCODINGS[1..] {
+        let mut bytes = sample(encoding);
+        let before = notes(bytes.clone());
+        bytes.extend(b"behind");
+        let after = notes(bytes);
+        assert_eq!(after[..before.len()], before);
+        assert_eq!(after[before.len()..], ["6 bytes behind the end"]);
+    }
+}
+
+#[test]
+fn the_only_list_of_whole_numbers_has_the_corners() {
+    let named =
+        text("1 0 0\n0 2 0\n0 0 3\n", "3 0 1 2\n").replace("vertex_index", "vertex_indexes");
+    let scene = Files::with("x.ply", named).load("x.ply");
+    assert_eq!(scene.mesh.indices, [[0, 1, 2]]);
+    assert!(scene.left_out.is_empty());
+}
+
+#[test]
+fn lenient_loading_drops_faces_with_broken_words() {
+    let text = text(
+        "1 0 0\n0 2 0\n0 0 3\n0 abc 0\n0 1\n",
+        "3 0 1 2\n3 0 1 3\n3 0 x 1\n3 2 1 0\n3 0 1\n3 0 1 4\n",
+    );
+    let files = Files::with("x.ply", text);
+    let scene = files.load_leniently("x.ply");
+    assert_eq!(scene.mesh.indices, [[0, 1, 2], [2, 1, 0]]);
+    assert_eq!(scene.dropped_face_count, 4);
+    assert_eq!(
+        files.refusal("x.ply"),
+        "\"x.ply\", line 13: \"abc\" is not a number"
+    );
+}
+
+#[test]
+fn numbers_beyond_32_bits_are_told_with_their_place() {
+    let far = text("1 0 0\n0 1e39 0\n0 0 3\n", "3 0 1 2\n3 0 2 2\n");
+    let files = Files::with("x.ply", &far);
+    assert_eq!(
+        files.refusal("x.ply"),
+        "\"x.ply\", line 11: \"1e39\" is not a number up to 3.4e38, the largest of 32 bits"
+    );
+    assert_eq!(files.load_leniently("x.ply").mesh.indices, [[0, 2, 2]]);
+    let header = far.split("1 0 0").next().expect("a header");
+    let mut bytes = header
+        .replace("ascii", "binary_little_endian")
+        .replace("float", "double")
+        .into_bytes();
+    for x in [1.0, 0.0, 0.0, 0.0, -1e39, 0.0, 0.0, 0.0, 3.0] {
+        bytes.extend(f64::to_le_bytes(x));
+    }
+    for face in [[0, 1, 2], [0, 2, 2_i32]] {
+        bytes.push(3);
+        bytes.extend(face.map(i32::to_le_bytes).as_flattened());
+    }
+    let files = Files::with("x.ply", bytes);
+    assert_eq!(
+        files.refusal("x.ply"),
+        "\"x.ply\": vertex 1 holds -1e39, which is not a number up to 3.4e38, the largest of 32 bits"
+    );
+    assert_eq!(files.load_leniently("x.ply").mesh.indices, [[0, 2, 2]]);
 }

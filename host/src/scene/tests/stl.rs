@@ -74,7 +74,7 @@ fn truncated_files_say_what_is_missing() {
     let whole = binary();
     assert_eq!(
         Files::with("x.stl", &whole[..whole.len() - 60]).refusal("x.stl"),
-        "\"x.stl\" ends early: 12 triangles are announced, 10 are there"
+        "\"x.stl\" ends early, or is not STL: 12 triangles are announced, 10 are there"
     );
     let whole = text();
     assert_eq!(
@@ -92,12 +92,12 @@ fn huge_counts_are_not_believed() {
     assert_is_box(&scene);
     assert_eq!(
         scene.left_out[0].to_string(),
-        "4,294,967,283 announced triangles, which are not there"
+        "4,294,967,283 triangles announced, but missing"
     );
     bytes.push(0);
     assert_eq!(
         Files::with("x.stl", bytes).refusal("x.stl"),
-        "\"x.stl\" ends early: 4294967295 triangles are announced, 12 are there"
+        "\"x.stl\" ends early, or is not STL: 4294967295 triangles are announced, 12 are there"
     );
 }
 
@@ -127,7 +127,7 @@ fn normals_and_colours_are_not_read() {
     bytes[84 + 48] = 1;
     let scene = Files::with("x.stl", bytes).load("x.stl");
     assert_is_box(&scene);
-    assert_eq!(scene.left_out[0].to_string(), "facet colours");
+    assert_eq!(scene.left_out[0].to_string(), "1 facet colour");
     for normal in [
         " normal nan -nan(ind) 1.#QNAN",
         " normal",
@@ -210,4 +210,26 @@ fn lenient_loading_leaves_broken_faces_out() {
         files.refusal("x.stl"),
         "\"x.stl\": face 0 has vertex 0 at (NaN, 0, 0), which is not finite"
     );
+}
+
+#[test]
+fn colours_in_the_header_are_noted() {
+    let mut bytes = binary();
+    bytes[50..60].copy_from_slice(b"COLOR=abcd");
+    let scene = Files::with("x.stl", bytes).load("x.stl");
+    assert_is_box(&scene);
+    assert_eq!(left_out(&scene), ["1 colour in the header"]);
+}
+
+#[test]
+fn numbers_beyond_32_bits_are_told_with_their_line() {
+    let files = Files::with(
+        "x.stl",
+        text().replacen("vertex 1 2e0 3", "vertex 1 -2e39 3", 1),
+    );
+    assert_eq!(
+        files.refusal("x.stl"),
+        "\"x.stl\", line 20: \"-2e39\" is not a number up to 3.4e38, the largest of 32 bits"
+    );
+    assert_eq!(files.load_leniently("x.stl").dropped_face_count, 1);
 }

@@ -106,11 +106,6 @@ pub fn extent(scene: &Scene) -> [f32; 3] {
     (bounds.max - bounds.min).to_array()
 }
 
-/// What the file holds beside the scene.
-pub fn left_out(scene: &Scene) -> Vec<String> {
-    scene.left_out.iter().map(ToString::to_string).collect()
-}
-
 /// A document with a skin, morph targets, instances, sparse accessors and extensions.
 pub fn every_part() -> String {
     let mut draft = poses::skinned();

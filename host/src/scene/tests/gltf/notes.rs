@@ -19,7 +19,10 @@ fn note(material: serde_json::Value) -> Vec<String> {
 #[test]
 fn materials_in_use_are_noted() {
     assert!(note(json!({})).is_empty());
-    assert_eq!(note(json!({"emissiveTexture": {"index": 3}})), ["textures"]);
+    assert_eq!(
+        note(json!({"emissiveTexture": {"index": 3}})),
+        ["1 texture"]
+    );
     let textures = json!({
         "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 1}},
         "normalTexture": {"index": 2}, "occlusionTexture": {"index": 1},
@@ -28,12 +31,15 @@ fn materials_in_use_are_noted() {
     assert_eq!(note(textures), ["4 textures"]);
     assert_eq!(
         note(json!({"emissiveFactor": [0, 0, 0.5]})),
-        ["materials with emission"]
+        ["1 material with emission"]
     );
     let coated = json!({"extensions": {"KHR_materials_clearcoat": {}, "KHR_materials_unlit": {}, "KHR_materials_ior": {}}});
     assert_eq!(
         note(coated),
-        ["KHR_materials_clearcoat", "KHR_materials_unlit"]
+        [
+            "1 extension \"KHR_materials_clearcoat\"",
+            "1 extension \"KHR_materials_unlit\""
+        ]
     );
 }
 
@@ -46,9 +52,9 @@ fn transparency_is_noted_where_it_has_an_effect() {
         }
         note(material)
     };
-    let transparent = "materials with transparency (alphaMode)";
+    let transparent = "1 material with transparency (alphaMode)";
     assert_eq!(alpha("BLEND", 0.5, false), [transparent]);
-    assert_eq!(alpha("MASK", 1.0, true), ["textures", transparent]);
+    assert_eq!(alpha("MASK", 1.0, true), ["1 texture", transparent]);
     assert!(alpha("BLEND", 1.0, false).is_empty());
     assert!(alpha("MASK", 0.75, false).is_empty());
     assert!(alpha("OPAQUE", 0.0, false).is_empty());
@@ -70,7 +76,7 @@ fn what_has_no_alpha_is_invisible() {
         draft.json["scenes"][0]["nodes"] = json!([0, 1]);
         let scene = draft.load();
         assert_eq!(scene.mesh.indices.len(), 2);
-        assert_eq!(left_out(&scene), ["invisible primitives (alpha)"]);
+        assert_eq!(left_out(&scene), ["1 invisible primitive (alpha)"]);
     }
 }
 
@@ -115,7 +121,7 @@ fn points_lines_and_colours_are_noted() {
             "8 vertex colours",
             "8 points",
             "19 lines",
-            "primitives without positions"
+            "1 primitive without positions"
         ]
     );
     draft.primitive()["mode"] = json!(7);
@@ -160,12 +166,12 @@ fn animations_lights_and_extensions_are_noted() {
     assert_eq!(
         left_out(&scene),
         [
-            "spot lights' cones",
-            "lights of unknown types",
+            "1 cone of spot lights",
+            "1 light of an unknown type",
             "2 animations",
-            "scenes besides the default one",
-            "ABC_unknown",
-            "EXT_lights_image_based"
+            "1 scene besides the default one",
+            "1 extension \"ABC_unknown\"",
+            "1 extension \"EXT_lights_image_based\""
         ]
     );
 }

@@ -90,7 +90,7 @@ fn scenes_may_be_missing_or_empty() {
     assert_is_box(&with(&[("scenes", json!([{}, {"nodes": [0]}])), ("scene", json!(1))]).load());
     assert_eq!(
         with(&[("scenes", json!([{}, {"nodes": [0]}])), ("scene", json!(0))]).refusal(),
-        "\"x.gltf\" holds no triangles, only scenes besides the default one"
+        "\"x.gltf\" holds no triangles, only 1 scene besides the default one"
     );
     assert_eq!(
         with(&[("scene", json!(7))]).refusal(),
