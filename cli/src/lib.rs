@@ -22,7 +22,7 @@ mod told;
 
 pub use median::median;
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, anyhow};
 use clap::{Args, Parser, Subcommand};
 use input::Input;
 use slimbvh::scene::{Format, LoadError, LoadOptions, load, load_bytes, slim};
@@ -138,10 +138,23 @@ impl SceneArguments {
         };
         let name = self.name();
         let _progress = output::spinner(format!("reading {name}"));
-        Ok(match self.input.take() {
-            Some(bytes) => load_bytes(name.as_ref(), bytes, &options)?,
-            None => load(path, &options)?,
-        })
+        match self.input.take() {
+            Some(bytes) => {
+                load_bytes(name.as_ref(), bytes, &options).map_err(|error| self.with_guess(error))
+            }
+            None => Ok(load(path, &options)?),
+        }
+    }
+
+    /// The error, with the format that standard input was taken for.
+    fn with_guess(&self, error: LoadError) -> anyhow::Error {
+        match (self.format, self.input.format()) {
+            (None, Some(guess)) => {
+                let guess = guess.name();
+                anyhow!("{error}; its content looks like {guess}, and --format names another")
+            }
+            _ => error.into(),
+        }
     }
 
     /// Whether the scene is a slim file, which holds a hierarchy. Standard input must have been read.
@@ -158,7 +171,7 @@ impl SceneArguments {
                 let _progress = output::spinner(format!("reading {name}"));
                 let saved = match self.input.take() {
                     Some(bytes) => slim::read(&bytes)
-                        .map_err(|error| LoadError::Saved { file: name, error })?,
+                        .map_err(|error| self.with_guess(LoadError::Saved { file: name, error }))?,
                     None => slim::load(path, LoadOptions::default().max_file_bytes)?,
                 };
                 let (bvh, framing) = (saved.bvh, saved.framing);

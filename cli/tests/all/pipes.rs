@@ -83,11 +83,36 @@ fn a_format_goes_before_the_extension() {
     // Without it the extension counts, whatever the content.
     let error = refusal(&folder, b"", &["info", "wrong.obj"]);
     assert!(
-        error.contains("\"wrong.obj\" holds no triangles"),
+        error.contains("\"wrong.obj\" is not OBJ: it looks like OFF"),
         "{error}"
     );
     let error = refusal(&folder, OFF.as_bytes(), &["info", "-", "--format", "ply"]);
-    assert!(error.contains("\"standard input\", line 1"), "{error}");
+    assert!(
+        error.contains("\"standard input\" is not PLY: it looks like OFF"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_guessed_format_is_told_with_the_error() {
+    let folder = Folder::new();
+    for (bytes, guess) in [
+        (&b"no scene at all"[..], "OBJ"),
+        (b"\xef\xbb\xbfsolid x\nfacet\nvertex 1 2", "STL"),
+        (b"OFF 1", "OFF"),
+        (b"\x89SLIM", "slim"),
+    ] {
+        let error = refusal(&folder, bytes, &["info", "-"]);
+        let end = format!("; its content looks like {guess}, and --format names another\n");
+        assert!(error.ends_with(&end), "{error}");
+    }
+    let error = refusal(&folder, b"no scene", &["info", "-", "--format", "obj"]);
+    assert!(!error.contains("--format"), "{error}");
+    // Without a keyword, and behind a comment.
+    let numbers = OFF.trim_start().strip_prefix("OFF").expect("a keyword");
+    for text in [numbers.to_owned(), format!("# a box\n{OFF}")] {
+        pipe(&folder, text.as_bytes(), &["info", "-"]);
+    }
 }
 
 #[test]

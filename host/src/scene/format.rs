@@ -91,8 +91,9 @@ impl Format {
         })
     }
 
-    /// The name in messages.
-    pub(super) const fn name(self) -> &'static str {
+    /// The name in text, such as `glTF` or `OBJ`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
             Self::Gltf => "glTF",
             Self::Obj => "OBJ",

@@ -212,7 +212,7 @@ fn indices_out_of_range() {
         (
             "zero.obj",
             TwoTriangles::with_index(-1).obj(),
-            ["line 6", "0", "4 vertices"],
+            ["line 6", "vertex 0", "count from 1"],
         ),
         (
             "negative.obj",
