@@ -237,6 +237,14 @@ pub enum LoadError {
         #[source]
         error: MeshError,
     },
+    /// The memory does not suffice for the triangles.
+    #[error("\"{file}\" holds {} triangles or more, for which the memory does not suffice", grouped(*triangle_count))]
+    NoMemory {
+        /// The path as given.
+        file: String,
+        /// The number of triangles so far.
+        triangle_count: usize,
+    },
     /// The file holds no triangles.
     #[error("\"{file}\" holds no triangles{}", instead(*dropped_face_count, *point_count, left_out))]
     NoTriangles {

@@ -9,6 +9,7 @@ mod error;
 mod extensions;
 mod instances;
 mod json;
+mod list;
 mod materials;
 mod nodes;
 mod primitive;
@@ -24,7 +25,6 @@ use super::vertices::Vertices;
 use super::{Camera, Light, LoadError};
 use crate::{MeshError, Part};
 use buffers::Buffers;
-use document::item;
 use extensions::{Effect, effect};
 use glam::DAffine3;
 use instances::Instances;
@@ -65,6 +65,8 @@ fn flatten<'a>(
         nodes,
         joints: vec![None; root.skins.len()],
         faces: Faces::new(source),
+        meshes: BTreeSet::new(),
+        extensions: BTreeSet::new(),
         cameras: Vec::new(),
         lights: Vec::new(),
     };
@@ -85,38 +87,50 @@ struct Flat<'a> {
     /// The joints' transforms of each skin, as far as it was used.
     joints: Vec<Option<Rc<[DAffine3]>>>,
     faces: Faces<'a>,
+    /// Meshes of nodes of the scene.
+    meshes: BTreeSet<usize>,
+    /// Extensions of nodes and primitives of the scene.
+    extensions: BTreeSet<String>,
     cameras: Vec<(Camera, [[f64; 3]; 2])>,
     lights: Vec<(Light, [f64; 3])>,
 }
 
 impl Flat<'_> {
-    fn visit(&mut self, it: Visited) -> Result<(), LoadError> {
-        if !it.is_hidden {
+    fn visit(&mut self, it: Visited<'_>) -> Result<(), LoadError> {
+        let extensions = &it.node.extensions;
+        if it.is_hidden {
+            let is_seen = it.node.mesh.is_some() || extensions.light.is_some();
+            self.source.leave_out("hidden nodes", usize::from(is_seen));
+        } else {
             self.append_mesh(it)?;
             self.append_light(it)?;
         }
+        let levels = extensions.levels.as_ref().map_or(0, |it| it.ids.len());
+        self.source.leave_out("levels of detail", levels);
+        self.extensions.extend(extensions.others.keys().cloned());
         self.append_camera(it)
     }
 
-    fn append_mesh(&mut self, it: Visited) -> Result<(), LoadError> {
+    fn append_mesh(&mut self, it: Visited<'_>) -> Result<(), LoadError> {
         let (root, buffers) = (self.root, self.buffers);
-        let node = &root.nodes[it.node];
+        let node = it.node;
         let Some(index) = node.mesh else {
             return Ok(());
         };
-        let place = || format!("nodes[{}].mesh", it.node);
-        let mesh = item(&root.meshes, "meshes", index, place);
+        self.meshes.insert(index.0);
+        let place = || format!("nodes[{}].mesh", it.index);
+        let mesh = root.meshes.item("meshes", index, place);
         let mesh = mesh.map_err(|error| buffers.fault(error))?;
         let name = match node.name.as_ref().or(mesh.name.as_ref()) {
             Some(name) => name.clone(),
-            None => format!("node {}", it.node),
+            None => format!("node {}", it.index),
         };
 
         // Read the primitives.
         let mut primitives = mesh.primitives.iter();
         let has_joints = primitives.any(|it| it.attributes.contains_key("JOINTS_0"));
         let joints = match node.skin.filter(|_| has_joints) {
-            Some(skin) => Some((skin.0, self.joints(it.node, skin)?)),
+            Some(skin) => Some((skin.0, self.joints(it.index, skin)?)),
             None => None,
         };
         let reader = Reader {
@@ -134,16 +148,20 @@ impl Flat<'_> {
         for (i, primitive) in mesh.primitives.iter().enumerate() {
             let place = format!("meshes[{}].primitives[{i}]", index.0);
             surfaces.extend(reader.read(primitive, &place)?);
+            self.extensions.extend(primitive.extensions.keys().cloned());
         }
 
         // Place them.
         let instancing = node.extensions.instancing.as_ref();
         let instances = match instancing.filter(|_| !surfaces.is_empty()) {
-            Some(instancing) => Instances::new(root, it.node, instancing, buffers)?,
+            Some(instancing) => Instances::new(root, it.index, instancing, (buffers, self.source))?,
             None => None,
         };
         match instances {
-            None => self.append_part(&surfaces, &name, it.transform),
+            None => {
+                self.reserve(&surfaces, 1)?;
+                self.append_part(&surfaces, &name, it.transform)
+            }
             // Joints place skinned meshes, not the node.
             Some(instances) if surfaces.iter().any(Surface::is_skinned) => {
                 let count = instances.count;
@@ -151,7 +169,7 @@ impl Flat<'_> {
                 self.append_part(&surfaces, &name, it.transform)
             }
             Some(instances) => {
-                self.check_room(&surfaces, instances.count)?;
+                self.reserve(&surfaces, instances.count)?;
                 for instance in 0..instances.count {
                     let name = format!("{name} {}", instance + 1);
                     let transform = it.transform * instances.transform(instance);
@@ -174,21 +192,33 @@ impl Flat<'_> {
         Ok(joints)
     }
 
-    /// Refuses more triangles than a tree can hold, before instances fill the memory.
-    fn check_room(&self, surfaces: &[Surface<'_>], count: usize) -> Result<(), LoadError> {
+    /// Makes room for some instances. Refuses more triangles than a tree or the memory can hold, before they fill it.
+    fn reserve(&mut self, surfaces: &[Surface<'_>], count: usize) -> Result<(), LoadError> {
+        let file = || self.source.file.clone();
         let limit = slimbvh_core::MAX_TRIANGLES as usize;
-        let once: usize = surfaces.iter().map(|surface| surface.face_count).sum();
-        let triangle_count = once.saturating_mul(count);
-        let triangle_count = triangle_count.saturating_add(self.faces.mesh.indices.len());
-        if triangle_count <= limit {
-            return Ok(());
+        let times = |once: usize| once.saturating_mul(count);
+        let face_count = times(surfaces.iter().map(|it| it.face_count).sum());
+        let vertex_count = times(surfaces.iter().map(Surface::vertex_count).sum());
+        let normal_count = times(surfaces.iter().map(Surface::normal_count).sum());
+        let mesh = &mut self.faces.mesh;
+        let triangle_count = face_count.saturating_add(mesh.indices.len());
+        if triangle_count > limit {
+            return Err(LoadError::Mesh {
+                file: file(),
+                error: MeshError::TooManyTriangles {
+                    triangle_count,
+                    limit,
+                },
+            });
         }
-        Err(LoadError::Mesh {
-            file: self.source.file.clone(),
-            error: MeshError::TooManyTriangles {
-                triangle_count,
-                limit,
-            },
+        let room = mesh.indices.try_reserve(face_count);
+        let room = room.and_then(|()| mesh.materials.try_reserve(face_count));
+        let room = room.and_then(|()| mesh.normals.try_reserve(normal_count));
+        let room = room.and_then(|()| mesh.parts.try_reserve(count));
+        let room = room.and_then(|()| self.faces.vertices.try_reserve(vertex_count));
+        room.map_err(|_| LoadError::NoMemory {
+            file: file(),
+            triangle_count,
         })
     }
 
@@ -221,28 +251,42 @@ impl Flat<'_> {
         Ok(())
     }
 
-    fn append_camera(&mut self, it: Visited) -> Result<(), LoadError> {
-        let Some(index) = self.root.nodes[it.node].camera else {
+    fn append_camera(&mut self, it: Visited<'_>) -> Result<(), LoadError> {
+        let Some(index) = it.node.camera else {
             return Ok(());
         };
         let fault = |error| self.buffers.fault(error);
-        let place = || format!("nodes[{}].camera", it.node);
-        let camera = item(&self.root.cameras, "cameras", index, place).map_err(fault)?;
-        let lacking = GltfError::CameraWithoutValues { camera: index.0 };
-        let projection = view::projection(camera).ok_or_else(|| fault(lacking))?;
-        let camera = projection.and_then(|projection| view::camera(projection, it.transform));
-        let camera = self.or_refuse(camera, it.node)?;
+        let place = || format!("nodes[{}].camera", it.index);
+        let camera = self
+            .root
+            .cameras
+            .item("cameras", index, place)
+            .map_err(fault)?;
+        let projection = match view::projection(camera, index.0) {
+            Ok(Some(projection)) => projection,
+            Ok(None) => {
+                self.source.leave_out("cameras of an unknown type", 1);
+                return Ok(());
+            }
+            Err(_) if self.source.options.lenient => {
+                self.source.leave_out("cameras without an extent", 1);
+                return Ok(());
+            }
+            Err(error) => return Err(fault(error)),
+        };
+        let camera = view::camera(projection, it.transform);
+        let camera = self.or_refuse(camera, "camera", it.index)?;
         self.cameras.extend(camera);
         Ok(())
     }
 
-    fn append_light(&mut self, it: Visited) -> Result<(), LoadError> {
-        let Some(light) = &self.root.nodes[it.node].extensions.light else {
+    fn append_light(&mut self, it: Visited<'_>) -> Result<(), LoadError> {
+        let Some(light) = &it.node.extensions.light else {
             return Ok(());
         };
-        let place = || format!("nodes[{}].extensions.KHR_lights_punctual.light", it.node);
+        let place = || format!("nodes[{}].extensions.KHR_lights_punctual.light", it.index);
         let lights = &self.root.extensions.lights.lights;
-        let light = item(lights, "lights", light.light, place);
+        let light = lights.item("lights", light.light, place);
         let light = light.map_err(|error| self.buffers.fault(error))?;
         match light.kind.as_str() {
             "directional" | "point" => {}
@@ -252,19 +296,26 @@ impl Flat<'_> {
                 return Ok(());
             }
         }
-        let light = self.or_refuse(view::light(light, it.transform), it.node)?;
+        let light = self.or_refuse(view::light(light, it.transform), "light", it.index)?;
         self.lights.extend(light);
         Ok(())
     }
 
     /// Rejects a camera or a light without a direction; with lenient options, leaves it out.
-    fn or_refuse<T>(&self, found: Option<T>, node: usize) -> Result<Option<T>, LoadError> {
-        match found {
-            None if !self.source.options.lenient => {
-                Err(self.buffers.fault(GltfError::Degenerate { node }))
+    fn or_refuse<T>(
+        &self,
+        found: Option<T>,
+        what: &'static str,
+        node: usize,
+    ) -> Result<Option<T>, LoadError> {
+        if found.is_none() {
+            if !self.source.options.lenient {
+                return Err(self.buffers.fault(GltfError::Degenerate { node, what }));
             }
-            found => Ok(found),
+            let what = format!("{what}s that point nowhere");
+            self.source.leave_out(&what, 1);
         }
+        Ok(found)
     }
 
     /// Notes what the file has, and the scene does not.
@@ -275,6 +326,8 @@ impl Flat<'_> {
             .into_iter()
             .filter_map(|index| root.materials.get(index as usize));
         materials::note(used, self.source);
+        let unused = root.meshes.len().saturating_sub(self.meshes.len());
+        (self.source).leave_out("meshes that no node of the scene has", unused);
         let animation_count = root.animations.as_array().map_or(0, Vec::len);
         self.source.leave_out("animations", animation_count);
         let scene_count = root.scenes.len();
@@ -282,9 +335,12 @@ impl Flat<'_> {
             "scenes besides the default one",
             scene_count.saturating_sub(1),
         );
-        let names = root.extensions_used.iter().chain(&root.extensions_required);
-        let names: BTreeSet<&str> = names.map(String::as_str).collect();
-        for name in names {
+        let declared = root.extensions_used.iter();
+        let declared = declared.chain(root.extensions_required.iter());
+        let names = declared.map(|(_, name)| name.as_str());
+        let names = names.chain(self.extensions.iter().map(String::as_str));
+        let names = names.chain(root.extensions.others.keys().map(String::as_str));
+        for name in names.collect::<BTreeSet<&str>>() {
             if matches!(effect(name), Effect::Looks | Effect::Unknown) {
                 let what = format!("extension \"{}\"", excerpt(name));
                 self.source.leave_out(&what, 1);
@@ -296,7 +352,9 @@ impl Flat<'_> {
         let materials = &self.root.materials;
         let mut found = self.faces.into_found();
         let scene = &mut found.scene;
-        scene.materials = materials.iter().map(materials::convert).collect();
+        let all = (0..materials.len()).map(|index| materials.get(index));
+        let all = all.map(|material| material.map_or_else(materials::without, materials::convert));
+        scene.materials = all.collect();
         // One material needs no list of indices.
         if scene.materials.is_empty() {
             scene.mesh.materials.clear();

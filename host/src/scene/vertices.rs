@@ -1,6 +1,7 @@
 //! Positions as a file has them.
 
 use crate::mesh::{Narrow, narrowed};
+use std::collections::TryReserveError;
 
 /// Positions as a file has them.
 pub(super) enum Vertices {
@@ -33,6 +34,13 @@ impl Vertices {
         match self {
             Self::Narrow(narrow) => narrow.list.reserve(count),
             Self::Wide(list) => list.reserve(count),
+        }
+    }
+
+    pub fn try_reserve(&mut self, count: usize) -> Result<(), TryReserveError> {
+        match self {
+            Self::Narrow(narrow) => narrow.list.try_reserve(count),
+            Self::Wide(list) => list.try_reserve(count),
         }
     }
 

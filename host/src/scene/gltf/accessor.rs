@@ -3,7 +3,6 @@
 use super::super::LoadError;
 use super::GltfError;
 use super::buffers::Buffers;
-use super::document::item;
 use super::json::{Accessor, Index, Root, Sparse};
 use std::borrow::Cow;
 
@@ -199,7 +198,10 @@ pub(super) fn elements<'b>(
     buffers: &'b Buffers<'_>,
 ) -> Result<Elements<'b>, LoadError> {
     let fault = |error| buffers.fault(error);
-    let accessor = item(&root.accessors, "accessors", index, place).map_err(fault)?;
+    let accessor = root
+        .accessors
+        .item("accessors", index, place)
+        .map_err(fault)?;
     let index = index.0;
     let kind = component(accessor.component_type, || {
         format!("accessors[{index}].componentType")

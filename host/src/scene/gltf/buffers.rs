@@ -4,8 +4,7 @@ use super::super::LoadError;
 use super::super::error::excerpt;
 use super::super::load::{Source, read_file};
 use super::GltfError;
-use super::document::item;
-use super::json::{BufferView, Index, Root};
+use super::json::{Buffer, BufferView, Index, Root};
 use std::borrow::Cow;
 use std::cell::{Cell, OnceCell};
 
@@ -36,7 +35,7 @@ impl<'a> Buffers<'a> {
             root,
             source,
             blob,
-            bytes: root.buffers.iter().map(|_| OnceCell::new()).collect(),
+            bytes: (0..root.buffers.len()).map(|_| OnceCell::new()).collect(),
             budget: Cell::new(source.options.max_file_bytes),
             known_bytes: Cell::new(file_bytes),
         }
@@ -53,11 +52,11 @@ impl<'a> Buffers<'a> {
         index: Index,
         place: impl FnOnce() -> String,
     ) -> Result<(&'a BufferView, &[u8]), LoadError> {
-        let view = item(&self.root.buffer_views, "buffer views", index, place);
+        let view = self.root.buffer_views.item("buffer views", index, place);
         let view = view.map_err(|error| self.fault(error))?;
         let Index(buffer) = view.buffer;
         let place = || format!("bufferViews[{}].buffer", index.0);
-        let found = item(&self.root.buffers, "buffers", view.buffer, place);
+        let found = self.root.buffers.item("buffers", view.buffer, place);
         let found = found.map_err(|error| self.fault(error))?;
 
         // A fallback without data is a placeholder for what a decoder writes.
@@ -78,7 +77,7 @@ impl<'a> Buffers<'a> {
         let bytes = match self.bytes[buffer].get() {
             Some(bytes) => bytes,
             None => {
-                let read = self.read(buffer)?;
+                let read = self.read(buffer, found)?;
                 self.bytes[buffer].get_or_init(|| read)
             }
         };
@@ -95,8 +94,7 @@ impl<'a> Buffers<'a> {
     }
 
     /// Reads a buffer.
-    fn read(&self, index: usize) -> Result<Cow<'a, [u8]>, LoadError> {
-        let buffer = &self.root.buffers[index];
+    fn read(&self, index: usize, buffer: &'a Buffer) -> Result<Cow<'a, [u8]>, LoadError> {
         let read: Cow<'a, [u8]> = match &buffer.uri {
             // Only the first buffer can be the binary chunk.
             None => match self.blob.filter(|_| index == 0) {

@@ -5,7 +5,7 @@ use super::super::error::excerpt;
 use super::super::load::Source;
 use super::GltfError;
 use super::extensions::{Effect, effect};
-use super::json::{Asset, Index, Root};
+use super::json::{Asset, Root};
 use crate::text::shorten;
 use serde::Deserialize;
 use serde_json::Value;
@@ -24,13 +24,14 @@ pub(super) fn parse<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<WithBlob
         error,
     };
     let root = root(trim(json)).map_err(in_file)?;
-    let mut required = root.extensions_required.iter();
-    if let Some(name) = required.find(|name| effect(name) == Effect::Unknown) {
-        return Err(in_file(GltfError::UnknownExtension {
-            name: excerpt(name),
-        }));
+    let required = root.extensions_required.iter().map(|(_, name)| name);
+    let unknown = required
+        .into_iter()
+        .find(|name| effect(name) == Effect::Unknown);
+    match unknown.map(|name| excerpt(name)) {
+        Some(name) => Err(in_file(GltfError::UnknownExtension { name })),
+        None => Ok((root, blob)),
     }
-    Ok((root, blob))
 }
 
 /// Reads the JSON. Another version is the first fault to be named.
@@ -40,6 +41,12 @@ fn root(json: &[u8]) -> Result<Root, GltfError> {
         asset: Asset,
     }
 
+    // serde takes a list for an object, too.
+    if json.trim_ascii_start().first() == Some(&b'[') {
+        return Err(GltfError::Json {
+            message: "it is a list, not an object".into(),
+        });
+    }
     let root = serde_json::from_slice::<Root>(json);
     let version = match &root {
         Ok(root) => version(&root.asset),
@@ -103,6 +110,8 @@ fn split<'a>(
         });
     }
 
+    source.leave_out("bytes behind the end", bytes.len() - length);
+
     let mut rest = &bytes[HEADER_BYTES..length];
     let (mut json, mut blob) = (None, None);
     while let Some([length, kind]) = words(rest) {
@@ -116,7 +125,7 @@ fn split<'a>(
         match &kind.to_le_bytes() {
             b"JSON" => json = json.or(Some(chunk)),
             b"BIN\0" => blob = blob.or(Some(chunk)),
-            _ => {}
+            _ => source.leave_out("chunks of unknown types", 1),
         }
         // Chunks begin at multiples of four bytes.
         rest = &behind[chunk.len().next_multiple_of(4).min(behind.len())..];
@@ -136,19 +145,4 @@ fn words<const N: usize>(bytes: &[u8]) -> Option<[u32; N]> {
         *number = u32::from_le_bytes(*word);
     }
     Some(numbers)
-}
-
-/// The object with this index, which stands at a place in the JSON.
-pub(super) fn item<'a, T>(
-    list: &'a [T],
-    what: &'static str,
-    Index(index): Index,
-    place: impl FnOnce() -> String,
-) -> Result<&'a T, GltfError> {
-    list.get(index).ok_or_else(|| GltfError::NoSuch {
-        place: place(),
-        index,
-        what,
-        count: list.len(),
-    })
 }

@@ -56,6 +56,16 @@ pub enum GltfError {
         /// The list's length.
         count: usize,
     },
+    /// An object lacks a member, or has one of a wrong type.
+    #[error("item {index} of the {what} cannot be read: {message}")]
+    Unreadable {
+        /// The list.
+        what: &'static str,
+        /// The object's place in it.
+        index: usize,
+        /// The JSON reader's message.
+        message: String,
+    },
     /// A number stands for nothing.
     #[error("{place} is {value}, which is not {expected}")]
     UnknownValue {
@@ -72,6 +82,18 @@ pub enum GltfError {
         /// The camera.
         camera: usize,
     },
+    /// A camera without a field of view or a height.
+    #[error("camera {camera} has {member} {value}, which is not {expected}")]
+    CameraExtent {
+        /// The camera.
+        camera: usize,
+        /// `yfov` or `ymag`.
+        member: &'static str,
+        /// The number there.
+        value: String,
+        /// The numbers that are sound.
+        expected: &'static str,
+    },
     /// A node is its own ancestor or has two parents.
     #[error("node {node} is reached twice; nodes must form trees")]
     NotATree {
@@ -79,10 +101,12 @@ pub enum GltfError {
         node: usize,
     },
     /// The transform or the values of a camera or light give no finite direction.
-    #[error("node {node} has a camera or light that points nowhere or is not finite")]
+    #[error("node {node} has a {what} that points nowhere or is not finite")]
     Degenerate {
         /// The node.
         node: usize,
+        /// `camera` or `light`.
+        what: &'static str,
     },
     /// A buffer is neither base64 nor in a file beside the scene.
     #[error("buffer {buffer} is at \"{uri}\"; files beside the scene and base64 data are read")]

@@ -1,12 +1,17 @@
 //! Instances of a node's mesh (`EXT_mesh_gpu_instancing`).
 
 use super::super::LoadError;
+use super::super::error::excerpt;
+use super::super::load::Source;
 use super::GltfError;
 use super::accessor::{Component, Elements, Expected, VECTORS, elements};
 use super::buffers::Buffers;
 use super::json::{Instancing, Root};
 use super::nodes::trs;
 use glam::DAffine3;
+
+/// Attributes that are read.
+const READ: [&str; 3] = ["TRANSLATION", "ROTATION", "SCALE"];
 
 const ROTATIONS: Expected = Expected {
     shape: "VEC4",
@@ -25,12 +30,12 @@ pub(super) struct Instances<'b> {
 }
 
 impl<'b> Instances<'b> {
-    /// `None` if no attribute that is read states their number.
+    /// `None` if no attribute that is read states their number: then they are all in one place. Other attributes are noted.
     pub fn new(
         root: &Root,
         node: usize,
         instancing: &Instancing,
-        buffers: &'b Buffers<'_>,
+        (buffers, source): (&'b Buffers<'_>, &Source<'_>),
     ) -> Result<Option<Self>, LoadError> {
         let mut count = None;
         let mut read = |attribute: &'static str, expected: &Expected| {
@@ -55,6 +60,17 @@ impl<'b> Instances<'b> {
         let translations = read("TRANSLATION", &VECTORS)?;
         let rotations = read("ROTATION", &ROTATIONS)?;
         let scales = read("SCALE", &VECTORS)?;
+        let own = instancing.attributes.iter();
+        let own = own.filter(|(name, _)| !READ.contains(&name.as_str()));
+        for (name, accessor) in own {
+            let count = root
+                .accessors
+                .get(accessor.0)
+                .map_or(0, |it| it.count.0)
+                .max(1);
+            let what = format!("values of instances by {}", excerpt(name));
+            source.leave_out(&what, count);
+        }
         Ok(count.map(|count| Self {
             translations,
             rotations,

@@ -1,6 +1,7 @@
 //! The members of a glTF 2.0 document that are read. All others are skipped, so none of them can refuse a file.
 
-use serde::de::{Deserializer, Error, Unexpected, Visitor};
+use super::list::List;
+use serde::de::{Deserializer, Error, IgnoredAny, Unexpected, Visitor};
 use serde::{Deserialize, de::DeserializeOwned};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -12,30 +13,19 @@ use std::fmt;
 pub(super) struct Root {
     pub asset: Asset,
     pub scene: Option<Index>,
-    #[serde(deserialize_with = "or_default")]
-    pub scenes: Vec<Scene>,
-    #[serde(deserialize_with = "or_default")]
-    pub nodes: Vec<Node>,
-    #[serde(deserialize_with = "or_default")]
-    pub meshes: Vec<Mesh>,
-    #[serde(deserialize_with = "or_default")]
-    pub skins: Vec<Skin>,
-    #[serde(deserialize_with = "or_default")]
-    pub cameras: Vec<Camera>,
-    #[serde(deserialize_with = "or_default")]
-    pub materials: Vec<Material>,
-    #[serde(deserialize_with = "or_default")]
-    pub accessors: Vec<Accessor>,
-    #[serde(deserialize_with = "or_default")]
-    pub buffer_views: Vec<BufferView>,
-    #[serde(deserialize_with = "or_default")]
-    pub buffers: Vec<Buffer>,
+    pub scenes: List<Scene>,
+    pub nodes: List<Node>,
+    pub meshes: List<Mesh>,
+    pub skins: List<Skin>,
+    pub cameras: List<Camera>,
+    pub materials: List<Material>,
+    pub accessors: List<Accessor>,
+    pub buffer_views: List<BufferView>,
+    pub buffers: List<Buffer>,
     /// Only counted.
     pub animations: Value,
-    #[serde(deserialize_with = "or_default")]
-    pub extensions_used: Vec<String>,
-    #[serde(deserialize_with = "or_default")]
-    pub extensions_required: Vec<String>,
+    pub extensions_used: List<String>,
+    pub extensions_required: List<String>,
     #[serde(deserialize_with = "or_default")]
     pub extensions: RootExtensions,
 }
@@ -52,13 +42,17 @@ pub(super) struct Asset {
 pub(super) struct RootExtensions {
     #[serde(rename = "KHR_lights_punctual", deserialize_with = "or_default")]
     pub lights: Lights,
+    #[serde(flatten)]
+    pub others: Others,
 }
+
+/// Extensions that are not read, by their names.
+pub(super) type Others = BTreeMap<String, IgnoredAny>;
 
 #[derive(Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Lights {
-    #[serde(deserialize_with = "or_default")]
-    pub lights: Vec<Light>,
+    pub lights: List<Light>,
 }
 
 #[derive(Default, Deserialize)]
@@ -71,6 +65,7 @@ pub(super) struct Scene {
 #[derive(Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Node {
+    #[serde(deserialize_with = "text")]
     pub name: Option<String>,
     #[serde(deserialize_with = "or_default")]
     pub children: Vec<Index>,
@@ -99,6 +94,8 @@ pub(super) struct NodeExtensions {
     pub visibility: Option<Visibility>,
     #[serde(rename = "MSFT_lod")]
     pub levels: Option<Levels>,
+    #[serde(flatten)]
+    pub others: Others,
 }
 
 #[derive(Deserialize)]
@@ -132,6 +129,7 @@ pub(super) type Attributes = BTreeMap<String, Index>;
 #[derive(Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Mesh {
+    #[serde(deserialize_with = "text")]
     pub name: Option<String>,
     #[serde(deserialize_with = "or_default")]
     pub primitives: Vec<Primitive>,
@@ -311,6 +309,14 @@ impl<'de> Deserialize<'de> for Index {
     }
 }
 
+/// A text; anything else is none.
+fn text<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
+    match Value::deserialize(from)? {
+        Value::String(text) => Ok(Some(text)),
+        _ => Ok(None),
+    }
+}
+
 /// Takes `null` for a missing member.
 fn or_default<'de, T, D>(from: D) -> Result<T, D::Error>
 where
@@ -343,8 +349,10 @@ mod tests {
     #[test]
     fn members_that_are_not_read_may_hold_anything() {
         let text = r#"{"asset": {"version": 2.0, "extras": [1]}, "images": 7, "textures": null, "samplers": "x",
-            "animations": {"a": 1}, "nodes": null, "materials": [{"normalTexture": 3, "extras": {}, "extensions": {"X": [[]]}}]}"#;
+            "animations": {"a": 1}, "nodes": null, "cameras": 7, "skins": "x", "buffers": {"a": [1]}, "accessors": [{}], "meshes": [3, {"name": 7}], "materials": [{"normalTexture": 3, "extras": {}, "extensions": {"X": [[]]}}]}"#;
         let root: Root = serde_json::from_str(text).expect("it is sound");
         assert_eq!((root.nodes.len(), root.materials.len()), (0, 1));
+        assert!(root.accessors.get(0).is_none() && root.accessors.len() == 1);
+        assert!(root.meshes.get(1).is_some_and(|mesh| mesh.name.is_none()));
     }
 }

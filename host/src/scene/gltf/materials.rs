@@ -5,6 +5,7 @@ use super::super::faces::share;
 use super::super::load::Source;
 use super::extensions::changes_material;
 use super::json;
+use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeSet;
 
@@ -101,12 +102,13 @@ pub(super) fn note<'m>(materials: impl Iterator<Item = &'m json::Material>, sour
 }
 
 /// The index of a texture.
-fn texture(info: &Value) -> Option<u64> {
-    info.get("index")?.as_u64()
+fn texture(info: &Value) -> Option<usize> {
+    let index = info.get("index")?;
+    Some(json::Index::deserialize(index).ok()?.0)
 }
 
 /// Collects the textures of an extension: members such as `clearcoatTexture`.
-fn textures_within(extension: &Value, found: &mut BTreeSet<u64>) {
+fn textures_within(extension: &Value, found: &mut BTreeSet<usize>) {
     match extension {
         Value::Object(members) => {
             for (name, member) in members {

@@ -1,7 +1,6 @@
 //! The nodes of a glTF scene, and their transforms to the scene, in `f64`.
 
 use super::GltfError;
-use super::document::item;
 use super::json::{Index, Node, Root};
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 
@@ -9,7 +8,7 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 pub(super) struct Nodes<'a> {
     root: &'a Root,
     /// Each once, parents first.
-    pub visited: Vec<Visited>,
+    pub visited: Vec<Visited<'a>>,
     /// The transform of each node, as far as it is known.
     transforms: Vec<Option<DAffine3>>,
     /// The parent of each node in the file.
@@ -18,8 +17,9 @@ pub(super) struct Nodes<'a> {
 
 /// A node of the scene.
 #[derive(Clone, Copy)]
-pub(super) struct Visited {
-    pub node: usize,
+pub(super) struct Visited<'a> {
+    pub node: &'a Node,
+    pub index: usize,
     pub transform: DAffine3,
     /// Whether it or a node above it is not to be seen (`KHR_node_visibility`).
     pub is_hidden: bool,
@@ -29,7 +29,7 @@ impl<'a> Nodes<'a> {
     /// Visits the nodes. Iterative, so depth cannot overflow the stack.
     pub fn new(root: &'a Root) -> Result<Self, GltfError> {
         let mut parents = vec![None; root.nodes.len()];
-        for (parent, node) in root.nodes.iter().enumerate() {
+        for (parent, node) in root.nodes.iter() {
             for &Index(child) in &node.children {
                 if let Some(known @ None) = parents.get_mut(child) {
                     *known = Some(parent);
@@ -37,10 +37,10 @@ impl<'a> Nodes<'a> {
             }
         }
         let mut stack: Vec<Visited> = Vec::new();
-        for (node, place) in roots(root, &parents)? {
-            item(&root.nodes, "nodes", Index(node), || place)?;
+        for (index, place) in roots(root, &parents)? {
             stack.push(Visited {
-                node,
+                node: root.nodes.item("nodes", Index(index), || place)?,
+                index,
                 transform: DAffine3::IDENTITY,
                 is_hidden: false,
             });
@@ -50,19 +50,18 @@ impl<'a> Nodes<'a> {
         let mut transforms = vec![None; root.nodes.len()];
         let mut visited = Vec::new();
         while let Some(mut it) = stack.pop() {
-            let node = &root.nodes[it.node];
-            it.transform *= local(node);
-            if transforms[it.node].replace(it.transform).is_some() {
-                return Err(GltfError::NotATree { node: it.node });
+            it.transform *= local(it.node);
+            if transforms[it.index].replace(it.transform).is_some() {
+                return Err(GltfError::NotATree { node: it.index });
             }
-            let visibility = node.extensions.visibility.as_ref();
+            let visibility = it.node.extensions.visibility.as_ref();
             it.is_hidden |= visibility.is_some_and(|it| it.visible == Some(false));
             visited.push(it);
-            for (i, &child) in node.children.iter().enumerate().rev() {
-                let place = || format!("nodes[{}].children[{i}]", it.node);
-                item(&root.nodes, "nodes", child, place)?;
+            for (i, &child) in it.node.children.iter().enumerate().rev() {
+                let place = || format!("nodes[{}].children[{i}]", it.index);
                 stack.push(Visited {
-                    node: child.0,
+                    node: root.nodes.item("nodes", child, place)?,
+                    index: child.0,
                     ..it
                 });
             }
@@ -93,7 +92,7 @@ impl<'a> Nodes<'a> {
             next = self.parents[node];
         }
         for node in above.into_iter().rev() {
-            transform *= local(&self.root.nodes[node]);
+            transform *= self.root.nodes.get(node).map_or(DAffine3::IDENTITY, local);
             self.transforms[node] = Some(transform);
         }
         Ok(transform)
@@ -103,26 +102,21 @@ impl<'a> Nodes<'a> {
 /// The roots of the default scene, or of the first with nodes, each with its place in the JSON. Without scenes, all nodes without a
 /// parent, but for those that stand for others at a distance.
 fn roots(root: &Root, parents: &[Option<usize>]) -> Result<Vec<(usize, String)>, GltfError> {
-    let scene = match root.scene {
-        Some(Index(scene)) if !root.scenes.is_empty() => {
-            item(&root.scenes, "scenes", Index(scene), || "scene".into())?;
-            Some(scene)
-        }
-        _ => {
-            let first = root.scenes.iter().position(|scene| !scene.nodes.is_empty());
-            first.or((!root.scenes.is_empty()).then_some(0))
-        }
+    let first = || {
+        let mut scenes = root.scenes.iter();
+        let found = scenes.find(|(_, scene)| !scene.nodes.is_empty());
+        found.map_or(Index(0), |(scene, _)| Index(scene))
     };
-    if let Some(scene) = scene {
-        let nodes = root.scenes[scene].nodes.iter().enumerate();
-        let place = |i| format!("scenes[{scene}].nodes[{i}]");
+    if root.scenes.len() > 0 {
+        let index = root.scene.unwrap_or_else(first);
+        let scene = root.scenes.item("scenes", index, || "scene".into())?;
+        let nodes = scene.nodes.iter().enumerate();
+        let place = |i| format!("scenes[{}].nodes[{i}]", index.0);
         return Ok(nodes.map(|(i, &Index(node))| (node, place(i))).collect());
     }
     let mut is_root: Vec<bool> = parents.iter().map(Option::is_none).collect();
-    let levels = root
-        .nodes
-        .iter()
-        .filter_map(|node| node.extensions.levels.as_ref());
+    let nodes = root.nodes.iter();
+    let levels = nodes.filter_map(|(_, node)| node.extensions.levels.as_ref());
     for &Index(node) in levels.flat_map(|levels| &levels.ids) {
         if let Some(is_root) = is_root.get_mut(node) {
             *is_root = false;

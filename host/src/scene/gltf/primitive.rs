@@ -5,7 +5,6 @@ use super::super::faces::{FaceSite, Run, unit_or_zero};
 use super::super::load::Source;
 use super::accessor::{Elements, INDICES, VECTORS, elements};
 use super::buffers::Buffers;
-use super::document::item;
 use super::json::{Index, Primitive, Root};
 use super::skin::{Morph, Skinning};
 use super::{Faces, GltfError, materials};
@@ -60,7 +59,7 @@ impl<'b> Reader<'b, '_> {
         let fault = |error| self.buffers.fault(error);
         let material = primitive.material.map(|index| {
             let place = || format!("{place}.material");
-            item(&self.root.materials, "materials", index, place)
+            self.root.materials.item("materials", index, place)
         });
         let material = material.transpose().map_err(fault)?;
         let Some(mode) = self.mode(primitive, place).map_err(fault)? else {
@@ -106,6 +105,16 @@ impl<'b> Reader<'b, '_> {
 
         let corner_count = indices.as_ref().map_or(positions.len(), |list| list.len());
         let face_count = triangle_count(mode, corner_count);
+        let spare = match mode {
+            Mode::Triangles => corner_count % 3,
+            _ if face_count == 0 => corner_count,
+            _ => 0,
+        };
+        (self.source).leave_out("corners without a triangle", spare);
+        let has_variants = primitive.extensions.contains_key("KHR_materials_variants");
+        (self.source).leave_out("primitives with material variants", {
+            usize::from(has_variants)
+        });
         if face_count == 0 {
             return Ok(None);
         }
@@ -311,8 +320,13 @@ impl Surface<'_> {
     }
 
     /// The number of vertices that are placed.
-    fn vertex_count(&self) -> usize {
+    pub fn vertex_count(&self) -> usize {
         self.used.as_ref().map_or(self.positions.len(), Vec::len)
+    }
+
+    /// The number of their normals.
+    pub fn normal_count(&self) -> usize {
+        self.normals.as_ref().map_or(0, |_| self.vertex_count())
     }
 
     /// The positions of a triangle's corners.

@@ -4,7 +4,6 @@ use super::super::LoadError;
 use super::GltfError;
 use super::accessor::{Component, Elements, Expected, VECTORS, elements};
 use super::buffers::Buffers;
-use super::document::item;
 use super::json::{Attributes, Index, Primitive, Root};
 use super::nodes::Nodes;
 use crate::text::excerpt;
@@ -40,7 +39,7 @@ pub(super) fn joints(
     buffers: &Buffers<'_>,
 ) -> Result<Vec<DAffine3>, LoadError> {
     let fault = |error| buffers.fault(error);
-    let skin = item(&root.skins, "skins", index, place).map_err(fault)?;
+    let skin = root.skins.item("skins", index, place).map_err(fault)?;
     let place = |member: &str| format!("skins[{}].{member}", index.0);
     let matrices = skin.inverse_bind_matrices.map(|accessor| {
         let place = || place("inverseBindMatrices");
@@ -56,10 +55,9 @@ pub(super) fn joints(
     }
     let mut joints = Vec::with_capacity(skin.joints.len());
     for (i, &joint) in skin.joints.iter().enumerate() {
-        item(&root.nodes, "nodes", joint, || {
-            place(&format!("joints[{i}]"))
-        })
-        .map_err(fault)?;
+        root.nodes
+            .item("nodes", joint, || place(&format!("joints[{i}]")))
+            .map_err(fault)?;
         let transform = nodes.transform(joint.0).map_err(fault)?;
         joints.push(match &matrices {
             Some(matrices) => {

