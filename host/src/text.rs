@@ -43,6 +43,7 @@ pub(crate) fn noun(count: u64, plural: &str) -> String {
 }
 
 /// A number, with an exponent where it has many digits.
+#[cfg(feature = "scenes")]
 pub(crate) fn number(value: f64) -> String {
     match value.abs() < 1e16 {
         true => value.to_string(),

@@ -4,6 +4,7 @@ use crate::text::{grouped, noun};
 use std::fmt;
 
 /// Points that a file draws, rather than vertices of no face.
+#[cfg(feature = "scenes")]
 pub(super) const POINTS: &str = "points";
 
 /// Something that a file holds and its scene does not: it is neither drawn nor traced.
