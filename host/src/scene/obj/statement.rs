@@ -49,6 +49,7 @@ struct Place {
 #[derive(Default)]
 struct Noted {
     vertex_colours: usize,
+    texture_coordinates: usize,
     lines: usize,
     points: usize,
     curves: usize,
@@ -105,8 +106,9 @@ impl Statements<'_> {
                 self.file.normals.push(normal);
             }
             b"f" | b"fo" => return self.face(line, words),
-            // Texture coordinates, and vertices of curves alone.
-            b"vt" | b"vp" => {}
+            b"vt" => self.noted.texture_coordinates += 1,
+            // Vertices of curves alone.
+            b"vp" => {}
             b"g" | b"o" => {
                 let first = self.file.ends.len();
                 self.file.parts.push((words::name(words.rest()), first));
@@ -302,6 +304,7 @@ impl Statements<'_> {
         };
         for (what, count) in [
             ("vertex colours", noted.vertex_colours),
+            ("texture coordinates", noted.texture_coordinates),
             ("lines", noted.lines),
             (POINTS, noted.points),
             ("free-form curves", noted.curves),

@@ -307,7 +307,7 @@ fn libraries_are_found_by_all_their_names() {
 fn what_is_not_drawn_is_noted() {
     let files = Files::with(
         "x.obj",
-        "mtllib x.mtl\ns 1\ns off\ns 2\ns 1\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\nf 1 2\nl 1 2\nl 2 3\np 1 2 3\ncurv 0 1 1 2\ncall other.obj\n",
+        "mtllib x.mtl\nvt 0 0\nvt 1 1\ns 1\ns off\ns 2\ns 1\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 3\nf 1 2\nl 1 2\nl 2 3\np 1 2 3\ncurv 0 1 1 2\ncall other.obj\n",
     );
     files.put(
         "x.mtl",
@@ -317,6 +317,7 @@ fn what_is_not_drawn_is_noted() {
     assert_eq!(
         left_out(&scene),
         [
+            "2 texture coordinates",
             "2 lines",
             "3 points",
             "1 free-form curve",
