@@ -12,25 +12,26 @@ mod json;
 mod list;
 mod materials;
 mod nodes;
+mod outside;
 mod primitive;
+mod size;
 mod skin;
 mod view;
 
 pub use error::GltfError;
 
-use super::error::excerpt;
 use super::faces::Faces;
 use super::load::{Found, Source};
 use super::vertices::Vertices;
 use super::{Camera, Light, LoadError};
 use crate::{MeshError, Part};
 use buffers::Buffers;
-use extensions::{Effect, effect};
 use glam::DAffine3;
 use instances::Instances;
 use json::{Index, Root};
 use nodes::{Nodes, Visited};
 use primitive::{PlaceError, Reader, Surface};
+use size::Size;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -71,10 +72,12 @@ fn flatten<'a>(
         lights: Vec::new(),
     };
     flat.faces.vertices = vertices;
-    for it in visited {
-        flat.visit(it)?;
+    let size = Size::of(root, &visited, buffers);
+    size.check(source)?;
+    for it in &visited {
+        flat.visit(*it)?;
     }
-    flat.note();
+    flat.note(&visited);
     Ok(flat.finish())
 }
 
@@ -319,7 +322,7 @@ impl Flat<'_> {
     }
 
     /// Notes what the file has, and the scene does not.
-    fn note(&self) {
+    fn note(&self, visited: &[Visited<'_>]) {
         let root = self.root;
         let used: BTreeSet<u32> = self.faces.mesh.materials.iter().copied().collect();
         let used = used
@@ -335,17 +338,8 @@ impl Flat<'_> {
             "scenes besides the default one",
             scene_count.saturating_sub(1),
         );
-        let declared = root.extensions_used.iter();
-        let declared = declared.chain(root.extensions_required.iter());
-        let names = declared.map(|(_, name)| name.as_str());
-        let names = names.chain(self.extensions.iter().map(String::as_str));
-        let names = names.chain(root.extensions.others.keys().map(String::as_str));
-        for name in names.collect::<BTreeSet<&str>>() {
-            if matches!(effect(name), Effect::Looks | Effect::Unknown) {
-                let what = format!("extension \"{}\"", excerpt(name));
-                self.source.leave_out(&what, 1);
-            }
-        }
+        extensions::note(root, &self.extensions, self.source);
+        outside::note(root, visited, self.source);
     }
 
     fn finish(self) -> Found {

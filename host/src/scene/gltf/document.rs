@@ -23,7 +23,8 @@ pub(super) fn parse<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<WithBlob
         file: source.file.clone(),
         error,
     };
-    let root = root(trim(json)).map_err(in_file)?;
+    // Bytes that are not UTF-8 are replaced: most stand in texts that are not read.
+    let root = root(&String::from_utf8_lossy(trim(json))).map_err(in_file)?;
     let required = root.extensions_required.iter().map(|(_, name)| name);
     let unknown = required
         .into_iter()
@@ -35,22 +36,22 @@ pub(super) fn parse<'a>(bytes: &'a [u8], source: &Source<'_>) -> Result<WithBlob
 }
 
 /// Reads the JSON. Another version is the first fault to be named.
-fn root(json: &[u8]) -> Result<Root, GltfError> {
+fn root(json: &str) -> Result<Root, GltfError> {
     #[derive(Deserialize)]
     struct Head {
         asset: Asset,
     }
 
     // serde takes a list for an object, too.
-    if json.trim_ascii_start().first() == Some(&b'[') {
+    if json.trim_start().starts_with('[') {
         return Err(GltfError::Json {
             message: "it is a list, not an object".into(),
         });
     }
-    let root = serde_json::from_slice::<Root>(json);
+    let root = serde_json::from_str::<Root>(json);
     let version = match &root {
         Ok(root) => version(&root.asset),
-        Err(_) => serde_json::from_slice::<Head>(json)
+        Err(_) => serde_json::from_str::<Head>(json)
             .ok()
             .and_then(|head| version(&head.asset)),
     };
@@ -79,7 +80,7 @@ fn trim(json: &[u8]) -> &[u8] {
     &json[..end.map_or(0, |end| end + 1)]
 }
 
-/// The JSON and the binary chunk of a GLB file; glTF 2.0, section 4.4. Other chunks are skipped.
+/// The JSON and the binary chunk of a GLB file; glTF 2.0, section 4.4. Other chunks are noted.
 fn split<'a>(
     bytes: &'a [u8],
     source: &Source<'_>,
@@ -123,14 +124,17 @@ fn split<'a>(
             )));
         };
         match &kind.to_le_bytes() {
-            b"JSON" => json = json.or(Some(chunk)),
-            b"BIN\0" => blob = blob.or(Some(chunk)),
+            b"JSON" if json.is_none() => json = Some(chunk),
+            b"BIN\0" if blob.is_none() => blob = Some(chunk),
+            b"JSON" | b"BIN\0" => source.leave_out("chunks after the first of their type", 1),
             _ => source.leave_out("chunks of unknown types", 1),
         }
         // Chunks begin at multiples of four bytes.
         rest = &behind[chunk.len().next_multiple_of(4).min(behind.len())..];
     }
     let json = json.ok_or_else(|| broken("it has no JSON".into()))?;
+    // Too few for another chunk.
+    source.leave_out("bytes behind the end", rest.len());
     Ok((json, blob))
 }
 

@@ -1,5 +1,10 @@
 //! The effect of extensions that are not read, by their names.
 
+use super::super::load::Source;
+use super::json::Root;
+use crate::text::excerpt;
+use std::collections::BTreeSet;
+
 /// The effect of an extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Effect {
@@ -101,6 +106,33 @@ pub(super) fn effect(name: &str) -> Effect {
 /// Whether a material's extension changes its color in a way that is not read.
 pub(super) fn changes_material(name: &str) -> bool {
     !MATERIALS_READ.contains(&name)
+}
+
+/// Notes extensions that are not read, whether they are declared or not. `names` are those of nodes and primitives; those of materials
+/// are noted already.
+pub(super) fn note(root: &Root, names: &BTreeSet<String>, source: &Source<'_>) {
+    let declared = root.extensions_used.iter();
+    let declared = declared.chain(root.extensions_required.iter());
+    let names = names.iter().chain(declared.map(|(_, name)| name));
+    let names = names.chain(root.extensions.others.keys());
+    let names = names.chain(root.scenes.needed().flat_map(|it| it.extensions.keys()));
+    let names = names.chain(root.meshes.needed().flat_map(|it| it.extensions.keys()));
+    let names = names.chain(root.skins.needed().flat_map(|it| it.extensions.keys()));
+    let names = names.chain(root.cameras.needed().flat_map(|it| it.extensions.keys()));
+    let lights = root.extensions.lights.lights.needed();
+    let names = names.chain(lights.flat_map(|it| it.extensions.keys()));
+    let accessors = root.accessors.needed();
+    let names = names.chain(accessors.flat_map(|it| it.extensions.keys()));
+    let views = root.buffer_views.needed();
+    let names = names.chain(views.flat_map(|it| it.extensions.keys()));
+    let names = names.chain(root.buffers.needed().flat_map(|it| it.extensions.keys()));
+    for name in names.collect::<BTreeSet<&String>>() {
+        let what = format!("extension \"{}\"", excerpt(name));
+        let is_told = source.left_out.borrow().iter().any(|it| it.what == what);
+        if matches!(effect(name), Effect::Looks | Effect::Unknown) && !is_told {
+            source.leave_out(&what, 1);
+        }
+    }
 }
 
 fn is_match(known: &str, name: &str) -> bool {

@@ -6,7 +6,7 @@ use super::super::load::Source;
 use super::GltfError;
 use super::accessor::{Component, Elements, Expected, VECTORS, elements};
 use super::buffers::Buffers;
-use super::json::{Instancing, Root};
+use super::json::{Index, Instancing, Root};
 use super::nodes::trs;
 use glam::DAffine3;
 
@@ -19,6 +19,12 @@ const ROTATIONS: Expected = Expected {
     is_fit: |kind| kind.is_float() || matches!(kind, Component::I8 | Component::I16),
     name: "quaternions of floats or signed shares",
 };
+
+/// The accessor whose count is the number of instances.
+pub(super) fn counting(instancing: &Instancing) -> Option<Index> {
+    READ.iter()
+        .find_map(|name| instancing.attributes.get(*name).copied())
+}
 
 /// The instances of a node.
 pub(super) struct Instances<'b> {

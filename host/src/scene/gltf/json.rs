@@ -4,6 +4,7 @@ use super::list::List;
 use serde::de::{Deserializer, Error, IgnoredAny, Unexpected, Visitor};
 use serde::{Deserialize, de::DeserializeOwned};
 use serde_json::Value;
+use serde_json::value::RawValue;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -26,7 +27,7 @@ pub(super) struct Root {
     pub animations: Value,
     pub extensions_used: List<String>,
     pub extensions_required: List<String>,
-    #[serde(deserialize_with = "or_default")]
+    #[serde(deserialize_with = "lenient")]
     pub extensions: RootExtensions,
 }
 
@@ -40,7 +41,7 @@ pub(super) struct Asset {
 #[derive(Default, Deserialize)]
 #[serde(default)]
 pub(super) struct RootExtensions {
-    #[serde(rename = "KHR_lights_punctual", deserialize_with = "or_default")]
+    #[serde(rename = "KHR_lights_punctual", deserialize_with = "lenient")]
     pub lights: Lights,
     #[serde(flatten)]
     pub others: Others,
@@ -60,6 +61,8 @@ pub(super) struct Lights {
 pub(super) struct Scene {
     #[serde(deserialize_with = "or_default")]
     pub nodes: Vec<Index>,
+    #[serde(deserialize_with = "lenient")]
+    pub extensions: Others,
 }
 
 #[derive(Default, Deserialize)]
@@ -135,6 +138,8 @@ pub(super) struct Mesh {
     pub primitives: Vec<Primitive>,
     #[serde(deserialize_with = "or_default")]
     pub weights: Vec<f64>,
+    #[serde(deserialize_with = "lenient")]
+    pub extensions: Others,
 }
 
 #[derive(Default, Deserialize)]
@@ -147,7 +152,7 @@ pub(super) struct Primitive {
     pub mode: Option<Index>,
     #[serde(deserialize_with = "or_default")]
     pub targets: Vec<Attributes>,
-    #[serde(deserialize_with = "or_default")]
+    #[serde(deserialize_with = "lenient")]
     pub extensions: BTreeMap<String, Value>,
 }
 
@@ -157,6 +162,8 @@ pub(super) struct Skin {
     pub inverse_bind_matrices: Option<Index>,
     #[serde(deserialize_with = "or_default")]
     pub joints: Vec<Index>,
+    #[serde(deserialize_with = "lenient")]
+    pub extensions: Others,
 }
 
 #[derive(Default, Deserialize)]
@@ -166,6 +173,8 @@ pub(super) struct Camera {
     pub orthographic: Option<Orthographic>,
     #[serde(rename = "type")]
     pub kind: String,
+    #[serde(deserialize_with = "lenient")]
+    pub extensions: Others,
 }
 
 #[derive(Deserialize)]
@@ -186,6 +195,8 @@ pub(super) struct Light {
     pub color: Option<[f32; 3]>,
     pub intensity: Option<f32>,
     pub range: Option<f32>,
+    #[serde(deserialize_with = "lenient")]
+    pub extensions: Others,
 }
 
 #[derive(Default, Deserialize)]
@@ -200,7 +211,7 @@ pub(super) struct Material {
     pub alpha_mode: Option<String>,
     pub alpha_cutoff: Option<f32>,
     pub double_sided: Option<bool>,
-    #[serde(deserialize_with = "or_default")]
+    #[serde(deserialize_with = "lenient")]
     pub extensions: BTreeMap<String, Value>,
 }
 
@@ -227,6 +238,8 @@ pub(super) struct Accessor {
     #[serde(rename = "type")]
     pub shape: String,
     pub sparse: Option<Sparse>,
+    #[serde(default, deserialize_with = "lenient")]
+    pub extensions: Others,
 }
 
 #[derive(Deserialize)]
@@ -261,7 +274,7 @@ pub(super) struct BufferView {
     pub byte_offset: Index,
     pub byte_length: Index,
     pub byte_stride: Option<Index>,
-    #[serde(default, deserialize_with = "or_default")]
+    #[serde(default, deserialize_with = "lenient")]
     pub extensions: BTreeMap<String, Value>,
 }
 
@@ -270,7 +283,7 @@ pub(super) struct BufferView {
 pub(super) struct Buffer {
     pub uri: Option<String>,
     pub byte_length: Index,
-    #[serde(deserialize_with = "or_default")]
+    #[serde(deserialize_with = "lenient")]
     pub extensions: BTreeMap<String, Value>,
 }
 
@@ -315,6 +328,16 @@ fn text<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> 
         Value::String(text) => Ok(Some(text)),
         _ => Ok(None),
     }
+}
+
+/// Takes anything of a wrong type for a missing member.
+fn lenient<'de, T, D>(from: D) -> Result<T, D::Error>
+where
+    T: Default + DeserializeOwned,
+    D: Deserializer<'de>,
+{
+    let raw = <&RawValue>::deserialize(from)?;
+    Ok(serde_json::from_str(raw.get()).unwrap_or_default())
 }
 
 /// Takes `null` for a missing member.

@@ -5,11 +5,18 @@ use super::json::Index;
 use serde::de::{DeserializeOwned, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, de};
 use serde_json::value::RawValue;
+use std::cell::Cell;
 use std::fmt;
 use std::marker::PhantomData;
 
 /// A list whose items are read each on its own: one that nothing refers to refuses no file. Anything but a list has no items.
-pub(super) struct List<T>(Vec<Result<T, String>>);
+pub(super) struct List<T>(Vec<Item<T>>);
+
+struct Item<T> {
+    read: Result<T, String>,
+    /// Whether the scene needs it.
+    is_needed: Cell<bool>,
+}
 
 impl<T> Default for List<T> {
     fn default() -> Self {
@@ -24,13 +31,19 @@ impl<T> List<T> {
 
     /// An item, if it is there and can be read.
     pub fn get(&self, index: usize) -> Option<&T> {
-        self.0.get(index)?.as_ref().ok()
+        self.0.get(index)?.read.as_ref().ok()
     }
 
     /// All items that can be read, with their indices.
     pub fn iter(&self) -> impl Iterator<Item = (usize, &T)> {
         let all = self.0.iter().enumerate();
-        all.filter_map(|(index, item)| Some((index, item.as_ref().ok()?)))
+        all.filter_map(|(index, item)| Some((index, item.read.as_ref().ok()?)))
+    }
+
+    /// The items that the scene needed so far.
+    pub fn needed(&self) -> impl Iterator<Item = &T> {
+        let needed = self.0.iter().filter(|item| item.is_needed.get());
+        needed.filter_map(|item| item.read.as_ref().ok())
     }
 
     /// The item with this index, which stands at a place in the JSON. `what` names the list.
@@ -40,7 +53,12 @@ impl<T> List<T> {
         Index(index): Index,
         place: impl FnOnce() -> String,
     ) -> Result<&T, GltfError> {
-        match self.0.get(index) {
+        let item = self.0.get(index);
+        let read = item.map(|item| {
+            item.is_needed.set(true);
+            &item.read
+        });
+        match read {
             Some(Ok(item)) => Ok(item),
             Some(Err(message)) => Err(GltfError::Unreadable {
                 what,
@@ -71,12 +89,16 @@ impl<'de, T: DeserializeOwned> Deserialize<'de> for List<T> {
             fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<List<T>, A::Error> {
                 let mut items = Vec::new();
                 while let Some(text) = list.next_element::<&RawValue>()? {
-                    items.push(serde_json::from_str(text.get()).map_err(|error| {
+                    let read = serde_json::from_str(text.get()).map_err(|error| {
                         // The line and the column would be those in the item.
                         let message = error.to_string();
                         let end = message.find(" at line ").unwrap_or(message.len());
                         crate::text::shorten(&message[..end], 120)
-                    }));
+                    });
+                    items.push(Item {
+                        read,
+                        is_needed: Cell::new(false),
+                    });
                 }
                 Ok(List(items))
             }

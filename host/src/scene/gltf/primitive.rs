@@ -43,10 +43,22 @@ pub(super) struct Surface<'b> {
 
 /// The triangles that corners form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Mode {
+pub(super) enum Mode {
     Triangles,
     Strip,
     Fan,
+}
+
+impl Mode {
+    /// The mode with this number; `None` for all that has no triangles.
+    pub fn of(number: Option<Index>) -> Option<Self> {
+        match number.map_or(4, |number| number.0) {
+            4 => Some(Self::Triangles),
+            5 => Some(Self::Strip),
+            6 => Some(Self::Fan),
+            _ => None,
+        }
+    }
 }
 
 impl<'b> Reader<'b, '_> {
@@ -133,6 +145,9 @@ impl<'b> Reader<'b, '_> {
 
     /// The mode; `None` for points and lines.
     fn mode(&self, primitive: &Primitive, place: &str) -> Result<Option<Mode>, GltfError> {
+        if let Some(mode) = Mode::of(primitive.mode) {
+            return Ok(Some(mode));
+        }
         let corners = primitive
             .indices
             .or(primitive.attributes.get("POSITION").copied());
@@ -143,9 +158,6 @@ impl<'b> Reader<'b, '_> {
             1 => ("lines", corners / 2),
             2 => ("lines", corners),
             3 => ("lines", corners.saturating_sub(1)),
-            4 => return Ok(Some(Mode::Triangles)),
-            5 => return Ok(Some(Mode::Strip)),
-            6 => return Ok(Some(Mode::Fan)),
             value => {
                 return Err(GltfError::UnknownValue {
                     place: format!("{place}.mode"),
@@ -400,7 +412,7 @@ fn used(indices: Option<&[u32]>, position_count: usize, face_count: usize) -> Op
     Some(used)
 }
 
-const fn triangle_count(mode: Mode, corner_count: usize) -> usize {
+pub(super) const fn triangle_count(mode: Mode, corner_count: usize) -> usize {
     match mode {
         Mode::Triangles => corner_count / 3,
         _ => corner_count.saturating_sub(2),

@@ -256,3 +256,87 @@ fn cameras_of_an_unknown_type_are_noted() {
     assert!(scene.cameras.is_empty());
     assert_eq!(left_out(&scene), ["1 camera of an unknown type"]);
 }
+
+#[test]
+fn undeclared_extensions_of_every_part_are_noted_once() {
+    let mut draft = poses::skinned();
+    let unused = draft.floats("VEC3", &[0.0; 3]);
+    draft.json["materials"] =
+        json!([{"extensions": {"ABC_material": {}}}, {"extensions": {"ABC_unused": {}}}]);
+    draft.json["cameras"] = json!([{"type": "perspective", "perspective": {"yfov": 1}}]);
+    draft.json["nodes"][0]["camera"] = json!(0);
+    draft.json["nodes"][0]["extensions"] = json!({"KHR_lights_punctual": {"light": 0}});
+    draft.primitive()["material"] = json!(0);
+    draft.json["extensions"] = json!({"KHR_lights_punctual": {"lights": [{"type": "point"}]}});
+    // Declared as well.
+    draft.json["extensionsUsed"] = json!(["ABC_material", "KHR_lights_punctual"]);
+    let positions = draft.primitive()["attributes"]["POSITION"].clone();
+    for (path, name) in [
+        ("/scenes/0", "ABC_scene"),
+        ("/meshes/0", "ABC_mesh"),
+        ("/skins/0", "ABC_skin"),
+        ("/cameras/0", "ABC_camera"),
+        ("/extensions/KHR_lights_punctual/lights/0", "ABC_light"),
+        (&*format!("/accessors/{positions}"), "ABC_accessor"),
+        (&*format!("/accessors/{unused}"), "ABC_unused"),
+        ("/bufferViews/0", "ABC_unused"),
+        ("/bufferViews/1", "ABC_view"),
+    ] {
+        draft.at(path)["extensions"] = json!({ name: {}, "KHR_xmp_json_ld": {} });
+    }
+    let parts = [
+        "material", "accessor", "camera", "light", "mesh", "scene", "skin", "view",
+    ];
+    let expected = parts.map(|part| format!("1 extension \"ABC_{part}\""));
+    assert_eq!(left_out(&draft.load()), expected);
+}
+
+#[test]
+fn nodes_outside_every_scene_are_noted() {
+    let mut draft = Draft::new();
+    draft.json["nodes"] = json!([
+        {"mesh": 0, "extensions": {"MSFT_lod": {"ids": [1]}}},
+        // A level of detail with a child, and a node of another scene with a child.
+        {"children": [2]},
+        {"mesh": 0},
+        {"children": [4]},
+        {"mesh": 0, "camera": 0},
+        // Of no scene: those that hold something count.
+        {"children": [6, 7, 8, 9]},
+        {"mesh": 0},
+        {"camera": 0},
+        {"extensions": {"KHR_lights_punctual": {"light": 0}}},
+        {}
+    ]);
+    draft.json["scenes"] = json!([{"nodes": [0]}, {"nodes": [3]}]);
+    let scene = draft.load();
+    assert_is_box(&scene);
+    assert_eq!(
+        left_out(&scene),
+        [
+            "1 level of detail",
+            "1 scene besides the default one",
+            "3 nodes outside every scene"
+        ]
+    );
+}
+
+#[test]
+fn all_chunks_and_bytes_that_are_not_read_are_noted() {
+    let mut glb = binary();
+    let sound = left_out(&Files::with("x.glb", &glb).load("x.glb"));
+    let word = |number: usize| (number as u32).to_le_bytes();
+    // A second binary chunk, half a chunk's header, and bytes behind the announced length.
+    glb.extend([&word(4)[..], b"BIN\0", &[1, 2, 3, 4]].concat());
+    glb.extend([0; 4]);
+    let length = glb.len();
+    glb[8..12].copy_from_slice(&word(length));
+    glb.extend([7; 5]);
+    let found = left_out(&Files::with("x.glb", &glb).load("x.glb"));
+    let expected = [
+        "9 bytes behind the end",
+        "1 chunk after the first of their type",
+    ];
+    assert_eq!(found[..2], expected);
+    assert_eq!(found[2..], sound);
+}

@@ -57,8 +57,11 @@ fn nested_far_transforms_are_multiplied_in_f64() {
     draft.json["nodes"][1]["translation"] = json!([far[0] + 1e7 + 0.3, far[1], far[2]]);
     draft.json["animations"] = json!([{}]);
     let scene = draft.load();
-    assert_eq!(scene.left_out.len(), 1);
-    assert_eq!(scene.left_out[0].count, 1, "noted once");
+    assert_eq!(
+        left_out(&scene),
+        ["1 animation", "1 node outside every scene"],
+        "noted once"
+    );
     assert!(scene.origin[0] > 9e6, "{:?}", scene.origin);
     assert!(near(extent(&scene), [1.0, 2.0, 3.0]));
     let place = 1e7 + 1.3 - scene.origin[0];
@@ -383,6 +386,22 @@ fn too_many_instances_are_refused_at_once() {
         json!({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": places}}});
     let message = draft.refusal();
     assert!(message.contains("6000000000"), "{message}");
+}
+
+/// So are those of many nodes, none of which has too many alone.
+#[test]
+fn too_many_instances_of_all_nodes_are_refused_at_once() {
+    let mut draft = Draft::new();
+    let places = json!({"componentType": 5126, "count": 60_000, "type": "VEC3"});
+    let places = draft.push("accessors", places);
+    let node = json!({"mesh": 0, "extensions":
+        {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": places}}}});
+    draft.json["nodes"] = json!(vec![node.clone(); 2000]);
+    draft.json["scenes"] = json!(null);
+    let message = draft.refusal();
+    assert!(message.contains("1440000000"), "{message}");
+    draft.json["nodes"] = json!([node]);
+    assert_eq!(draft.load().mesh.parts.len(), 60_000);
 }
 
 #[test]

@@ -328,3 +328,40 @@ fn what_is_broken_and_referred_to_is_named() {
         );
     }
 }
+
+#[test]
+fn texts_need_not_be_utf8() {
+    for place in ["\"nodes\":[{", "{"] {
+        let text = Draft::new().text();
+        let start = text.find(place).expect(place) + place.len();
+        let (head, rest) = text.split_at(start);
+        let text = [
+            head.as_bytes(),
+            b"\"extras\":\"\xa9 2020\",",
+            rest.as_bytes(),
+        ]
+        .concat();
+        assert_is_box(&Files::with("x.gltf", text).load("x.gltf"));
+    }
+}
+
+#[test]
+fn extensions_of_a_wrong_type_count_as_none() {
+    for value in [json!([]), json!(7), json!({"KHR_lights_punctual": 7})] {
+        assert_is_box(&with(&[("extensions", value)]).load());
+    }
+    for path in [
+        "/scenes/0",
+        "/meshes/0",
+        "/meshes/0/primitives/0",
+        "/accessors/0",
+        "/bufferViews/0",
+        "/materials/0",
+    ] {
+        let mut draft = Draft::new();
+        draft.json["materials"] = json!([{}]);
+        draft.primitive()["material"] = json!(0);
+        draft.at(path)["extensions"] = json!([]);
+        assert_is_box(&draft.load());
+    }
+}
