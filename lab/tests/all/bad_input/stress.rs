@@ -46,7 +46,7 @@ fn meshes_that_cannot_be_read() {
     let folder = folder();
     folder.write("empty.obj", "");
     let gpu = ["--backend", "gpu", "--adapter", "no such adapter"];
-    for (name, expected) in [("gone.glb", "\"gone.glb\""), ("empty.obj", "no triangles")] {
+    for (name, expected) in [("gone.glb", "\"gone.glb\""), ("empty.obj", "is empty")] {
         let arguments = [&["stress", "sound.obj", name][..], &gpu].concat();
         refuses(&folder, &arguments, &[expected]);
     }
