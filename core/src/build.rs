@@ -12,5 +12,6 @@ pub mod refit;
 pub mod scan;
 pub mod snap;
 pub mod sort;
+pub mod sweep;
 pub mod topology;
 pub mod wide;

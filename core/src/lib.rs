@@ -22,7 +22,8 @@ pub mod shade;
 pub mod trace;
 
 pub use build::{
-    bounds, cluster, compact, fit, gather, morton, node, refit, scan, snap, sort, topology, wide,
+    bounds, cluster, compact, fit, gather, morton, node, refit, scan, snap, sort, sweep, topology,
+    wide,
 };
 pub use codec as encode;
 pub use geometry::{

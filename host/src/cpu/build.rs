@@ -5,8 +5,9 @@ use super::classify::Division;
 use super::cluster::Clustering;
 use super::encode::{Encoder, Unstored};
 use super::order::Order;
-use super::refit::fill_pyramid;
+use super::refit::{fill_boxes, fill_pyramid};
 use super::snap::gather_again;
+use super::sweep::Sweep;
 use super::topology::Connections;
 use crate::tree::{Bvh, NodeCodec, most_triangles};
 use crate::{BuildConfig, CodeBits, Mesh, MeshError, RefitError, Stages, TreeKind};
@@ -18,7 +19,7 @@ use slimbvh_core::morton::{MortonGrid, morton_code_30, morton_code_63};
 use slimbvh_core::node::LEAF_SIZE;
 use slimbvh_core::refit::PyramidBox;
 use slimbvh_core::topology::{Codes30, Codes63, depth_bound};
-use slimbvh_core::{Aabb, LeafTriangle};
+use slimbvh_core::{Aabb, LeafTriangle, Node};
 
 /// The triangles of a hierarchy.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +38,7 @@ pub struct Builder {
     order_30: Order<1>,
     order_63: Order<2>,
     clustering: Clustering,
+    sweep: Sweep,
     connections: Connections,
     pyramid: Vec<PyramidBox>,
     encoder: Encoder,
@@ -215,6 +217,7 @@ impl Builder {
                 }
             }
         }
+        let mut nodes = self.encoder.nodes(self.config.nodes, &mut bvh.stored);
         let count = leaves.len() as u32;
         // One leaf needs no merging.
         if self.config.tree == TreeKind::Clustered && count > LEAF_SIZE {
@@ -223,15 +226,17 @@ impl Builder {
             stages.time("topology", || {
                 clustering.connect(&mut leaves, &mut self.connections);
             });
+            stages.time("refit", || self.fit(&leaves, &mut nodes));
         } else {
+            // With all boxes.
             stages.time("topology", || match self.config.code_bits {
                 CodeBits::Bits30 => {
                     let codes = bytemuck::cast_slice(&self.order_30.codes);
-                    self.connections.connect(&Codes30 { codes, count });
+                    (self.sweep).fill(&Codes30 { codes, count }, &leaves, &mut nodes);
                 }
                 CodeBits::Bits63 => {
                     let codes = &self.order_63.codes;
-                    self.connections.connect(&Codes63 { codes, count });
+                    (self.sweep).fill(&Codes63 { codes, count }, &leaves, &mut nodes);
                 }
             });
         }
@@ -240,7 +245,7 @@ impl Builder {
             (TreeKind::Radix, CodeBits::Bits30) => depth_bound(30, count),
             (TreeKind::Radix, CodeBits::Bits63) => depth_bound(63, count),
         };
-        self.fit(&mut stages, leaves, bvh);
+        self.store(&mut stages, nodes, leaves, bvh);
         stages
     }
 
@@ -287,7 +292,9 @@ impl Builder {
         stages.time("snap", || gather_again(&triangles, &scale, &mut leaves));
         let nodes = decoded.as_ref().map_or(bvh.nodes(), |plain| &plain.nodes);
         stages.time("refit", || self.connections.follow(nodes));
-        self.fit(&mut stages, leaves, bvh);
+        let mut nodes = self.encoder.nodes(self.config.nodes, &mut bvh.stored);
+        stages.time("refit", || self.fit(&leaves, &mut nodes));
+        self.store(&mut stages, nodes, leaves, bvh);
         Ok(stages)
     }
 
@@ -307,24 +314,32 @@ impl Builder {
         stages.time("encode", || encoder.store_again(mesh, shape, scene, stored));
     }
 
-    /// Stage `refit` of all boxes for a plain tree; stage `encode`, which refits as it goes, for a codec.
-    fn fit(&mut self, stages: &mut Stages, leaves: Vec<LeafTriangle>, bvh: &mut Bvh) {
-        stages.time("refit", || fill_pyramid(&leaves, &mut self.pyramid));
-        let stage = if self.config.nodes == NodeCodec::default() {
-            "refit"
-        } else {
-            "encode"
-        };
+    /// Stage `refit`: all nodes with their boxes.
+    fn fit(&mut self, leaves: &[LeafTriangle], nodes: &mut Vec<Node>) {
+        fill_pyramid(leaves, &mut self.pyramid);
+        fill_boxes(leaves, &self.pyramid, &self.connections, nodes);
+    }
+
+    /// Stores a tree: in full, or by stage `encode`.
+    fn store(
+        &mut self,
+        stages: &mut Stages,
+        nodes: Vec<Node>,
+        leaves: Vec<LeafTriangle>,
+        bvh: &mut Bvh,
+    ) {
+        let codecs = (self.config.nodes, self.config.mesh);
         let tree = Unstored {
-            connections: &self.connections,
-            pyramid: &self.pyramid,
+            nodes,
+            leaves,
             scene_exponent: bvh.scene_exponent,
         };
-        let encoder = &mut self.encoder;
-        stages.time(stage, || {
-            let codecs = (self.config.nodes, self.config.mesh);
-            encoder.store(codecs, &tree, leaves, &mut bvh.stored);
-        });
+        let (encoder, stored) = (&mut self.encoder, &mut bvh.stored);
+        if self.config.nodes == NodeCodec::default() {
+            encoder.store(codecs, tree, stored);
+        } else {
+            stages.time("encode", || encoder.store(codecs, tree, stored));
+        }
     }
 
     /// Bytes of the buffers that the last build used. The next build reuses them.
@@ -333,6 +348,7 @@ impl Builder {
         self.order_30.bytes()
             + self.order_63.bytes()
             + self.clustering.bytes()
+            + self.sweep.bytes()
             + self.connections.bytes()
             + size_of_val(self.pyramid.as_slice())
             + self.encoder.bytes()

@@ -16,18 +16,17 @@ use super::wide::{Source, WideEncoder};
 
 pub(super) use self::leaf_words::Leaf;
 pub(super) use self::tree::{TASK, Tree};
-use super::refit::fill_boxes;
-use super::topology::Connections;
 use crate::tree::paper10::{Paper10Mesh, Paper10Tree};
 use crate::tree::plain::PlainTree;
 use crate::tree::wide::{WideShape, WideTree};
 use crate::tree::{MeshCodec, NodeCodec, StoredTree};
-use slimbvh_core::LeafTriangle;
 use slimbvh_core::refit::PyramidBox;
+use slimbvh_core::{LeafTriangle, Node};
 
 /// Stores hierarchies, in full or in a codec. Keeps buffers from one to the next.
 #[derive(Debug, Default)]
 pub struct Encoder {
+    nodes: Vec<Node>,
     triangles: Vec<LeafTriangle>,
     wide: WideEncoder,
     #[cfg(feature = "lab")]
@@ -35,9 +34,9 @@ pub struct Encoder {
 }
 
 /// A tree to be stored, in a scene with this exponent.
-pub struct Unstored<'a> {
-    pub connections: &'a Connections,
-    pub pyramid: &'a [PyramidBox],
+pub struct Unstored {
+    pub nodes: Vec<Node>,
+    pub leaves: Vec<LeafTriangle>,
     pub scene_exponent: i32,
 }
 
@@ -49,6 +48,15 @@ impl Encoder {
             std::mem::swap(&mut leaves, &mut self.triangles);
         }
         leaves
+    }
+
+    /// A buffer for nodes in full, to be stored in a codec: that of the tree to be replaced, or the one kept from the last encoding.
+    pub fn nodes(&mut self, codec: NodeCodec, replaced: &mut StoredTree) -> Vec<Node> {
+        match (codec, replaced) {
+            (NodeCodec::F32, StoredTree::Plain(tree)) => std::mem::take(&mut tree.nodes),
+            (NodeCodec::F32, _) => Vec::new(),
+            _ => std::mem::take(&mut self.nodes),
+        }
     }
 
     /// Stores a wide tree over moved triangles, in the memory of that one. Its nodes stay where they are.
@@ -75,23 +83,26 @@ impl Encoder {
     pub fn store(
         &mut self,
         (nodes, mesh): (NodeCodec, MeshCodec),
-        from: &Unstored,
-        leaves: Vec<LeafTriangle>,
+        from: Unstored,
         stored: &mut StoredTree,
     ) {
         let old = std::mem::take(stored);
+        let Unstored {
+            nodes: binary,
+            leaves,
+            scene_exponent: exponent,
+        } = from;
         let tree = Tree {
-            nodes: &from.connections.nodes,
-            splits: &from.connections.splits,
+            nodes: &binary,
             leaves: &leaves,
-            pyramid: from.pyramid,
         };
         *stored = match nodes {
             NodeCodec::F32 => {
-                let mut nodes = PlainTree::reuse(old).nodes;
-                fill_boxes(&leaves, from.pyramid, from.connections, &mut nodes);
-                let triangles = leaves;
-                StoredTree::Plain(PlainTree { nodes, triangles })
+                *stored = StoredTree::Plain(PlainTree {
+                    nodes: binary,
+                    triangles: leaves,
+                });
+                return;
             }
             NodeCodec::Paper10 => {
                 let old = Paper10Tree::reuse(old);
@@ -114,23 +125,23 @@ impl Encoder {
             }
             NodeCodec::Wide(store) => {
                 let old = WideTree::reuse(old);
-                let (codecs, exponent) = ((store, mesh), from.scene_exponent);
-                let from = Source::Binary(&tree);
-                let encoded = (self.wide).encode(codecs, exponent, &from, &leaves, old);
+                let from = Source::Binary(&binary);
+                let encoded = (self.wide).encode((store, mesh), exponent, &from, &leaves, old);
                 StoredTree::Wide(encoded.over(leaves, &mut self.triangles))
             }
             #[cfg(feature = "lab")]
             NodeCodec::Lattice(bits) => {
-                let (codecs, exponent) = ((bits, mesh), from.scene_exponent);
-                let encoded = self.lattice.encode(&tree, codecs, exponent, old);
+                let encoded = self.lattice.encode(&tree, (bits, mesh), exponent, old);
                 StoredTree::Lattice(encoded.over(leaves, &mut self.triangles))
             }
         };
+        self.nodes = binary;
     }
 
     /// Bytes of the buffers kept.
     pub fn bytes(&self) -> usize {
         let parts = [
+            size_of_val(self.nodes.as_slice()),
             size_of_val(self.triangles.as_slice()),
             self.wide.bytes(),
             #[cfg(feature = "lab")]

@@ -17,6 +17,7 @@ mod scan;
 mod shade;
 mod snap;
 mod sort;
+mod sweep;
 mod topology;
 mod trace;
 mod trees;

@@ -1,54 +1,76 @@
-//! Stage `sort`: core's radix sort, with one tile a task.
+//! Stage `sort`: core's radix sort, with one tile a task. A single tile counts the digits of all passes in one reading.
 
 use super::scan::scan;
 use crate::parallel::prelude::*;
 use slimbvh_core::sort::{digit, total_place};
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 /// Bits of a digit: 30-bit codes take three passes.
-const DIGIT_BITS: u32 = 10;
+const DIGIT_BITS: u32 = 11;
 const DIGITS: usize = 1 << DIGIT_BITS;
 type Counts = [u32; DIGITS];
 
-/// The least number of items in a tile.
+/// The least number of items in a tile of several.
 const SMALLEST_TILE: usize = 1 << 14;
 
-/// A key of W words, the most significant first, and the item's position before sorting.
+/// A key of W words, the most significant first, and the item's position before sorting, in words of 64 bits.
 ///
 /// Destinations depend on data, so tasks store through relaxed atomics, each to its own places. They compile to plain
 /// moves.
 #[derive(Debug)]
-pub struct Item<const W: usize> {
-    key: [AtomicU32; W],
-    index: AtomicU32,
-}
+pub struct Item<const W: usize>([AtomicU64; W]);
 
 impl<const W: usize> Default for Item<W> {
     fn default() -> Self {
-        Self {
-            key: std::array::from_fn(|_| AtomicU32::new(0)),
-            index: AtomicU32::new(0),
-        }
+        Self(std::array::from_fn(|_| AtomicU64::new(0)))
     }
 }
 
 impl<const W: usize> Item<W> {
+    /// A word of 32 bits: of the key, or behind it the position.
+    #[inline]
+    fn half(&self, i: usize) -> u32 {
+        let word = self.0[i / 2].load(Relaxed);
+        (if i % 2 == 0 { word >> 32 } else { word }) as u32
+    }
+
     /// The key.
     pub fn key(&self) -> [u32; W] {
-        std::array::from_fn(|word| self.key[word].load(Relaxed))
+        std::array::from_fn(|word| self.half(word))
     }
 
     /// The position before sorting.
     pub fn index(&self) -> u32 {
-        self.index.load(Relaxed)
+        self.half(W)
     }
 
     /// Replaces both.
     pub fn set(&self, key: [u32; W], index: u32) {
-        for (word, value) in self.key.iter().zip(key) {
-            word.store(value, Relaxed);
+        let half = |i: usize| u64::from(*key.get(i).unwrap_or(&index));
+        for (i, word) in self.0.iter().enumerate() {
+            word.store(half(2 * i) << 32 | half(2 * i + 1), Relaxed);
         }
-        self.index.store(index, Relaxed);
+    }
+
+    /// Replaces both by those of another item.
+    fn copy(&self, from: &Self) {
+        for (to, from) in self.0.iter().zip(&from.0) {
+            to.store(from.load(Relaxed), Relaxed);
+        }
+    }
+}
+
+/// A digit of keys.
+#[derive(Clone, Copy)]
+struct Digit {
+    word: usize,
+    shift: u32,
+}
+
+impl Digit {
+    #[inline]
+    fn of<const W: usize>(self, item: &Item<W>) -> usize {
+        digit::<DIGITS>(item.half(self.word), self.shift) as usize % DIGITS
     }
 }
 
@@ -87,31 +109,64 @@ impl<const W: usize> Sorter<W> {
 
     /// Sorts by the low `key_bits[w]` bits of each word w.
     pub fn sort(&mut self, key_bits: [u32; W]) {
-        for (word, bits) in key_bits.into_iter().enumerate().rev() {
-            for shift in (0..bits).step_by(DIGIT_BITS as usize) {
-                if self.pass(word, shift) {
-                    std::mem::swap(&mut self.items, &mut self.other);
-                }
+        let words = key_bits.into_iter().enumerate().rev();
+        let digits = words.flat_map(|(word, bits)| {
+            let shifts = (0..bits).step_by(DIGIT_BITS as usize);
+            shifts.map(move |shift| Digit { word, shift })
+        });
+        let digits: Vec<Digit> = digits.collect();
+        let tile = match crate::parallel::current_num_threads() {
+            1 => usize::MAX,
+            threads => self.len().div_ceil(4 * threads).max(SMALLEST_TILE),
+        };
+        if self.len() <= tile {
+            self.sort_tile(&digits);
+        } else {
+            self.sort_tiles(&digits, tile);
+        }
+    }
+
+    /// Sorts a single tile.
+    fn sort_tile(&mut self, digits: &[Digit]) {
+        self.counts.clear();
+        self.counts.resize(digits.len(), [0; DIGITS]);
+        for item in &self.items {
+            for (counts, digit) in self.counts.iter_mut().zip(digits) {
+                counts[digit.of(item)] += 1;
+            }
+        }
+        for (counts, &digit) in self.counts.iter_mut().zip(digits) {
+            // All items have the same digit.
+            if counts
+                .iter()
+                .any(|&count| count as usize == self.items.len())
+            {
+                continue;
+            }
+            scan(counts);
+            move_items(&self.items, digit, counts, &self.other);
+            std::mem::swap(&mut self.items, &mut self.other);
+        }
+    }
+
+    fn sort_tiles(&mut self, digits: &[Digit], tile: usize) {
+        for &digit in digits {
+            if self.pass(digit, tile) {
+                std::mem::swap(&mut self.items, &mut self.other);
             }
         }
     }
 
     /// Sorts by one digit from `items` to `other`. Returns `false` without moving anything if all items have the same
     /// digit.
-    fn pass(&mut self, word: usize, shift: u32) -> bool {
-        let count = self.items.len();
-        let tile = count
-            .div_ceil(4 * crate::parallel::current_num_threads())
-            .max(SMALLEST_TILE);
-        let item_digit = |item: &Item<W>| digit::<DIGITS>(item.key[word].load(Relaxed), shift);
-
+    fn pass(&mut self, digit: Digit, tile: usize) -> bool {
         // Phase 1: each tile counts its digits.
         let tiles = self.items.par_chunks(tile);
         self.counts.resize(tiles.len(), [0; DIGITS]);
         tiles.zip(&mut self.counts).for_each(|(items, counts)| {
             *counts = [0; DIGITS];
             for item in items {
-                counts[item_digit(item) as usize % DIGITS] += 1;
+                counts[digit.of(item)] += 1;
             }
         });
 
@@ -125,7 +180,7 @@ impl<const W: usize> Sorter<W> {
                 self.offsets[total_place(digit, tile, tile_count) as usize] = total;
                 sum += total;
             }
-            if sum as usize == count {
+            if sum as usize == self.items.len() {
                 return false;
             }
         }
@@ -137,18 +192,18 @@ impl<const W: usize> Sorter<W> {
         }
 
         // Phase 3: each tile moves its items in order.
-        let other = &self.other;
-        self.items
-            .par_chunks(tile)
-            .zip(&mut self.counts)
-            .for_each(|(items, offsets)| {
-                for item in items {
-                    let next = &mut offsets[item_digit(item) as usize % DIGITS];
-                    other[*next as usize].set(item.key(), item.index());
-                    *next += 1;
-                }
-            });
+        let tiles = self.items.par_chunks(tile).zip(&mut self.counts);
+        tiles.for_each(|(items, next)| move_items(items, digit, next, &self.other));
         true
+    }
+}
+
+/// Moves items, each to the next place of its digit.
+fn move_items<const W: usize>(items: &[Item<W>], digit: Digit, next: &mut Counts, to: &[Item<W>]) {
+    for item in items {
+        let place = &mut next[digit.of(item)];
+        to[*place as usize].copy(item);
+        *place += 1;
     }
 }
 
@@ -183,6 +238,10 @@ mod tests {
         let mut expected: Vec<([u32; 2], u32)> = keys.iter().copied().zip(0..).collect();
         expected.sort_by_key(|item| item.0);
         assert_eq!(sorted(&keys, [31, 32]), expected);
+        // On one thread there is a single tile.
+        let alone = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+        let alone = alone.expect("one thread");
+        assert_eq!(alone.install(|| sorted(&keys, [31, 32])), expected);
     }
 
     #[test]

@@ -8,7 +8,6 @@ use self::collapse::Collapsing;
 use self::place::{Placing, place_again};
 use self::store::{Exact, Full, Mixed, MixedItem, Store};
 use super::BLOCK;
-use super::encode::Tree;
 use crate::parallel::prelude::*;
 use crate::tree::lattice::LatticeMesh;
 use crate::tree::wide::{WideConnection, WideList, WideTree};
@@ -26,8 +25,6 @@ use slimbvh_core::{Aabb, LeafTriangle, Node, NodeRef};
 /// Encodes wide trees. Keeps its buffers.
 #[derive(Debug)]
 pub(super) struct WideEncoder {
-    /// The binary nodes, with boxes.
-    nodes: Vec<Node>,
     places: Places,
     /// The common width of all triangles on the lattice of the last tree, if there was one.
     width: Option<LeafWidth>,
@@ -40,7 +37,6 @@ pub(super) struct WideEncoder {
 impl Default for WideEncoder {
     fn default() -> Self {
         Self {
-            nodes: Vec::new(),
             places: Places::default(),
             width: Some(LeafWidth::Narrow),
             full: Vec::new(),
@@ -128,7 +124,7 @@ impl<'a> Corners<'a> {
 /// What a wide tree is encoded from.
 pub(super) enum Source<'a> {
     /// A binary tree.
-    Binary(&'a Tree<'a>),
+    Binary(&'a [Node]),
     /// The nodes of a wide tree, which keep their places, and the boxes of what they hold.
     Wide {
         connections: &'a [WideConnection],
@@ -166,7 +162,6 @@ impl WideEncoder {
             words = old.triangles.into_words();
         }
         let Self {
-            nodes: binary,
             places,
             width,
             full,
@@ -175,7 +170,6 @@ impl WideEncoder {
             packed,
         } = self;
         let mut run = Run {
-            binary,
             places,
             width,
             triangles: &triangles,
@@ -212,8 +206,7 @@ impl WideEncoder {
 
     /// Bytes of the buffers kept.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(self.nodes.as_slice())
-            + size_of_val(self.places.collapses.as_slice())
+        size_of_val(self.places.collapses.as_slice())
             + size_of_val(self.places.origins.as_slice())
             + size_of_val(self.places.begins.as_slice())
             + size_of_val(self.places.words.as_slice())
@@ -249,10 +242,9 @@ impl Encoded {
 /// The root's children.
 fn root_children(from: &Source, leaves: &[LeafTriangle]) -> WideChildren {
     match from {
-        Source::Binary(tree) if tree.nodes.is_empty() => {
-            wide_children(&Node::EMPTY, Collapse::NONE, &[])
+        Source::Binary(nodes) => {
+            wide_children(nodes.first().unwrap_or(&Node::EMPTY), Collapse::NONE, &[])
         }
-        Source::Binary(tree) => wide_children(&tree.node(0), Collapse::NONE, &[]),
         Source::Wide {
             connections,
             pyramid,
@@ -300,7 +292,6 @@ fn children_of(
 
 /// The encoding of one tree.
 struct Run<'a> {
-    binary: &'a mut Vec<Node>,
     places: &'a mut Places,
     width: &'a mut Option<LeafWidth>,
     triangles: &'a Triangles<'a>,
@@ -318,12 +309,12 @@ impl Run<'_> {
         let triangles = self.triangles;
         let step_exponent = triangles.step_exponent;
         match from {
-            Source::Binary(tree) => {
+            Source::Binary(binary) => {
                 // Usually all corners have one width, that of the last time. Then their words need not be counted by their boxes;
                 // otherwise they are counted in a second run.
                 let is_done = !S::MIXED || self.width.is_some();
-                if !(is_done && self.fill_binary::<S>(tree, *self.width, nodes).is_some()) {
-                    let widths = self.fill_binary::<S>(tree, None, nodes);
+                if !(is_done && self.fill_binary::<S>(binary, *self.width, nodes).is_some()) {
+                    let widths = self.fill_binary::<S>(binary, None, nodes);
                     let widths = widths.expect("words were counted by what is stored");
                     let is_one = widths.count_ones() == 1;
                     *self.width = is_one.then(|| LeafWidth::of_number(widths.trailing_zeros()));
@@ -361,15 +352,13 @@ impl Run<'_> {
     /// bit each, unless they are others.
     fn fill_binary<S: Store>(
         &mut self,
-        tree: &Tree,
+        binary: &[Node],
         common: Option<LeafWidth>,
         nodes: &mut Vec<S::Node>,
     ) -> Option<u32> {
-        let count = tree.nodes.len();
-        self.binary.resize(count, Node::EMPTY);
+        let count = binary.len();
         let mut collapsing = Collapsing {
-            tree,
-            nodes: self.binary,
+            nodes: binary,
             places: self.places,
             triangles: self.triangles,
             common,
@@ -403,7 +392,7 @@ impl Run<'_> {
         nodes.truncate(1 + inner_count as usize);
         self.words.truncate(word_count as usize);
         Placing {
-            nodes: self.binary,
+            nodes: binary,
             places: self.places,
             triangles: self.triangles,
         }

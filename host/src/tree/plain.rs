@@ -18,14 +18,6 @@ pub struct PlainTree {
 }
 
 impl PlainTree {
-    /// The buffers of a tree to be replaced, if it is plain.
-    pub fn reuse(tree: StoredTree) -> Self {
-        match tree {
-            StoredTree::Plain(tree) => tree,
-            _ => Self::default(),
-        }
-    }
-
     pub fn node_source(&self) -> PlainNodes<'_> {
         PlainNodes(&self.nodes)
     }

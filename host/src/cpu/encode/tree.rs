@@ -1,26 +1,27 @@
 //! A tree to be coded, and its division among threads.
 
-use slimbvh_core::node::Connection;
-use slimbvh_core::refit::{PyramidBox, refit_node};
+use slimbvh_core::refit::split_of;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 
 /// Nodes with fewer triangles are coded on one thread.
 pub(in crate::cpu) const TASK: u32 = 8192;
 
-/// A tree to be coded. Its nodes have no boxes; these are found from the pyramid, node by node.
+/// A tree to be coded.
 pub(in crate::cpu) struct Tree<'a> {
-    pub(in crate::cpu) nodes: &'a [Connection],
-    /// The last triangle of each node's left child.
-    pub(super) splits: &'a [u32],
+    pub(in crate::cpu) nodes: &'a [Node],
     pub(super) leaves: &'a [LeafTriangle],
-    pub(super) pyramid: &'a [PyramidBox],
 }
 
 impl Tree<'_> {
-    /// A node with its boxes.
-    pub(in crate::cpu) fn node(&self, index: u32) -> Node {
-        let (bare, split) = (&self.nodes[index as usize], self.splits[index as usize]);
-        refit_node(bare.into(), split, self.leaves, self.pyramid)
+    /// A node.
+    pub(super) fn node(&self, index: u32) -> Node {
+        self.nodes[index as usize]
+    }
+
+    /// The last triangle of a node's left child.
+    fn split(&self, node: &Node) -> u32 {
+        let left = self.nodes.get(node.left.index() as usize);
+        split_of(node, left.map_or(0, |left| left.last))
     }
 }
 
@@ -51,7 +52,7 @@ impl<'a, N, T, B> Part<'a, N, T, B> {
         } else {
             node.right.index() as usize
         };
-        let triangle = tree.splits[self.node as usize].wrapping_add(1);
+        let triangle = tree.split(node).wrapping_add(1);
         let (left_nodes, right_nodes) = self.nodes.split_at_mut(middle - self.first_node);
         let middle_triangle = if self.triangles.is_empty() {
             self.first_triangle

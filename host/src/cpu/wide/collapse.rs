@@ -1,9 +1,8 @@
-//! Boxes of a binary tree's nodes, and which of them begin wide ones: from the root down.
+//! Which nodes of a binary tree begin wide ones: from the root down.
 //!
-//! Few nodes at the top come first, on one thread. Below them lie runs of nodes, each a tree of its own: where its boxes are found,
-//! they are collapsed while they are in the processor's cache.
+//! Few nodes at the top come first, on one thread. Below them lie runs of nodes, each a tree of its own.
 
-use super::super::encode::{TASK, Tree};
+use super::super::encode::TASK;
 use super::store::Store;
 use super::{Corners, Places, Triangles, leaves_of};
 use crate::parallel::prelude::*;
@@ -34,10 +33,9 @@ pub(super) struct Division {
     pub(super) runs: Vec<Run>,
 }
 
-/// A binary tree that is collapsed: its boxes, and what is known of the wide nodes that begin at its nodes.
+/// A binary tree that is collapsed, and what is known of the wide nodes that begin at its nodes.
 pub(super) struct Collapsing<'a> {
-    pub(super) tree: &'a Tree<'a>,
-    pub(super) nodes: &'a mut [Node],
+    pub(super) nodes: &'a [Node],
     pub(super) places: &'a mut Places,
     pub(super) triangles: &'a Triangles<'a>,
     /// The width of all corners on the lattice, as far as is known.
@@ -47,7 +45,6 @@ pub(super) struct Collapsing<'a> {
 /// The parts of all lists for a run.
 struct Part<'a> {
     run: &'a Run,
-    nodes: &'a mut [Node],
     collapses: &'a mut [u32],
     origins: &'a mut [u32],
     inner: &'a mut [u32],
@@ -62,13 +59,11 @@ impl Collapsing<'_> {
     /// those of inner children, and of words, 0 where no wide node begins.
     pub(super) fn fill<S: Store>(&mut self, runs: &[Run]) {
         let Self {
-            tree,
             nodes,
             places,
             triangles,
             common,
         } = self;
-        let mut nodes = Cut::new(nodes);
         let mut collapses = Cut::new(&mut places.collapses);
         let mut origins = Cut::new(&mut places.origins);
         let mut inner = Cut::new(&mut places.begins);
@@ -77,10 +72,9 @@ impl Collapsing<'_> {
         let mut parts = Vec::with_capacity(runs.len());
         for run in runs {
             let range = &run.range;
-            let root = &tree.nodes[range.start + run.root as usize];
+            let root = &nodes[range.start + run.root as usize];
             parts.push(Part {
                 run,
-                nodes: nodes.cut(range),
                 collapses: collapses.cut(range),
                 origins: origins.cut(range),
                 inner: inner.cut(range),
@@ -89,7 +83,7 @@ impl Collapsing<'_> {
             });
         }
         let parts = parts.into_par_iter();
-        parts.for_each(|part| part.fill::<S>(tree, triangles, *common));
+        parts.for_each(|part| part.fill::<S>(nodes, triangles, *common));
     }
 
     /// Clears the lists, and fills them for the nodes at the top.
@@ -103,8 +97,8 @@ impl Collapsing<'_> {
         let all = 0..self.nodes.len();
         let mut waiting = vec![(0, all, Origin::ROOT)];
         while let Some((root, range, origin)) = waiting.pop() {
-            let bare = &self.tree.nodes[root as usize];
-            if bare.last - bare.first < TASK {
+            let node = &self.nodes[root as usize];
+            if node.last - node.first < TASK {
                 let root = root - range.start as u32;
                 let run = Run {
                     root,
@@ -114,9 +108,7 @@ impl Collapsing<'_> {
                 division.runs.push(run);
                 continue;
             }
-            self.fit_near(root, 2);
-            let node = self.nodes[root as usize];
-            let (collapse, children) = collapsed(&node, self.nodes, 0);
+            let (collapse, children) = collapsed(node, self.nodes, 0);
             let i = root as usize;
             self.places.collapses[i] = collapse.0;
             self.places.origins[i] = origin.0;
@@ -149,25 +141,12 @@ impl Collapsing<'_> {
         };
         let mut count = 0;
         let is_missing = |run: &&Run| {
-            let node = &self.tree.nodes[run.range.start + run.root as usize];
+            let node = &self.nodes[run.range.start + run.root as usize];
             let is_missing = count < enough;
             count += node.last - node.first + 1;
             is_missing
         };
         runs.iter().take_while(is_missing).count()
-    }
-
-    /// Finds the boxes of a node and of those up to so many levels below it.
-    fn fit_near(&mut self, index: u32, levels: u32) {
-        let node = self.tree.node(index);
-        self.nodes[index as usize] = node;
-        if levels > 0 {
-            for child in [node.left, node.right] {
-                if !child.is_leaf() {
-                    self.fit_near(child.index(), levels - 1);
-                }
-            }
-        }
     }
 
     /// The children of a wide node whose own binary node and all below it are in a range, each with such a range.
@@ -206,28 +185,15 @@ impl Collapsing<'_> {
 
 impl Part<'_> {
     /// Fills the lists of a run.
-    fn fill<S: Store>(self, tree: &Tree, triangles: &Triangles, common: Option<LeafWidth>) {
+    fn fill<S: Store>(self, nodes: &[Node], triangles: &Triangles, common: Option<LeafWidth>) {
         let first = self.run.range.start as u32;
-        let named = |child: NodeRef| {
-            if child.is_leaf() {
-                child
-            } else {
-                NodeRef::inner(child.index().wrapping_sub(first))
-            }
-        };
-        for (node, i) in self.nodes.iter_mut().zip(first..) {
-            let fitted = tree.node(i);
-            *node = Node {
-                left: named(fitted.left),
-                right: named(fitted.right),
-                ..fitted
-            };
-        }
-        let first_triangle = self.nodes[self.run.root as usize].first;
-        let mut waiting = vec![(self.run.root, self.run.origin)];
+        let root = first + self.run.root;
+        let first_triangle = nodes[root as usize].first;
+        let mut waiting = vec![(root, self.run.origin)];
         while let Some((index, origin)) = waiting.pop() {
-            let i = index as usize;
-            let (collapse, children) = collapsed(&self.nodes[i], self.nodes, 0);
+            let (collapse, children) = collapsed(&nodes[index as usize], nodes, 0);
+            let own = index - first;
+            let i = own as usize;
             self.collapses[i] = collapse.0;
             self.origins[i] = origin.0;
             self.inner[i] = collapse.inner_count();
@@ -240,7 +206,7 @@ impl Part<'_> {
                 .into_iter()
                 .filter(|child| !child.is_leaf());
             let inner = inner.zip(0..);
-            waiting.extend(inner.map(|(child, rank)| (child.index(), Origin::below(index, rank))));
+            waiting.extend(inner.map(|(child, rank)| (child.index(), Origin::below(own, rank))));
         }
     }
 }

@@ -83,12 +83,11 @@ impl Placing<'_> {
             widths |= run_widths;
         }
         for i in division.top.iter().map(|&i| i as usize) {
-            let binary = (self.nodes, places.collapses.as_slice());
             let first_word = at(&places.words, i);
             let end = places.words.get(i + 1).map_or(word_count, |&n| n as usize);
             let at = [begins.first_child(i as u32), first_word];
             let own = &mut words[first_word as usize..end];
-            let (node, node_widths) = self.encode::<S>(i, binary, at, own);
+            let (node, node_widths) = self.encode::<S>(i, at, own);
             nodes[begins.place(Origin(places.origins[i])) as usize] = node;
             widths |= node_widths;
         }
@@ -99,7 +98,6 @@ impl Placing<'_> {
     fn fill_run<S: Store>(&self, part: Part<S::Node>) -> Sound<S::Node> {
         let Run { root, range, .. } = part.run;
         let places = self.places;
-        let binary = (&self.nodes[range.clone()], &places.collapses[range.clone()]);
         let begins = Begins(&places.begins[range.clone()]);
         let origins = &places.origins[range.clone()];
         let first_place = begins.first_child(0);
@@ -118,7 +116,7 @@ impl Placing<'_> {
                 (own, words) = rest.split_at_mut((next - word) as usize);
             }
             let at = [begins.first_child(i as u32), word];
-            let (node, node_widths) = self.encode::<S>(i, binary, at, own);
+            let (node, node_widths) = self.encode::<S>(range.start + i, at, own);
             widths |= node_widths;
             word = next;
             if i as u32 == *root {
@@ -130,19 +128,14 @@ impl Placing<'_> {
         (first, widths)
     }
 
-    /// The wide node that begins at one of these binary nodes. Its inner children begin at a place, and its words at another, as many
+    /// The wide node that begins at a binary node. Its inner children begin at a place, and its words at another, as many
     /// as there should be.
     #[inline(always)]
-    fn encode<S: Store>(
-        &self,
-        i: usize,
-        (nodes, collapses): (&[Node], &[u32]),
-        at: [u32; 2],
-        words: &mut [u32],
-    ) -> Sound<S::Node> {
+    fn encode<S: Store>(&self, i: usize, at: [u32; 2], words: &mut [u32]) -> Sound<S::Node> {
         let step_exponent = self.triangles.step_exponent;
-        let node = &nodes[i];
-        let children = wide_children(node, Collapse(collapses[i]), nodes);
+        let node = &self.nodes[i];
+        let collapse = Collapse(self.places.collapses[i]);
+        let children = wide_children(node, collapse, self.nodes);
         let corners = Corners {
             first: 0,
             list: &self.places.corners,

@@ -125,7 +125,7 @@ fn place_triangles<const BITS: u32, const WORDS: usize>(
     begin_of: &(impl Fn(u32) -> u32 + Sync),
 ) {
     let tree = lattice.tree;
-    let node = Node::from(&tree.nodes[part.node as usize]);
+    let node = tree.node(part.node);
     let words = &mut part.nodes[part.node as usize - part.first_node];
     let boxes = decode_node::<BITS, WORDS>(words, &part.bounds);
     *words = linked_to::<BITS, WORDS>(begin_of)(&node, *words);

@@ -8,7 +8,6 @@ use slimbvh_core::encode::{
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::node::Connection;
 use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{Node, NodeRef};
 
@@ -106,7 +105,7 @@ pub(super) fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
     leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
 ) {
     let tree = lattice.tree;
-    let Connection { first, last, .. } = tree.nodes[part.node as usize];
+    let Node { first, last, .. } = tree.node(part.node);
     if last - first < TASK {
         return encode_below::<BITS, WORDS, T>(lattice, part, link, leaf);
     }
