@@ -6,8 +6,12 @@ use crate::geometry::ray::{Hit, PreparedRay, Ray};
 use query::{Query, Single};
 
 mod based;
+#[cfg(not(target_arch = "spirv"))]
+mod bundle;
 mod collect;
 mod filter;
+#[cfg(not(target_arch = "spirv"))]
+mod interval;
 mod lane_stack;
 #[cfg(not(target_arch = "spirv"))]
 mod packet;
@@ -22,6 +26,8 @@ mod wide_rows;
 mod wide_stack;
 
 pub use based::Based;
+#[cfg(not(target_arch = "spirv"))]
+pub use bundle::{Bundle, BundleStack, PACKETS, trace_bundle};
 pub use collect::{AnyHit, ClosestHit, ClosestOrAny, Collector, Counted, FINAL, NearestHits, UpTo};
 #[cfg(not(target_arch = "spirv"))]
 pub use filter::EndsAnd;

@@ -13,7 +13,7 @@ use super::{
 use crate::build::wide::WIDTH;
 use crate::geometry::lanes::{Lanes, Wide};
 use crate::geometry::planes::{BoxSpan, PlanePair, Planes};
-use crate::geometry::ray::{Hit, PreparedRay};
+use crate::geometry::ray::{Hit, PreparedRay, RayLanes};
 use crate::geometry::slab::{FourPlanes, crossings};
 use crate::geometry::watertight::{Meeting, meet};
 use core::array::from_fn;
@@ -29,7 +29,9 @@ pub struct Lane<F, C> {
 
 /// The limits of all lanes.
 #[inline(always)]
-fn limits<W: Wide<LANES>, F, C: Collector, const LANES: usize>(packet: &[Lane<F, C>; LANES]) -> W {
+pub(super) fn limits<W: Wide<LANES>, F, C: Collector, const LANES: usize>(
+    packet: &[Lane<F, C>; LANES],
+) -> W {
     W::from_array(from_fn(|i| packet[i].collector.limit()))
 }
 
@@ -70,11 +72,7 @@ pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
     } else {
         0
     };
-    for (i, lane) in packet.iter_mut().enumerate() {
-        if who >> i & 1 == 0 {
-            trace_alone(&mut stacks.alone, nodes, triangles, rays.alone(i), lane);
-        }
-    }
+    trace_others(&mut stacks.alone, nodes, triangles, rays, (packet, who));
     if who == 0 {
         return;
     }
@@ -90,6 +88,28 @@ pub fn trace_packet<N, T, F, C, W, const LANES: usize>(
         who,
     };
     walk(&mut stacks.together, nodes, triangles, query);
+}
+
+/// [`trace_alone`] of all rays of a packet but these.
+#[inline(always)]
+pub(super) fn trace_others<N, T, F, C, W, const LANES: usize>(
+    stack: &mut <N::Node as Fork>::Stack<f32>,
+    nodes: &N,
+    triangles: &T,
+    rays: &mut PreparedRays<W, LANES>,
+    (packet, who): (&mut [Lane<F, C>; LANES], u32),
+) where
+    N: NodeSource,
+    T: TriangleSource<N::Bounds>,
+    F: HitFilter,
+    C: Collector,
+    W: Wide<LANES>,
+{
+    for (i, lane) in packet.iter_mut().enumerate() {
+        if who >> i & 1 == 0 {
+            trace_alone(stack, nodes, triangles, rays.alone(i), lane);
+        }
+    }
 }
 
 /// [`super::traverse_with`] of one ray, never part of its caller.
@@ -177,6 +197,50 @@ const LISTS: [ChildList; 1 << WIDTH] = {
     lists
 };
 
+/// Where rays enter a box, and a bit for each that does no later than its limit.
+#[inline(always)]
+pub(super) fn box_entries<W: Wide<LANES>, const LANES: usize>(
+    rays: &RayLanes<BoxSpan<W>>,
+    limit: W,
+    low: [f32; 3],
+    high: [f32; 3],
+) -> (W, u32) {
+    let planes = from_fn(|i| BoxSpan::new(W::splat(low[i]), W::splat(high[i])));
+    let crossing = crossings(planes, rays.plane_origins, rays.inverse);
+    let enter = crossing.enter.low.most(rays.t_min);
+    let meets = enter.at_most(crossing.padded_exit.low.least(limit));
+    (enter, W::bits(meets))
+}
+
+/// Tests a triangle with those rays of a packet. Returns whether a hit was offered, after which limits may be others.
+#[inline(always)]
+pub(super) fn test_corners<F, C, W, const LANES: usize>(
+    (rays, who, limit): (&PreparedRays<W, LANES>, u32, W),
+    packet: &mut [Lane<F, C>; LANES],
+    corners: &[[f32; 3]; 3],
+    primitive: impl FnOnce() -> u32,
+) -> bool
+where
+    F: HitFilter,
+    C: Collector,
+    W: Wide<LANES>,
+{
+    let Meeting { t, u, v, met } = meet(&rays.lanes, corners, limit);
+    let who = who & W::bits(met);
+    if who == 0 {
+        return false;
+    }
+    let primitive = primitive();
+    let (t, u, v) = (t.to_array(), u.to_array(), v.to_array());
+    for i in each_of(who) {
+        let i = i % LANES;
+        let (t, u, v) = (t[i], u[i], v[i]);
+        let hit = Hit { t, u, v, primitive };
+        offer(&mut packet[i], (corners, rays.axes), hit);
+    }
+    true
+}
+
 /// Rays that walk together.
 struct Together<'a, F, C, W: Wide<LANES>, const LANES: usize> {
     rays: &'a PreparedRays<W, LANES>,
@@ -193,7 +257,7 @@ struct Together<'a, F, C, W: Wide<LANES>, const LANES: usize> {
 
 /// The numbers of the bits in a mask.
 #[inline(always)]
-fn each_of(mut who: u32) -> impl Iterator<Item = usize> {
+pub(super) fn each_of(mut who: u32) -> impl Iterator<Item = usize> {
     core::iter::from_fn(move || {
         let next = (who != 0).then(|| who.trailing_zeros() as usize);
         who &= who.wrapping_sub(1);
@@ -204,12 +268,8 @@ fn each_of(mut who: u32) -> impl Iterator<Item = usize> {
 impl<F, C, W: Wide<LANES>, const LANES: usize> Together<'_, F, C, W, LANES> {
     #[inline(always)]
     fn meet(&self, low: [f32; 3], high: [f32; 3]) -> Entries<W> {
-        let rays = &self.rays.lanes;
-        let planes = from_fn(|i| BoxSpan::new(W::splat(low[i]), W::splat(high[i])));
-        let crossing = crossings(planes, rays.plane_origins, rays.inverse);
-        let enter = crossing.enter.low.most(rays.t_min);
-        let meets = enter.at_most(crossing.padded_exit.low.least(self.limit));
-        let who = self.who & W::bits(meets);
+        let (enter, met) = box_entries(&self.rays.lanes, self.limit, low, high);
+        let who = self.who & met;
         Entries { enter, who }
     }
 }
@@ -336,22 +396,10 @@ where
 {
     #[inline(always)]
     fn test(&mut self, triangles: &T, slot: &LeafSlot<N::Bounds>) {
-        let axes = self.rays.axes;
-        let corners = triangles.corners(slot, axes);
-        let Meeting { t, u, v, met } = meet(&self.rays.lanes, &corners, self.limit);
-        let who = self.who & W::bits(met);
-        if who != 0 {
-            let primitive = triangles.primitive(slot);
-            let (t, u, v) = (t.to_array(), u.to_array(), v.to_array());
-            for i in each_of(who) {
-                let i = i % LANES;
-                let (t, u, v) = (t[i], u[i], v[i]);
-                offer(
-                    &mut self.packet[i],
-                    (&corners, axes),
-                    Hit { t, u, v, primitive },
-                );
-            }
+        let corners = triangles.corners(slot, self.rays.axes);
+        let asked = (self.rays, self.who, self.limit);
+        let primitive = || triangles.primitive(slot);
+        if test_corners(asked, self.packet, &corners, primitive) {
             self.limit = limits(self.packet);
         }
     }

@@ -9,6 +9,9 @@ use crate::geometry::ray::{Axis, FARTHEST_ORIGIN, Hit, PreparedRay, Ray, RayLane
 /// coordinate is at most 1, and in that of directions, whose largest component is at most 2.
 const APART: f32 = 1.0 / 16.0;
 
+/// The same of packets.
+const PACKETS_APART: f32 = 1.0 / 4.0;
+
 /// Largest components of directions between these are ordinary, and exponents of scenes.
 const SHORTEST: i32 = -60;
 const LONGEST: i32 = 60;
@@ -56,7 +59,7 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
     #[inline(always)]
     pub fn prepare(&mut self, rays: &[Ray; LANES], scene_exponent: i32) {
         const { assert!(LANES <= 32, "a mask has 32 bits") };
-        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = W::columns(rays.map(bytemuck::cast));
+        let [ox, oy, oz, t_min, dx, dy, dz, t_max] = W::columns(bytemuck::cast(*rays));
         let (origin, direction) = ([ox, oy, oz], [dx, dy, dz]);
 
         let [dx, dy, dz] = direction.map(W::abs);
@@ -121,6 +124,42 @@ impl<W: Wide<LANES>, const LANES: usize> PreparedRays<W, LANES> {
                 self.prepare_alone(i, ray, scene_exponent);
             }
         }
+    }
+
+    /// Which of the first `count` packets may walk together: those of several rays whose axes are in the first one's order, and which begin and go near
+    /// to its first ray. None if it were one.
+    pub(super) fn side_by_side<const PACKETS: usize>(
+        packets: &[Self; PACKETS],
+        count: usize,
+    ) -> u32 {
+        let is_packet = |rays: &&Self| rays.members.count_ones() > 1;
+        let packets = || packets.iter().take(count);
+        let Some(first) = packets().find(is_packet) else {
+            return 0;
+        };
+        let [origin, direction] = first.first_member();
+        let mut joined = 0;
+        for (k, rays) in packets().enumerate() {
+            let [begin, way] = rays.first_member();
+            let off = |a: f32, b: f32| (a - b).abs() <= PACKETS_APART;
+            let is_near = (0..3).all(|i| off(begin[i], origin[i]) & off(way[i], direction[i]));
+            let is_joined = is_packet(&rays) & (rays.axes == first.axes) & is_near;
+            joined |= u32::from(is_joined) << k;
+        }
+        match joined.count_ones() {
+            1 => 0,
+            _ => joined,
+        }
+    }
+
+    /// The origin and the direction of the first ray that walks along.
+    fn first_member(&self) -> [[f32; 3]; 2] {
+        let i = self.members.trailing_zeros() as usize % LANES;
+        let number = |numbers: W| numbers.lane(i);
+        [
+            self.lanes.origin.map(number),
+            self.lanes.direction.map(number),
+        ]
     }
 
     #[inline(never)]

@@ -1,7 +1,7 @@
 //! Queries of many rays, traced in packets of eight ([`slimbvh_core::trace::trace_packet`]).
 
 use super::bvh::Bvh;
-use super::lanes::{LANES, Numbers};
+use super::lanes::LANES;
 use super::query::Query;
 use super::ray_filter::{RayFilter, SharedFilter, are_more_than_skip};
 use super::visitor::Together;
@@ -9,9 +9,8 @@ use crate::parallel::prelude::*;
 use slimbvh_core::classify::{FacingFilter, Sides};
 use slimbvh_core::orientation::Target;
 use slimbvh_core::ray::{Hit, NO_PRIMITIVE, Ray};
-use slimbvh_core::trace::{ClosestOrAny, Lane, PreparedRays};
+use slimbvh_core::trace::{ClosestOrAny, Lane, PACKETS, PreparedRays};
 use slimbvh_core::{RayEnds, SurfaceRay};
-use std::array::from_fn;
 
 /// The filter of a query's rays. Without a target it accepts all triangles.
 pub fn filter_of(target: Option<(Sides, Target)>) -> FacingFilter<Sides> {
@@ -126,52 +125,77 @@ impl Bvh {
         mut answer: impl FnMut(usize, Hit),
     ) {
         let facing = filter_of(query.target);
-        let mut numbers = [0; LANES];
-        let mut asked = [Ray::EMPTY; LANES];
-        let mut given = [IDLE; LANES];
-        let mut prepared = PreparedRays::EMPTY;
+        let mut numbers = [0; RAYS];
+        let mut given = [IDLE; RAYS];
+        let mut prepared = [const { PreparedRays::EMPTY }; PACKETS];
         loop {
-            let mut skips = [NO_PRIMITIVE; LANES];
-            let (mut count, mut with_ends) = (0, 0);
-            for ((i, to), (number, ray)) in asked.iter_mut().enumerate().zip(rays.by_ref()) {
-                *to = ray.ray;
-                (numbers[i], skips[i]) = (number, ray.ends.skip[0]);
-                if are_more_than_skip(&ray.ends) {
-                    given[i] = ray;
-                    with_ends |= 1 << i;
+            let mut skips = [NO_PRIMITIVE; RAYS];
+            let (mut ray_count, mut packet_count, mut with_ends) = (0, 0, 0);
+            for (k, prepared) in prepared.iter_mut().enumerate() {
+                let first = k * LANES;
+                let mut asked = [Ray::EMPTY; LANES];
+                for (i, to) in asked.iter_mut().enumerate() {
+                    let Some((number, ray)) = rays.next() else {
+                        break;
+                    };
+                    let place = first + i;
+                    *to = ray.ray;
+                    (numbers[place], skips[place]) = (number, ray.ends.skip[0]);
+                    if are_more_than_skip(&ray.ends) {
+                        given[place] = ray;
+                        with_ends |= 1_u64 << place;
+                    }
+                    ray_count = place + 1;
                 }
-                count += 1;
+                if ray_count <= first {
+                    break;
+                }
+                prepared.prepare(&asked, query.exponent);
+                packet_count = k + 1;
             }
-            if count == 0 {
+            if ray_count == 0 {
                 return;
             }
-            asked[count..].fill(Ray::EMPTY);
-            prepared.prepare(&asked, query.exponent);
             let shared = SharedFilter {
                 facing: &facing,
                 rays: &given,
                 with_ends,
                 scene_exponent: query.exponent,
             };
-            let mut packet = from_fn(|i| Lane {
+            let idle = Lane {
                 filter: RayFilter {
-                    skip: skips[i],
-                    number: i as u32,
+                    skip: NO_PRIMITIVE,
+                    number: 0,
                     shared: &shared,
                 },
-                collector: query.question.collector(prepared.t_max()[i]),
+                collector: query.question.collector(0.0),
+            };
+            let mut packets = [[idle; LANES]; PACKETS];
+            for (k, prepared) in prepared.iter().enumerate().take(packet_count) {
+                let t_max = prepared.t_max();
+                for (i, lane) in packets[k].iter_mut().enumerate() {
+                    let place = k * LANES + i;
+                    lane.filter.number = place as u32;
+                    lane.filter.skip = skips[place];
+                    lane.collector = query.question.collector(t_max[i]);
+                }
+            }
+            self.stored.visit(Together {
+                rays: &mut prepared,
+                packets: (&mut packets, packet_count),
             });
-            self.trace(&mut prepared, &mut packet);
-            for (i, lane) in packet.iter().enumerate().take(count) {
-                answer(numbers[i], prepared.restore(i, lane.collector.closest.hit));
+            let lanes = packets.as_flattened().iter().zip(&numbers);
+            for (place, (lane, &number)) in lanes.enumerate().take(ray_count) {
+                let hit = lane.collector.closest.hit;
+                let hit = prepared[place / LANES].restore(place % LANES, hit);
+                answer(number, hit);
             }
         }
     }
-
-    fn trace(&self, rays: &mut PreparedRays<Numbers, LANES>, packet: &mut Packet) {
-        self.stored.visit(Together { rays, packet });
-    }
 }
+
+/// Rays in a bundle.
+const RAYS: usize = PACKETS * LANES;
 
 #[cfg(test)]
 mod tests {
@@ -191,7 +215,7 @@ mod tests {
             vertices in vec(point(), 3..60),
             indices in vec(uniform3(any::<prop::sample::Index>()), 1..80),
             (origin, spread) in (point(), -8..2i32),
-            offsets in vec([point(), point()], 1..40),
+            offsets in vec([point(), point()], 1..200),
         ) {
             let indices: Vec<_> = indices.iter().map(|c| c.map(|i| i.index(vertices.len()) as u32)).collect();
             let mesh = Mesh { vertices, indices, ..Mesh::default() };

@@ -2,7 +2,7 @@
 
 use super::codec::{MeshCodec, NodeCodec};
 use super::error::TreeError;
-use super::stored::{List, ListReader, Lists, Stacks, StoredTree, with_stacks};
+use super::stored::{List, ListReader, Lists, Stacks, with_stacks};
 use super::visitor::TreeVisitor;
 use slimbvh_core::encode::RootWords;
 use slimbvh_core::ray::PreparedRay;

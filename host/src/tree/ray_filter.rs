@@ -13,7 +13,7 @@ pub struct SharedFilter<'a> {
     /// The rays as their caller gives them.
     pub rays: &'a [SurfaceRay],
     /// A bit for each ray with more than one primitive to skip or with errors: the others' ends are not read.
-    pub with_ends: u32,
+    pub with_ends: u64,
     /// The exponent that the rays are prepared with.
     pub scene_exponent: i32,
 }
@@ -38,7 +38,7 @@ pub const fn are_more_than_skip(ends: &RayEnds) -> bool {
 impl HitFilter for RayFilter<'_> {
     #[inline(always)]
     fn accepts(&self, primitive: u32, corners: &[[f32; 3]; 3], axes: [u32; 3]) -> bool {
-        let has_ends = self.shared.with_ends >> (self.number & 31) & 1 == 1;
+        let has_ends = self.shared.with_ends >> (self.number & 63) & 1 == 1;
         primitive != self.skip
             && (!has_ends || self.ends_accept(primitive, *corners, axes))
             && self.shared.facing.accepts(primitive, corners, axes)

@@ -1,10 +1,12 @@
 //! Traits of stored nodes and triangles, for the traversal and for walks over the whole tree.
 
 use super::error::TreeError;
-use super::lanes::Numbers;
+use super::lanes::{LANES, Numbers};
+use super::packets::Packet;
 use super::stored::Stacks;
 use slimbvh_core::trace::{
-    LeafSlot, LeafTriangles, NodeSource, PacketStacks, PlainNodes, TriangleSource,
+    Bundle, LeafSlot, LeafTriangles, NodeSource, PacketStacks, PlainNodes, PreparedRays,
+    TriangleSource, trace_packet,
 };
 use slimbvh_core::wide::WIDTH;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef, Vec3};
@@ -66,6 +68,23 @@ pub trait StoredNodes: NodeSource + Sync {
 
     /// The stacks for these nodes' cursors.
     fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers>;
+
+    /// Traces the first `count` packets of a bundle: over wide nodes together.
+    #[inline(always)]
+    fn trace_packets<T: StoredTriangles<Self>>(
+        &self,
+        triangles: &T,
+        stacks: &mut Stacks,
+        rays: &mut Bundle<PreparedRays<Numbers, LANES>>,
+        (packets, count): (&mut Bundle<Packet>, usize),
+    ) where
+        Self: Sized,
+    {
+        let stacks = Self::stacks(stacks);
+        for (rays, packet) in rays.iter_mut().zip(packets).take(count) {
+            trace_packet(stacks, self, triangles, rays, packet);
+        }
+    }
 
     /// The number of nodes.
     fn count(&self) -> usize;

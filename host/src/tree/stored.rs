@@ -15,7 +15,7 @@ use glam::Vec4;
 use slimbvh_core::encode::LatticeCursor;
 use slimbvh_core::encode::{Paper10Cursor, RootWords};
 use slimbvh_core::slab::CodedPlanes;
-use slimbvh_core::trace::{Children, PacketStacks, WideFork};
+use slimbvh_core::trace::{BundleStack, Children, PacketStacks, WideFork};
 use slimbvh_core::{LeafTriangle, NodeRef};
 use std::cell::RefCell;
 
@@ -130,6 +130,8 @@ pub struct Stacks {
     pub wide: PacketStacks<WideFork<Vec4>, Numbers>,
     /// Of wide nodes on the lattice.
     pub coded_wide: PacketStacks<WideFork<CodedPlanes>, Numbers>,
+    /// Of packets over wide nodes.
+    pub bundle: BundleStack,
 }
 
 impl Stacks {
@@ -141,6 +143,7 @@ impl Stacks {
         lattice: PacketStacks::EMPTY,
         wide: PacketStacks::EMPTY,
         coded_wide: PacketStacks::EMPTY,
+        bundle: BundleStack::EMPTY,
     };
 }
 

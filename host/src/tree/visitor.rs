@@ -7,7 +7,7 @@ use super::stored::with_stacks;
 use slimbvh_core::Hit;
 use slimbvh_core::ray::PreparedRay;
 use slimbvh_core::trace::{
-    ClosestOrAny, Collector, HitFilter, Lane, PreparedRays, trace_alone, trace_packet, traverse,
+    Bundle, ClosestOrAny, Collector, HitFilter, Lane, PreparedRays, trace_alone, traverse,
 };
 
 /// Called with the concrete sources of nodes and triangles: [`StoredTree::visit`](super::StoredTree::visit).
@@ -40,10 +40,11 @@ impl<F: HitFilter> TreeVisitor for Alone<'_, F> {
     }
 }
 
-/// Traces several rays with the thread's own stacks, for the closest hit or any, as their collectors ask.
+/// Traces packets of rays with the thread's own stacks, for the closest hit or any, as their collectors ask.
 pub struct Together<'a, 'b> {
-    pub rays: &'a mut PreparedRays<Numbers, LANES>,
-    pub packet: &'a mut Packet<'b>,
+    pub rays: &'a mut Bundle<PreparedRays<Numbers, LANES>>,
+    /// Packets, and how many of them count.
+    pub packets: (&'a mut Bundle<Packet<'b>>, usize),
 }
 
 impl TreeVisitor for Together<'_, '_> {
@@ -52,8 +53,7 @@ impl TreeVisitor for Together<'_, '_> {
     #[inline(always)]
     fn visit<N: StoredNodes, T: StoredTriangles<N>>(self, nodes: &N, triangles: &T) {
         with_stacks(|stacks| {
-            let stacks = N::stacks(stacks);
-            trace_packet(stacks, nodes, triangles, self.rays, self.packet);
+            nodes.trace_packets(triangles, stacks, self.rays, self.packets);
         });
     }
 }

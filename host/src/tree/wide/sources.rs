@@ -1,8 +1,9 @@
 //! Wide nodes as the rest of the tree sees them: opened, and checked.
 
 use super::super::error::TreeError;
-use super::super::lanes::Numbers;
+use super::super::lanes::{LANES, Numbers};
 use super::super::lattice::aabb;
+use super::super::packets::Packet;
 use super::super::sources::{
     LeafOrder, LeafPlace, NodeOrder, Opened, StoredNodes, StoredTriangles, triangle_in,
 };
@@ -16,7 +17,9 @@ use slimbvh_core::encode::{
 };
 use slimbvh_core::float::exponent;
 use slimbvh_core::lattice::LatticeBox;
-use slimbvh_core::trace::{FullWideNodes, LeafSlot, PacketStacks};
+use slimbvh_core::trace::{
+    Bundle, FullWideNodes, LeafSlot, PacketStacks, PreparedRays, trace_bundle,
+};
 use slimbvh_core::wide::WIDTH;
 use slimbvh_core::{Aabb, LeafTriangle, NodeRef};
 
@@ -135,6 +138,18 @@ impl StoredNodes for FullWideNodes<'_> {
         &mut stacks.wide
     }
 
+    #[inline(always)]
+    fn trace_packets<T: StoredTriangles<Self>>(
+        &self,
+        triangles: &T,
+        stacks: &mut Stacks,
+        rays: &mut Bundle<PreparedRays<Numbers, LANES>>,
+        packets: (&mut Bundle<Packet>, usize),
+    ) {
+        let stacks = (&mut stacks.bundle, &mut stacks.wide);
+        trace_bundle(stacks, self, triangles, rays, packets);
+    }
+
     fn count(&self) -> usize {
         self.0.len()
     }
@@ -209,6 +224,18 @@ impl StoredNodes for WideNodes<'_> {
         &mut stacks.coded_wide
     }
 
+    #[inline(always)]
+    fn trace_packets<T: StoredTriangles<Self>>(
+        &self,
+        triangles: &T,
+        stacks: &mut Stacks,
+        rays: &mut Bundle<PreparedRays<Numbers, LANES>>,
+        packets: (&mut Bundle<Packet>, usize),
+    ) {
+        let stacks = (&mut stacks.bundle, &mut stacks.coded_wide);
+        trace_bundle(stacks, self, triangles, rays, packets);
+    }
+
     fn count(&self) -> usize {
         self.nodes.len()
     }
@@ -241,6 +268,18 @@ impl StoredNodes for WideMixedNodes<'_> {
     #[inline(always)]
     fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers> {
         &mut stacks.coded_wide
+    }
+
+    #[inline(always)]
+    fn trace_packets<T: StoredTriangles<Self>>(
+        &self,
+        triangles: &T,
+        stacks: &mut Stacks,
+        rays: &mut Bundle<PreparedRays<Numbers, LANES>>,
+        packets: (&mut Bundle<Packet>, usize),
+    ) {
+        let stacks = (&mut stacks.bundle, &mut stacks.coded_wide);
+        trace_bundle(stacks, self, triangles, rays, packets);
     }
 
     fn count(&self) -> usize {
@@ -293,6 +332,18 @@ impl StoredNodes for PackedWideNodes<'_> {
     #[inline(always)]
     fn stacks(stacks: &mut Stacks) -> &mut PacketStacks<Self::Node, Numbers> {
         &mut stacks.coded_wide
+    }
+
+    #[inline(always)]
+    fn trace_packets<T: StoredTriangles<Self>>(
+        &self,
+        triangles: &T,
+        stacks: &mut Stacks,
+        rays: &mut Bundle<PreparedRays<Numbers, LANES>>,
+        packets: (&mut Bundle<Packet>, usize),
+    ) {
+        let stacks = (&mut stacks.bundle, &mut stacks.coded_wide);
+        trace_bundle(stacks, self, triangles, rays, packets);
     }
 
     fn count(&self) -> usize {
