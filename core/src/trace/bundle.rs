@@ -13,13 +13,14 @@ use super::prepare::PreparedRays;
 use super::query::{ChildList, NOT_MET, key};
 use super::wide::{WideFork, WideRef};
 use super::{
-    Collector, HitFilter, Lane, LeafSlot, NodeSource, Order, STACK_SIZE, TriangleSource,
+    Collector, Fork, HitFilter, Lane, LeafSlot, NodeSource, Order, STACK_SIZE, TriangleSource,
     trace_packet,
 };
 use crate::build::node::NodeRef;
 use crate::build::wide::WIDTH;
 use crate::geometry::lanes::Wide;
 use crate::geometry::slab::FourPlanes;
+use core::array::from_fn;
 
 /// Packets in a bundle.
 pub const PACKETS: usize = 8;
@@ -30,7 +31,7 @@ pub type Bundle<T> = [T; PACKETS];
 /// Children that may wait: all but one of each node on a path.
 const ROWS: usize = (WIDTH - 1) * STACK_SIZE;
 
-/// A child that is walked to, or waits.
+/// A child that waits.
 #[derive(Clone, Copy, Debug)]
 struct Child {
     name: WideRef,
@@ -38,6 +39,9 @@ struct Child {
     enter: f32,
     /// A bit for each packet that may enter it.
     packets: u32,
+    /// Its box, in the order of the rays' axes.
+    low: [f32; 3],
+    high: [f32; 3],
 }
 
 impl Child {
@@ -45,6 +49,8 @@ impl Child {
         name: WideRef(0),
         enter: 0.0,
         packets: 0,
+        low: [0.0; 3],
+        high: [0.0; 3],
     };
 }
 
@@ -158,15 +164,16 @@ impl<F: HitFilter, C: Collector, W: Wide<LANES>, const LANES: usize> Walk<'_, F,
                 self.test(nodes, triangles, cursor, packets);
             } else {
                 let node = nodes.children(cursor, order);
-                self.open(nodes, &node, &interval, packets);
+                self.open(&node, &interval, packets);
                 steps = steps.wrapping_sub(1);
             }
-            let next = self.take();
-            if (next.packets == 0) | (steps == 0) {
+            let Some((next, entering)) = self.take(nodes) else {
+                return;
+            };
+            (cursor, packets) = (next, entering);
+            if steps == 0 {
                 return;
             }
-            packets = next.packets;
-            cursor = nodes.resume(next.name);
         }
     }
 
@@ -205,13 +212,9 @@ impl<F: HitFilter, C: Collector, W: Wide<LANES>, const LANES: usize> Walk<'_, F,
         })
     }
 
-    /// Opens a node: its children that packets enter wait.
+    /// Opens a node: its children that the interval meets wait.
     #[inline(always)]
-    fn open<N, P>(&mut self, nodes: &N, node: &WideFork<P>, interval: &RayInterval, packets: u32)
-    where
-        N: NodeSource<Node = WideFork<P>, Cursor = NodeRef>,
-        P: FourPlanes,
-    {
+    fn open<P: FourPlanes>(&mut self, node: &WideFork<P>, interval: &RayInterval, packets: u32) {
         let limit = self
             .ends
             .iter()
@@ -222,48 +225,40 @@ impl<F: HitFilter, C: Collector, W: Wide<LANES>, const LANES: usize> Walk<'_, F,
         }
         let enters = enters.to_array();
         let boxes = self.boxes(node);
-        let mut entering = [0; WIDTH];
-        let mut keys = [NOT_MET; WIDTH];
-        for child in each_of(met) {
-            let child = child % WIDTH;
-            let (low, high) = boxes.of(child);
-            let name = WideRef::new(node.node, child as u32);
-            entering[child] = if nodes.is_leaf(nodes.resume(name)) {
-                self.entering(packets, low, high)
-            } else {
-                // From the first that enters it.
-                let first = each_of(packets).find(|k| self.enters(*k, low, high));
-                first.map_or(0, |k| packets & u32::MAX << k)
-            };
-            if entering[child] != 0 {
-                keys[child] = if self.goes_farther_first {
-                    1 << 2 | child as u32
-                } else {
-                    key(enters[child], child as u32, false)
+        let mut list = ChildList::of_few(met).unwrap_or_else(|| {
+            let keys = from_fn(|child| {
+                let own = match self.goes_farther_first {
+                    true => 1 << 2 | child as u32,
+                    false => key(enters[child], child as u32, false),
                 };
-            }
-        }
+                if met >> child & 1 == 1 { own } else { NOT_MET }
+            });
+            ChildList::sorted(keys)
+        });
         // The first child waits on top.
-        let mut list = ChildList::sorted(keys);
-        let (mut names, mut count) = ([0; WIDTH], 0);
-        while list != ChildList::NONE && count < WIDTH {
-            names[count] = list.first() as usize % WIDTH;
+        let count = met.count_ones() as usize;
+        for place in (0..count.min(WIDTH)).rev() {
+            let child = list.first() as usize % WIDTH;
             list = list.rest();
-            count += 1;
-        }
-        for &child in names.iter().take(count).rev() {
-            self.stack[self.waiting % ROWS] = Child {
+            let (low, high) = boxes.of(child);
+            self.stack[(self.waiting + place) % ROWS] = Child {
                 name: WideRef::new(node.node, child as u32),
                 enter: enters[child],
-                packets: entering[child],
+                packets,
+                low,
+                high,
             };
-            self.waiting += 1;
         }
+        self.waiting += count;
     }
 
-    /// The next child that some packet may enter; none without packets.
+    /// The next child that packets enter, and which do: of an inner node all from the first on.
     #[inline(always)]
-    fn take(&mut self) -> Child {
+    fn take<N>(&mut self, nodes: &N) -> Option<(NodeRef, u32)>
+    where
+        N: NodeSource<Cursor = NodeRef>,
+        N::Node: Fork<Waiting = WideRef>,
+    {
         while self.waiting > 0 {
             self.waiting -= 1;
             let child = self.stack[self.waiting % ROWS];
@@ -272,11 +267,21 @@ impl<F: HitFilter, C: Collector, W: Wide<LANES>, const LANES: usize> Walk<'_, F,
                 due |= u32::from(child.enter <= end) << k;
             }
             let packets = child.packets & self.active & due;
-            if packets != 0 {
-                return Child { packets, ..child };
+            if packets == 0 {
+                continue;
+            }
+            let cursor = nodes.resume(child.name);
+            let entering = if nodes.is_leaf(cursor) {
+                self.entering(packets, child.low, child.high)
+            } else {
+                let first = each_of(packets).find(|k| self.enters(*k, child.low, child.high));
+                first.map_or(0, |k| packets & u32::MAX << k)
+            };
+            if entering != 0 {
+                return Some((cursor, entering));
             }
         }
-        Child::NONE
+        None
     }
 
     /// Tests a leaf's triangles.
