@@ -144,13 +144,14 @@ impl<F: HitFilter, C: Collector, W: Wide<LANES>, const LANES: usize> Walk<'_, F,
         let order = Order::of(self.axes);
         let mut packets = self.active;
         if !nodes.is_leaf(cursor) {
-            // Packets that miss all of the root's children go no further.
-            let root = nodes.children(cursor, order);
-            let all = self.boxes(&root);
+            // Packets that miss the root's box or all of its children's go no further.
+            let all = self.boxes(&nodes.children(cursor, order));
+            let (low, high) = all.whole();
+            let near = self.entering(self.active, low, high);
             let there = (0..WIDTH).filter(|child| all.is_there(*child));
             let active = there.fold(0, |packets, child| {
                 let (low, high) = all.of(child);
-                packets | self.entering(self.active, low, high)
+                packets | self.entering(near & !packets, low, high)
             });
             (self.active, packets) = (active, active);
         }
@@ -178,12 +179,13 @@ impl<F: HitFilter, C: Collector, W: Wide<LANES>, const LANES: usize> Walk<'_, F,
     }
 
     fn interval(&self) -> RayInterval {
-        let mut extremes = RayExtremes::NONE;
-        for k in each_of(self.active) {
+        let of = |k: usize| {
             let rays = &self.rays[k % PACKETS];
-            extremes = extremes.with(&RayExtremes::of(&rays.lanes, rays.members));
-        }
-        extremes.interval()
+            RayExtremes::of(&rays.lanes, rays.members)
+        };
+        let mut packets = each_of(self.active);
+        let first = of(packets.next().unwrap_or(0));
+        packets.fold(first, |all, k| all.with(&of(k))).interval()
     }
 
     /// The boxes of a node's children.
@@ -348,6 +350,20 @@ impl Boxes {
             [a[child], b[child], c[child]],
             [d[child], e[child], f[child]],
         )
+    }
+
+    /// The box of all children.
+    #[inline(always)]
+    fn whole(&self) -> ([f32; 3], [f32; 3]) {
+        let (mut low, mut high) = ([f32::MAX; 3], [f32::MIN; 3]);
+        for child in (0..WIDTH).filter(|child| self.is_there(*child)) {
+            let (a, b) = self.of(child);
+            for axis in 0..3 {
+                low[axis] = low[axis].min(a[axis]);
+                high[axis] = high[axis].max(b[axis]);
+            }
+        }
+        (low, high)
     }
 
     /// A lane without a child has its planes exchanged.

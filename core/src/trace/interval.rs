@@ -8,10 +8,11 @@
 //! nothing.
 
 use super::wide::WideFork;
-use crate::geometry::lanes::Wide;
+use crate::geometry::lanes::{Lanes, Wide};
 use crate::geometry::planes::BoxSpan;
 use crate::geometry::ray::RayLanes;
 use crate::geometry::slab::{FourPlanes, SLAB_PADDING};
+use core::array::from_fn;
 use glam::Vec4;
 
 /// What bounds rays, axis by axis in their order.
@@ -33,52 +34,43 @@ struct AxisInterval {
     is_mixed: bool,
 }
 
-/// The smallest and the largest number of some lanes.
-#[inline(always)]
-fn extremes<W: Wide<LANES>, const LANES: usize>(numbers: W, members: u32) -> [f32; 2] {
-    let numbers = numbers.to_array();
-    let mut found = [f32::MAX, -f32::MAX];
-    for (i, &x) in numbers.iter().enumerate() {
-        if members >> i & 1 == 1 {
-            found = [found[0].min(x), found[1].max(x)];
-        }
-    }
-    found
-}
-
-#[inline(always)]
-fn joined(a: [f32; 2], b: [f32; 2]) -> [f32; 2] {
-    [a[0].min(b[0]), a[1].max(b[1])]
-}
-
-/// Extremes of several rays, to be joined with those of others.
+/// Extremes of several rays in lanes, to be joined with those of others.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RayExtremes {
-    /// Of the origins for lower planes, of those for upper ones, and of inverses.
-    axes: [[[f32; 2]; 3]; 3],
-    t_min: f32,
+pub(super) struct RayExtremes<W> {
+    /// Of the origins for lower planes, of those for upper ones, and of inverses: the smallest and the largest.
+    axes: [[[W; 2]; 3]; 3],
+    t_min: W,
 }
 
-impl RayExtremes {
-    /// Of no rays.
-    pub const NONE: Self = Self {
-        axes: [[[f32::MAX, f32::MIN]; 3]; 3],
-        t_min: f32::MAX,
-    };
+/// The numbers of members, and one of theirs in other lanes.
+#[inline(always)]
+fn of_members<W: Wide<LANES>, const LANES: usize>(numbers: W, members: u32) -> W {
+    if members == u32::MAX >> (32 - LANES) {
+        return numbers;
+    }
+    let numbers = numbers.to_array();
+    let other = numbers[members.trailing_zeros() as usize % LANES];
+    W::from_array(from_fn(|i| match members >> i & 1 {
+        1 => numbers[i],
+        _ => other,
+    }))
+}
 
+impl<W: Lanes> RayExtremes<W> {
     /// Of the lanes that are members.
     #[inline(always)]
-    pub fn of<W: Wide<LANES>, const LANES: usize>(
-        rays: &RayLanes<BoxSpan<W>>,
-        members: u32,
-    ) -> Self {
+    pub fn of<const LANES: usize>(rays: &RayLanes<BoxSpan<W>>, members: u32) -> Self
+    where
+        W: Wide<LANES>,
+    {
         let axis = |i: usize| {
             let BoxSpan { low, high } = rays.plane_origins[i];
-            [low, high, rays.inverse[i]].map(|numbers| extremes(numbers, members))
+            let number = |numbers: W| [of_members(numbers, members); 2];
+            [number(low), number(high), number(rays.inverse[i])]
         };
         Self {
             axes: [axis(0), axis(1), axis(2)],
-            t_min: extremes(rays.t_min, members)[0],
+            t_min: of_members(rays.t_min, members),
         }
     }
 
@@ -86,34 +78,46 @@ impl RayExtremes {
     #[inline(always)]
     pub fn with(&self, other: &Self) -> Self {
         let axis = |i: usize| {
-            let number = |j: usize| joined(self.axes[i][j], other.axes[i][j]);
+            let number = |j: usize| {
+                let ([a, b], [c, d]) = (self.axes[i][j], other.axes[i][j]);
+                [a.least(c), b.most(d)]
+            };
             [number(0), number(1), number(2)]
         };
         Self {
             axes: [axis(0), axis(1), axis(2)],
-            t_min: self.t_min.min(other.t_min),
+            t_min: self.t_min.least(other.t_min),
         }
     }
 
     /// The bounds of all these rays.
     #[inline(always)]
-    pub fn interval(&self) -> RayInterval {
-        let axis = |[low, high, inverse]: [[f32; 2]; 3]| {
+    pub fn interval<const LANES: usize>(&self) -> RayInterval
+    where
+        W: Wide<LANES>,
+    {
+        let least = |numbers: W| {
+            let numbers = numbers.to_array();
+            numbers.iter().fold(f32::MAX, |a, &b| a.min(b))
+        };
+        let most = |numbers: W| -least(-numbers);
+        let axis = |i: usize| {
+            let [low, high, inverse] = self.axes[i];
+            let inverse = [least(inverse[0]), most(inverse[1])];
             let is_reversed = inverse[1] < 0.0;
             AxisInterval {
-                origins: if is_reversed {
-                    [high[0], low[1]]
-                } else {
-                    [low[1], high[0]]
+                origins: match is_reversed {
+                    true => [least(high[0]), most(low[1])],
+                    false => [most(low[1]), least(high[0])],
                 },
                 inverse,
                 is_reversed,
-                is_mixed: inverse[0] < 0.0 && inverse[1] >= 0.0,
+                is_mixed: inverse[0] < 0.0 && !is_reversed,
             }
         };
         RayInterval {
-            axes: self.axes.map(axis),
-            t_min: self.t_min,
+            axes: [axis(0), axis(1), axis(2)],
+            t_min: least(self.t_min),
         }
     }
 }

@@ -131,7 +131,29 @@ impl Wide<8> for Numbers {
 
     #[inline(always)]
     fn columns(rows: [[f32; 8]; 8]) -> [Self; 8] {
-        f32x8::transpose(rows.map(f32x8::new)).map(Self)
+        // One by one: `map` is not always inlined.
+        let [a, b, c, d, e, f, g, h] = rows;
+        let rows = [
+            f32x8::new(a),
+            f32x8::new(b),
+            f32x8::new(c),
+            f32x8::new(d),
+            f32x8::new(e),
+            f32x8::new(f),
+            f32x8::new(g),
+            f32x8::new(h),
+        ];
+        let [a, b, c, d, e, f, g, h] = f32x8::transpose(rows);
+        [
+            Self(a),
+            Self(b),
+            Self(c),
+            Self(d),
+            Self(e),
+            Self(f),
+            Self(g),
+            Self(h),
+        ]
     }
 
     #[inline(always)]
