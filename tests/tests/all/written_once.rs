@@ -199,8 +199,10 @@ const STAGES: &[Stage] = &[
         what: "closest hit, any hit, nearest hits, of one ray or of several together",
         core: &[
             "trace",
+            "trace/bundle",
             "trace/collect",
             "trace/filter",
+            "trace/interval",
             "trace/packet",
             "trace/prepare",
             "trace/query",
