@@ -222,7 +222,7 @@ mod tests {
             end,
         )
             .prop_map(|(origin, direction, spread, offsets, t_max)| {
-                core::array::from_fn(|i| {
+                from_fn(|i| {
                     let by = |base: [f32; 3], off: [f32; 3]| {
                         let scale = crate::geometry::float::power_of_two(spread);
                         [0, 1, 2].map(|axis| base[axis] + off[axis] * scale)
@@ -265,7 +265,7 @@ mod tests {
     #[test]
     fn a_ray_that_is_left_out_is_missed() {
         let ray = |i: usize| Ray::new([i as f32 / 256.0, 0.0, -1.0], [0.0, 0.0, 1.0]);
-        let rays = prepared(&core::array::from_fn(ray));
+        let rays = prepared(&from_fn(ray));
         assert_eq!(rays.members, 0xff);
         let [x, y] = [6.5 / 256.0, 7.5 / 256.0];
         let own = [[x, -1.0, 0.0], [y, 1.0, 0.5]];

@@ -31,7 +31,7 @@ impl<const W: usize> Item<W> {
     #[inline]
     fn half(&self, i: usize) -> u32 {
         let word = self.0[i / 2].load(Relaxed);
-        (if i % 2 == 0 { word >> 32 } else { word }) as u32
+        (word >> (32 * (1 - i % 2))) as u32
     }
 
     /// The key.
